@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller::app {
 

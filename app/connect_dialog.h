@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 class QLabel;
 class QLineEdit;

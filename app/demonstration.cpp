@@ -7,8 +7,8 @@
 
 #include "app/main_window.h"
 #include "robot/core/atomic_file.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/session/texts.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller::app {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/core/spatial.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 class QWidget;
 

@@ -2,8 +2,8 @@
 #include "app/jog_actions.h"
 
 #include "app/action_table.h"
-#include "widgets/common/notation.h"
-#include "widgets/jog/freedrive_axes.h"
+#include "robot/station/jog/freedrive_axes.h"
+#include "robot/station/text/notation.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"

@@ -7,9 +7,9 @@
 #include "app/action_table.h"
 #include "app/local_simulator.h"
 #include "app/settings.h"
+#include "robot/station/document/project_document.h"
 #include "widgets/practice/first_steps_card.h"
 #include "widgets/practice/practice_card.h"
-#include "widgets/project/project_document.h"
 #include "widgets/scene/scene_view.h"
 
 namespace tiller::app {

@@ -9,7 +9,7 @@
 
 #include "robot/core/result.h"
 #include "robot/simulator/simulator.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller::app {
 

@@ -19,9 +19,9 @@
 #include "app/main_window.h"
 #include "app/start_project.h"
 #include "resources/resources.h"
+#include "robot/station/link/recording_choice.h"
+#include "robot/station/text/texts.h"
 #include "tiller_version.h"
-#include "widgets/session/recording_choice.h"
-#include "widgets/session/texts.h"
 
 using namespace tiller;
 

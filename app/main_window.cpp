@@ -42,6 +42,11 @@
 #include "app/sleep_watch.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
+#include "robot/station/capture/incident_watch.h"
+#include "robot/station/capture/stop_record.h"
+#include "robot/station/jog/jog_motion.h"
+#include "robot/station/text/texts.h"
+#include "widgets/common/apply_notation.h"
 #include "widgets/common/density.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/hover_keeper.h"
@@ -58,21 +63,17 @@
 #include "widgets/jog/device_sources.h"
 #include "widgets/jog/device_trainer.h"
 #include "widgets/jog/jog_column.h"
-#include "widgets/jog/jog_motion.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/stop_keys.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
 #include "widgets/project/project_fit.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/session/incident_watch.h"
-#include "widgets/session/stop_record.h"
-#include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/status/recovery_page.h"
@@ -130,7 +131,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     , settings_(settings)
     , preferences_(settings_.preferences())
     , session_(std::make_unique<RobotSession>(clock))
-    , document_(std::make_unique<ProjectDocument>())
+    , document_(std::make_unique<UndoableDocument>())
     , files_(std::make_unique<ProjectFiles>(*document_)) {
     settings_.setWriteFailed([this](const Error& error) {
         Q_EMIT session_->message(Severity::Error,

@@ -11,9 +11,9 @@
 
 #include "app/local_simulator.h"
 #include "app/settings.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/common/hold_rules.h"
 #include "widgets/common/hold_witness.h"
-#include "widgets/session/robot_session.h"
 
 class QTabBar;
 class QMenu;
@@ -32,7 +32,7 @@ class JogColumn;
 class KeyboardJog;
 class LogTab;
 class Panel;
-class ProjectDocument;
+class UndoableDocument;
 class ProjectFiles;
 class ProjectFit;
 struct ProjectStep;
@@ -67,7 +67,7 @@ public:
 
     RobotSession& session() { return *session_; }
     JogColumn& jogColumn() { return *jog_; }
-    ProjectDocument& document() { return *document_; }
+    UndoableDocument& document() { return *document_; }
     ProjectFiles& files() { return *files_; }
     WaypointsTab& waypoints() { return *waypoints_; }
     FramesTab& frames() { return *frames_; }
@@ -178,7 +178,7 @@ private:
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<HoldWitness> witness_;
     HoldTerms holdTerms_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves the document when it is destroyed
     std::unique_ptr<ProjectFit> fit_;
     std::unique_ptr<Lessons> lessons_;

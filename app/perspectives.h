@@ -12,7 +12,7 @@
 
 #include "app/settings.h"
 #include "robot/control/motion_types.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller::app {
 

@@ -8,10 +8,10 @@
 #include <QString>
 
 #include "app/settings_store.h"
+#include "robot/station/link/recording_choice.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/notation.h"
 #include "widgets/jog/input_device.h"
-#include "widgets/session/recording_choice.h"
 
 namespace tiller::app {
 

@@ -12,8 +12,8 @@
 
 #include "app/settings_file.h"
 #include "robot/core/result.h"
-#include "widgets/session/session_state.h"
-#include "widgets/session/stop_record.h"
+#include "robot/station/capture/stop_record.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller::app {
 

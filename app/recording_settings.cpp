@@ -14,9 +14,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/format.h"
 #include "widgets/common/nothing_found.h"
 
 namespace tiller::app {

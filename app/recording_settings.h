@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/session/recording_choice.h"
+#include "robot/station/link/recording_choice.h"
 
 class QLabel;
 class QLineEdit;

@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/session/texts.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller::app {
 namespace {

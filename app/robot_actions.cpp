@@ -2,7 +2,8 @@
 #include "app/robot_actions.h"
 
 #include "app/action_table.h"
-#include "widgets/session/texts.h"
+#include "robot/station/link/obstacles.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller::app {
 namespace {
@@ -21,7 +22,7 @@ QString needsNormalSafety(const SessionState& state) {
 /// A missing service comes first: no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
-    return link.isEmpty() ? texts::serviceObstacle(state, command) : link;
+    return link.isEmpty() ? serviceObstacle(state, command) : link;
 }
 
 /// The program commands apply to programs stored on the robot.

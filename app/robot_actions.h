@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <functional>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller::app {
 

@@ -15,7 +15,7 @@
 #include "app/preferences.h"
 #include "app/settings_file.h"
 #include "app/settings_store.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller::app {
 

@@ -11,7 +11,7 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
-#include "widgets/session/texts.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller::app {
 namespace {

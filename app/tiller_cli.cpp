@@ -27,6 +27,7 @@ const QString kHelp = QStringLiteral(
     "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
     "  serve ADDRESS        send on what a robot sends, to Foxglove or PlotJuggler\n"
     "  episodes FILE...     recordings as demonstrations to learn from\n"
+    "  project ACTION FILE  inspect, check or convert a project (see 'tiller-cli project --help')\n"
     "  divergence FILE      say when the arm of a recording parted from its model\n"
     "\n"
     "Options:\n"
@@ -77,6 +78,9 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("episodes")) {
         return app::episodes(arguments);
+    }
+    if (command == QLatin1String("project")) {
+        return app::projectCommand(arguments);
     }
     if (command == QLatin1String("divergence")) {
         return app::divergence(arguments);

@@ -155,7 +155,7 @@
     </message>
 </context>
 <context>
-    <name>BackTrack</name>
+    <name>RetracePath</name>
     <message>
         <source>go back: no recorded motion left</source>
         <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
@@ -512,7 +512,7 @@
     </message>
 </context>
 <context>
-    <name>Derivation</name>
+    <name>DerivedSignal</name>
     <message>
         <source>compute a signal</source>
         <translation>ein Signal berechnen</translation>
@@ -4675,7 +4675,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
-    <name>tiller::GoThrough</name>
+    <name>tiller::RouteRunner</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>Es gibt keine Wegpunkte zum Durchfahren. Teachen oder wählen Sie zuerst Wegpunkte.</translation>

@@ -155,7 +155,7 @@
     </message>
 </context>
 <context>
-    <name>BackTrack</name>
+    <name>RetracePath</name>
     <message>
         <source>go back: no recorded motion left</source>
         <translation>volver atrás: no queda movimiento registrado</translation>
@@ -512,7 +512,7 @@
     </message>
 </context>
 <context>
-    <name>Derivation</name>
+    <name>DerivedSignal</name>
     <message>
         <source>compute a signal</source>
         <translation>calcular una señal</translation>
@@ -4675,7 +4675,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
-    <name>tiller::GoThrough</name>
+    <name>tiller::RouteRunner</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>No hay puntos de paso que recorrer. Enseñe o seleccione primero puntos de paso.</translation>

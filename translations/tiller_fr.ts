@@ -155,7 +155,7 @@
     </message>
 </context>
 <context>
-    <name>BackTrack</name>
+    <name>RetracePath</name>
     <message>
         <source>go back: no recorded motion left</source>
         <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
@@ -512,7 +512,7 @@
     </message>
 </context>
 <context>
-    <name>Derivation</name>
+    <name>DerivedSignal</name>
     <message>
         <source>compute a signal</source>
         <translation>calculer un signal</translation>
@@ -4675,7 +4675,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
-    <name>tiller::GoThrough</name>
+    <name>tiller::RouteRunner</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>Aucun point de passage à parcourir. Apprenez ou sélectionnez d’abord des points.</translation>

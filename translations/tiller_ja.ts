@@ -155,7 +155,7 @@
     </message>
 </context>
 <context>
-    <name>BackTrack</name>
+    <name>RetracePath</name>
     <message>
         <source>go back: no recorded motion left</source>
         <translation>戻る：記録された動作は残っていません</translation>
@@ -512,7 +512,7 @@
     </message>
 </context>
 <context>
-    <name>Derivation</name>
+    <name>DerivedSignal</name>
     <message>
         <source>compute a signal</source>
         <translation>信号を計算する</translation>
@@ -4668,7 +4668,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::GoThrough</name>
+    <name>tiller::RouteRunner</name>
     <message>
         <source>There are no waypoints to go through. Teach or select waypoints first.</source>
         <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>

@@ -53,7 +53,9 @@ else()
 endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
-    PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE)
+    PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
+    # Internal to the programs for now.
+    PATTERN "station" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})
         cmake_path(GET header PARENT_PATH folder)

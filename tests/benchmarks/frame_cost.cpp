@@ -20,14 +20,14 @@
 #include <memory>
 #include <vector>
 
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_sheet.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 

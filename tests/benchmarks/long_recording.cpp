@@ -25,12 +25,12 @@
 
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/mcap/mcap_format.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
 #include "tests/unit/robot/recording/made_recording.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 

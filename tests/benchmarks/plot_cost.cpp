@@ -26,13 +26,13 @@
 #include <vector>
 
 #include "robot/receive/receiver.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 

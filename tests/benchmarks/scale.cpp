@@ -43,12 +43,12 @@
 #include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
 #include "robot/rtde/fields.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;

@@ -19,7 +19,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_table.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
 
     RobotSession session;
     session.shutDown();
-    ProjectDocument document;
+    UndoableDocument document;
     WaypointsTab tab(session, document);
     tab.resize(560, 560);
     tab.show();

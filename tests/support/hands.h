@@ -19,7 +19,7 @@
 #include "widgets/common/hold_witness.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/keyboard_jog.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 namespace tiller::test {
@@ -156,7 +156,7 @@ struct Hands {
     FakeWitness witness{clock};
     HoldTerms terms;
     RobotSession session;
-    ProjectDocument document;
+    UndoableDocument document;
     QWidget window;
     QLineEdit* edit = new QLineEdit(&window);
     JogColumn* column = new JogColumn(arm.port(), &window);

@@ -4,7 +4,7 @@
 // What a session tells of a UR5e that stands ready, for widgets that are tried without a robot.
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller::test {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "widgets/session/sample_batch.h"
+#include "robot/station/link/sample_batch.h"
 
 namespace tiller::test {
 

@@ -10,7 +10,7 @@
 #include "robot/core/clock.h"
 #include "robot/receive/sample.h"
 #include "robot/simulator/simulator.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller::test {
 

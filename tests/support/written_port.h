@@ -6,7 +6,7 @@
 #include <QList>
 #include <cstdint>
 
-#include "widgets/session/motion_port.h"
+#include "robot/station/link/motion_port.h"
 
 namespace tiller::test {
 

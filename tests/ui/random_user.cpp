@@ -16,11 +16,11 @@
 #include <utility>
 
 #include "app/action_table.h"
+#include "robot/station/jog/jog_motion.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/ui/step_log.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/jog/jog_column.h"
-#include "widgets/jog/jog_motion.h"
 
 namespace tiller::test {
 namespace {

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "robot/core/angles.h"
+#include "robot/station/text/mode_words.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/jog/joint_rows.h"
-#include "widgets/session/mode_words.h"
 
 namespace tiller::test {
 namespace {

@@ -18,7 +18,7 @@
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/travel_watch.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/tools/cell_page.h"
 #include "widgets/tools/tools_tab.h"
 #include "widgets/waypoints/waypoint_model.h"
@@ -31,7 +31,7 @@ class TestCollisions : public JogWindowTest {
     Q_OBJECT
 
 private:
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     const SessionState& state() { return window().session().state(); }
     const DhParameters& dh() { return state().dh; }
 

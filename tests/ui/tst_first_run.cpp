@@ -22,9 +22,9 @@
 #include "app/start_project.h"
 #include "resources/resources.h"
 #include "robot/simulator/simulator.h"
+#include "robot/station/document/project_document.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
 #include "widgets/status/preflight_page.h"
 

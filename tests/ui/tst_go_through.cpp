@@ -14,7 +14,7 @@
 #include "tests/support/pictures.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_selectors.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -74,7 +74,7 @@ class TestGoThrough : public JogWindowTest {
     Q_OBJECT
 
 private:
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     HoldButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     JointPositions q(int row) { return document().waypoints().at(row).joints; }

@@ -12,6 +12,7 @@
 
 #include "resources/resources.h"
 #include "robot/io/outputs.h"
+#include "robot/station/link/robotiq_link.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -21,7 +22,6 @@
 #include "widgets/io/gripper_panel.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
-#include "widgets/session/robotiq_link.h"
 
 using namespace tiller;
 using namespace tiller::test;

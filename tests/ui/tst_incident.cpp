@@ -20,6 +20,9 @@
 #include "resources/resources.h"
 #include "robot/core/spatial.h"
 #include "robot/script/script_client.h"
+#include "robot/station/capture/incident_watch.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/replay_band.h"
@@ -29,13 +32,10 @@
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/plot_dock.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/session/incident_watch.h"
-#include "widgets/signals/signal_store.h"
 
 using namespace tiller;
 using namespace tiller::test;

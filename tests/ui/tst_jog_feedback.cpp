@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "robot/core/angles.h"
+#include "robot/station/history/state_lane.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/key_events.h"
 #include "widgets/common/segmented_control.h"
@@ -19,7 +20,6 @@
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/pose_view.h"
 #include "widgets/plots/plot_dock.h"
-#include "widgets/plots/state_lane.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/waypoints/waypoints_tab.h"
 

@@ -29,7 +29,7 @@
 #include "widgets/practice/practice_card.h"
 #include "widgets/practice/practice_check.h"
 #include "widgets/practice/tick_line.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/status/recovery_page.h"
 #include "widgets/waypoints/waypoints_tab.h"

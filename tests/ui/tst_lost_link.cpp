@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "resources/resources.h"
+#include "robot/station/history/state_lane.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/state_chip.h"
@@ -14,7 +15,6 @@
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
 
 using namespace tiller;
 using namespace tiller::test;

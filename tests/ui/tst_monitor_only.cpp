@@ -13,9 +13,9 @@
 
 #include "app/action_table.h"
 #include "resources/resources.h"
+#include "robot/station/text/texts.h"
 #include "tests/ui/foreign_program_bench.h"
 #include "widgets/common/state_chip.h"
-#include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/speed_chip.h"
 

@@ -20,7 +20,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoint_dialogs.h"

@@ -13,8 +13,8 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -59,7 +59,7 @@ private:
 
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
 
     bool until(const std::function<bool()>& condition) {

@@ -13,7 +13,7 @@
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/jog/jog_selectors.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/path_controls.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -24,7 +24,7 @@ class TestRecordPath : public JogWindowTest {
     Q_OBJECT
 
 private:
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     PathControls& paths() { return *window().findChild<PathControls*>(); }
     QAbstractButton& record() { return bench_->find<QAbstractButton>("waypoint.recordPath"); }

@@ -442,9 +442,9 @@ private Q_SLOTS:
     void onlyTheRecoveryPageCanGiveTheWord() {
         // The type says so to the compiler; this says so to the reader, and covers the wire text too.
         const QMap<QString, QStringList> allowed = {
-            {"UnlockConsent()", {"widgets/session/robot_command.h", "widgets/status/recovery_page.cpp"}},
+            {"UnlockConsent()", {"robot/station/link/robot_command.h", "widgets/status/recovery_page.cpp"}},
             {"unlockProtectiveStop(",
-             {"widgets/session/robot_services.h", "widgets/session/robot_services.cpp",
+             {"robot/station/link/robot_services.h", "robot/station/link/robot_services.cpp",
               "widgets/status/recovery_page.cpp"}},
             {"unlock protective stop", {}},
             {"UNLOCK_PROTECTIVE_STOP", {}},

@@ -22,8 +22,8 @@
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;

@@ -27,6 +27,7 @@
 #include "tests/support/test_pad.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/common/apply_notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/device_trainer.h"

@@ -19,10 +19,10 @@
 #include "app/language.h"
 #include "app/settings_page.h"
 #include "resources/resources.h"
+#include "robot/station/text/format.h"
 #include "tests/support/pseudo_translator.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/format.h"
 #include "widgets/common/theme.h"
 
 using namespace tiller;

@@ -14,7 +14,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/tcp_page.h"
 #include "widgets/tools/tools_tab.h"

@@ -11,7 +11,7 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
@@ -29,7 +29,7 @@ private:
 
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     ToolsTab& tools() { return bench_->find<ToolsTab>("tools"); }
 
     bool until(const std::function<bool()>& condition) {

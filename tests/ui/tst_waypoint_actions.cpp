@@ -17,7 +17,7 @@
 #include "widgets/common/figure_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/jog/jog_selectors.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -84,7 +84,7 @@ class TestWaypointActions : public JogWindowTest {
 private:
     QStringList said_;
 
-    ProjectDocument& document() { return window().document(); }
+    UndoableDocument& document() { return window().document(); }
     HoldButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     bool output(int pin) { return (cell().truth().digitalOutputs >> pin & 1) != 0; }

@@ -9,33 +9,15 @@
 #include <QPoint>
 #include <QTimer>
 #include <cstdint>
-#include <functional>
 
-#include "robot/control/motion_types.h"
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
+#include "robot/station/link/hold_motion.h"
 #include "widgets/common/hold_rules.h"
 
 class QWidget;
 
 namespace tiller {
-
-/// What a press on one key begins, keeps and ends: a single motion with its target, its reach and how it is let go.
-/// MotionPort (widgets/session) is the other side of it, the one way to the arm for every panel: it knows jogs, moves
-/// and freedrive but no key. A key's HoldMotion is made from it; the guard needs no session and no robot.
-struct HoldMotion {
-    using Id = std::uint64_t;
-    /// Begins the motion, or says why not.
-    std::function<Result<Id>()> begin;
-    /// Keeps it alive. Returns false once it has been stopped or has arrived.
-    std::function<bool(Id)> hold;
-    std::function<void(Id, control::StopCause)> end;
-    /// Asked at the press: true for a short bounded step, which runs to its end after the key is let go.
-    /// Every other rule still ends it. May be empty: then letting go ends the motion.
-    std::function<bool()> runsToEnd;
-    /// Asked once the motion has begun: how far the hold reaches. May be empty: a motion without an end.
-    std::function<HoldBounds()> bounds = {};
-};
 
 class HoldGuard : public QObject {
     Q_OBJECT

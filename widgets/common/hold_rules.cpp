@@ -439,24 +439,6 @@ QStringList HoldRules::names() {
     return names;
 }
 
-std::int64_t HoldBounds::longestOf(double seconds) {
-    constexpr double kSpare = 5;
-    constexpr double kMost = 3600;  // a number that makes no sense is no excuse for holding for ever
-    const double sane = std::isfinite(seconds) ? std::clamp(seconds, 0.0, kMost) : 0.0;
-    return static_cast<std::int64_t>((sane + kSpare) * kNsPerSecond);
-}
-
-std::int64_t HoldRules::silenceAt(double linear, double angular) {
-    double seconds = static_cast<double>(kLongestSilenceNs) / kNsPerSecond;
-    if (linear > 0) {
-        seconds = std::min(seconds, kSilentLength / linear);
-    }
-    if (angular > 0) {
-        seconds = std::min(seconds, kSilentAngle / angular);
-    }
-    return std::max(kStallNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
-}
-
 bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
     if (!active_) {
         return false;

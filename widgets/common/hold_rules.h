@@ -25,6 +25,7 @@
 
 #include "robot/control/motion_types.h"
 #include "robot/core/clock.h"
+#include "robot/station/link/hold_motion.h"
 #include "widgets/common/physical_keys.h"
 
 class QWidget;
@@ -45,17 +46,6 @@ struct Grip {
     };
     By by = By::Mouse;
     QList<KeyCode> keys = {};  ///< By::Keys: all of them are down
-};
-
-/// How far a hold reaches.
-struct HoldBounds {
-    /// The motion may last so long [ns]; 0: it has no end of its own, HoldTerms::longestNs holds.
-    std::int64_t longestNs = 0;
-    /// How long a finger or a stick may say nothing [ns].
-    std::int64_t silenceNs = 100 * kNsPerMs;
-
-    /// Of a motion that has an end: the time it takes, and 5 s.
-    static std::int64_t longestOf(double seconds);
 };
 
 /// What holds for all keys of a window. Owned by the window, outlives its keys.
@@ -140,12 +130,6 @@ public:
     static constexpr int kPointerSlack = 30;
     /// A pause in the refresh, or in what the witness says, after which the motion is given up. [ms]
     static constexpr int kStallMs = 100;
-    /// How far a motion may go on the word of a finger or stick that says nothing new.
-    static constexpr double kSilentLength = 0.025;            ///< [m]
-    static constexpr double kSilentAngle = 0.26179938779915;  ///< [rad] 15 deg
-    static constexpr std::int64_t kLongestSilenceNs = 2 * kNsPerSecond;
-    /// The silence those make at these speeds [m/s, rad/s]; a speed of 0 does not count.
-    static std::int64_t silenceAt(double linear, double angular);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

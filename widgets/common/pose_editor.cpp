@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "robot/core/angles.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
 
 namespace tiller {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/frames/frame_editing.h"
 
-#include "widgets/common/notation.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_model.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {

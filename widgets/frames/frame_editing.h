@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "robot/project/waypoint.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "robot/project/reachability.h"
-#include "widgets/common/notation.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 

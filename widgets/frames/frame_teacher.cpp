@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/station/text/notation.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {

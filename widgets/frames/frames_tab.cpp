@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/station/document/project_document.h"
 #include "widgets/common/lower_edge.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
@@ -19,7 +20,6 @@
 #include "widgets/frames/frame_model.h"
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "robot/project/waypoint.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/session/scene_marks.h"
+#include "robot/station/link/robot_session.h"
+#include "widgets/common/scene_marks.h"
 
 class QAction;
 class QPushButton;

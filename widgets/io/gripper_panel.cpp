@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/io/gripper_panel.h"
-#include "widgets/session/texts.h"
+#include "robot/station/text/texts.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -12,11 +12,11 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/enter_key.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 

@@ -14,11 +14,11 @@
 #include <optional>
 
 #include "robot/core/clock.h"
-#include "widgets/io/output_gripper.h"
-#include "widgets/session/gripper_choice.h"
-#include "widgets/session/gripper_port.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/session/robotiq_link.h"
+#include "robot/station/link/gripper_choice.h"
+#include "robot/station/link/gripper_port.h"
+#include "robot/station/link/output_gripper.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/link/robotiq_link.h"
 
 class QAbstractButton;
 class QComboBox;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "robot/receive/robot_state.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/lower_edge.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/notice_bar.h"
@@ -16,7 +17,6 @@
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
-#include "widgets/session/texts.h"
 
 namespace tiller {
 namespace {

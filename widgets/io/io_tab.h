@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "robot/core/clock.h"
-#include "widgets/session/replay_moment.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/history/replay_moment.h"
+#include "robot/station/link/robot_session.h"
 
 class QLabel;
 class QLineEdit;

@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "robot/receive/robot_state.h"
-#include "widgets/session/io_commands.h"
+#include "robot/station/link/io_commands.h"
 
 class QComboBox;
 class QLabel;

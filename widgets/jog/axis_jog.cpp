@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/session/texts.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller {
 
@@ -35,8 +35,8 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
 
 std::int64_t jogSilenceNs(const control::JogTarget& target) {
     return target.kind == control::JogTarget::Kind::Joint
-               ? HoldRules::silenceAt(0, target.qd.values.cwiseAbs().maxCoeff())
-               : HoldRules::silenceAt(target.twist.linear.norm(), target.twist.angular.norm());
+               ? HoldBounds::silenceAt(0, target.qd.values.cwiseAbs().maxCoeff())
+               : HoldBounds::silenceAt(target.twist.linear.norm(), target.twist.angular.norm());
 }
 
 AxisJog::AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,

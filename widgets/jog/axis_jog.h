@@ -11,9 +11,9 @@
 
 #include "robot/core/clock.h"
 #include "robot/core/joints.h"
+#include "robot/station/jog/jog_motion.h"
+#include "robot/station/link/motion_port.h"
 #include "widgets/common/hold_rules.h"
-#include "widgets/jog/jog_motion.h"
-#include "widgets/session/motion_port.h"
 
 namespace tiller {
 

@@ -33,7 +33,7 @@ struct DeviceShape : DeviceTuning {
     QString deadManName;  ///< name of the enabling button, e.g. "left shoulder"
     QString directions;   ///< axes and their motions, in a sentence
     /// A hand is never perfectly still: after this time of deflection without a report, the device or its driver
-    /// hangs, and its last value is invalid. Values above 100 ms are limited by HoldRules::silenceAt().
+    /// hangs, and its last value is invalid. Values above 100 ms are limited by HoldBounds::silenceAt().
     std::chrono::milliseconds silenceAtMost{100};
 };
 

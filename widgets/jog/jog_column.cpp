@@ -14,15 +14,18 @@
 #include "robot/core/angles.h"
 #include "robot/io/outputs.h"
 #include "robot/kinematics/speed_bounds.h"
+#include "robot/station/jog/retrace_path.h"
+#include "robot/station/jog/travel.h"
+#include "robot/station/link/obstacles.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
-#include "widgets/common/format.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/text_entry.h"
 #include "widgets/jog/arm_key.h"
 #include "widgets/jog/axis_jog.h"
-#include "widgets/jog/back_track.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/joint_rows.h"
@@ -30,10 +33,7 @@
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
-#include "widgets/jog/reasons.h"
-#include "widgets/jog/travel.h"
 #include "widgets/jog/travel_watch.h"
-#include "widgets/session/texts.h"
 
 namespace tiller {
 
@@ -638,7 +638,8 @@ void JogColumn::connectBottom() {
         menu.exec(freedrive_->mapToGlobal(at));
     });
 
-    track_ = std::make_unique<BackTrack>(port_, [this](const JointPositions& from, const JointPositions& to) {
+    track_ = std::make_unique<RetracePath>(port_, [this](const JointPositions& from,
+                                                         const JointPositions& to) {
         const control::MotionLimits limits = port_.limits();
         const SpeedClass chosen = chosenSpeed(selection());
         const double tcpSpeed = std::min(chosen.tcp, limits.tcpSpeed);
@@ -675,7 +676,7 @@ Result<RobotSession::MotionId> JogColumn::beginJog(const control::JogTarget& tar
 Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) {
     const bool linear = request.kind == MoveRequest::Kind::MoveL;
     bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)),
-               HoldRules::silenceAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
+               HoldBounds::silenceAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
     return port_.beginMove(request);
 }
 
@@ -699,7 +700,7 @@ Result<RobotSession::MotionId> JogColumn::beginFreedrive() {
         }
     }
     constexpr std::int64_t kLongestFreedriveNs = 5 * 60 * kNsPerSecond;
-    bounds_ = {kLongestFreedriveNs, HoldRules::kLongestSilenceNs};
+    bounds_ = {kLongestFreedriveNs, HoldBounds::kMaxSilenceNs};
     return port_.beginFreedrive(
         freedriveOf(freedriveAxes_, frameAxes(selection(), state_.tcpPose), state_.tcpPose));
 }

@@ -9,14 +9,14 @@
 #include <optional>
 #include <vector>
 
+#include "robot/station/jog/freedrive_axes.h"
+#include "robot/station/jog/jog_motion.h"
+#include "robot/station/link/motion_port.h"
+#include "robot/station/link/move_time.h"
 #include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
-#include "widgets/jog/freedrive_axes.h"
-#include "widgets/jog/jog_motion.h"
+#include "widgets/common/scene_marks.h"
 #include "widgets/jog/limiter_line.h"
-#include "widgets/session/motion_port.h"
-#include "widgets/session/move_time.h"
-#include "widgets/session/scene_marks.h"
 
 class QMenu;
 class QTimer;
@@ -26,7 +26,7 @@ namespace tiller {
 
 class ArmKey;
 class AxisJog;
-class BackTrack;
+class RetracePath;
 class HoldButton;
 struct HoldMotion;
 class JogKey;
@@ -185,8 +185,8 @@ private:
     HoldButton* homeKey_ = nullptr;
     HoldButton* align_ = nullptr;
     HoldButton* back_ = nullptr;
-    std::unique_ptr<BackTrack> track_;
-    std::uint64_t wayBackTold_ = 0;  ///< BackTrack::revision
+    std::unique_ptr<RetracePath> track_;
+    std::uint64_t wayBackTold_ = 0;  ///< RetracePath::revision
     int wayBackFrames_ = 0;          ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;

@@ -7,8 +7,8 @@
 #include <QVector>
 #include <QWidget>
 
+#include "robot/station/jog/jog_motion.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/jog/jog_motion.h"
 
 namespace tiller {
 

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "robot/core/angles.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 

@@ -9,7 +9,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/jog/jog_motion.h"
+#include "robot/station/jog/jog_motion.h"
 
 class QMenu;
 

@@ -10,9 +10,9 @@
 
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
 #include "widgets/common/density.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <optional>
 
-#include "widgets/session/robot_session.h"
-#include "widgets/session/scene_marks.h"
+#include "robot/station/link/robot_session.h"
+#include "widgets/common/scene_marks.h"
 
 namespace tiller {
 

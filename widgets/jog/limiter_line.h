@@ -9,22 +9,9 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "robot/control/motion_types.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/jog/limiter_advice.h"
 
 namespace tiller {
-
-/// The limit of the arm and the suggested action; both empty without a limit.
-struct LimiterAdvice {
-    QString what;
-    QString advice;
-};
-
-/// The nearest relevant limit: a joint within 15 deg of its range, or a nearby singularity.
-/// R_base_frame  axes of the pad buttons, for the suggested action
-/// Threads       any
-LimiterAdvice nearestLimiter(const SessionState& state,
-                             const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 
 class LimiterLine : public QWidget {
     Q_OBJECT

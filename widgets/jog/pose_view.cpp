@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "robot/core/angles.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {

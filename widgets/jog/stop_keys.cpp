@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller {
 

@@ -2,12 +2,12 @@
 #include "widgets/jog/travel_watch.h"
 
 #include "robot/core/angles.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
-#include "widgets/common/notation.h"
+#include "robot/station/jog/travel.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/move_words.h"
+#include "robot/station/text/notation.h"
 #include "widgets/jog/jog_pad.h"
-#include "widgets/jog/travel.h"
-#include "widgets/session/move_words.h"
 
 namespace tiller {
 namespace {

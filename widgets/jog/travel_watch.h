@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "robot/control/jog_reach.h"
-#include "widgets/jog/jog_motion.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/jog/jog_motion.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller {
 

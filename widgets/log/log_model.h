@@ -11,7 +11,7 @@
 #include <deque>
 #include <optional>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller {
 

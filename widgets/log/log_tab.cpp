@@ -17,13 +17,13 @@
 #include <cmath>
 
 #include "robot/core/atomic_file.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
 #include "widgets/common/list_typing.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/replay_band.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
-#include "widgets/session/texts.h"
 
 namespace tiller {
 

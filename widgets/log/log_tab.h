@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "robot/core/result.h"
-#include "widgets/session/replay_moment.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/history/replay_moment.h"
+#include "robot/station/link/robot_session.h"
 
 class QLabel;
 class QLineEdit;

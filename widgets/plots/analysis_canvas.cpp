@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/format.h"
+#include "robot/station/text/format.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {

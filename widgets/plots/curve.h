@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "widgets/signals/series_buffer.h"
+#include "robot/station/history/series_buffer.h"
 
 namespace tiller {
 

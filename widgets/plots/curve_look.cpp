@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/station/history/signal_store.h"
 #include "widgets/common/theme.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 

@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/spectrum.h"
+#include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/format.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/analysis_canvas.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/signals/signal_store.h"
-#include "widgets/signals/spectrum.h"
 
 namespace tiller {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/core/deadline.h"
-#include "widgets/session/session_worker.h"
+#include "robot/station/executor/serial_executor.h"
 
 class QLabel;
 
@@ -102,7 +102,7 @@ private:
     std::optional<Outcome> outcome_;  ///< its result; empty: in progress
     bool again_ = false;              ///< another task has to be started after its end
     CancelToken cancel_;              ///< of the current task
-    SessionWorker worker_;            ///< last member: its jobs end before other members are destroyed
+    SerialExecutor worker_;            ///< last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

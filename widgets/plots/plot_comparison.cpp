@@ -4,16 +4,16 @@
 #include <algorithm>
 
 #include "robot/recording/formats/open_recording.h"
-#include "widgets/common/format.h"
+#include "robot/station/history/comparison_text.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/text/format.h"
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/comparison_dialog.h"
-#include "widgets/plots/comparison_text.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 

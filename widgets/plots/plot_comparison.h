@@ -11,7 +11,7 @@
 
 #include "robot/core/deadline.h"
 #include "robot/divergence/divergence.h"
-#include "widgets/session/session_worker.h"
+#include "robot/station/executor/serial_executor.h"
 
 class QWidget;
 
@@ -90,7 +90,7 @@ private:
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
     QSet<QString> told_;    ///< files that were reported
-    SessionWorker worker_;  ///< last member: its jobs end before other members are destroyed
+    SerialExecutor worker_;  ///< last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

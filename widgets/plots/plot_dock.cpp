@@ -29,28 +29,28 @@
 #include "robot/core/file_reading.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/incident.h"
+#include "robot/station/history/history_export.h"
+#include "robot/station/history/history_feed.h"
+#include "robot/station/history/lane_text.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/format.h"
 #include "widgets/common/give_way.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/comparison_band.h"
-#include "widgets/plots/lane_text.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_comparison.h"
-#include "widgets/plots/plot_export.h"
-#include "widgets/plots/plot_feed.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_picture.h"
 #include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_values.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/session/texts.h"
-#include "widgets/signals/signal_store.h"
 #include "widgets/signals/signal_tree.h"
 
 namespace tiller {
@@ -136,7 +136,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     , store_(std::make_unique<SignalStore>())
     , lane_(std::make_unique<StateLane>())
     , marks_(std::make_unique<PlotMarks>(*store_))
-    , feed_(std::make_unique<PlotFeed>(*store_)) {
+    , feed_(std::make_unique<HistoryFeed>(*store_)) {
     setObjectName(QStringLiteral("plots"));
     setTitle(tr("Plots"));
     pages_ = new PlotPages(*store_, *lane_, *marks_);
@@ -230,8 +230,8 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
             view().addSignals({store_->info(*made).key});
         }
     });
-    connect(store_.get(), &SignalStore::furtherFieldsChanged, &session_, &RobotSession::followFurther);
-    connect(&session_, &RobotSession::furtherSamplesReceived, this, &PlotDock::takeFurther);
+    connect(store_.get(), &SignalStore::furtherFieldsChanged, &session_, &RobotSession::followExtraFields);
+    connect(&session_, &RobotSession::extraSamplesReceived, this, &PlotDock::takeExtra);
     connect(&session_, &RobotSession::connected, this, &PlotDock::followAbsent);
     sayWhatIsShown();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
@@ -810,15 +810,15 @@ void PlotDock::take(const SampleBatch& batch) {
         replay_->noteFrame(history().lastTime(), QDateTime::currentDateTimeUtc());
     }
     const LaneEntry none = noDataEntry();
-    for (const PlotFeed::Silence& silence : feed_->takeSilences()) {
+    for (const HistoryFeed::Silence& silence : feed_->takeSilences()) {
         lane_->add(silence.from, none.kind, none.label);
         lane_->add(silence.to, none.kind, none.label);
         backAt_ = silence.to;
     }
 }
 
-void PlotDock::takeFurther(const SampleBatch& batch) {
-    feed_->takeFurther(batch);
+void PlotDock::takeExtra(const SampleBatch& batch) {
+    feed_->takeExtra(batch);
 }
 
 void PlotDock::followLane(const SessionState& state) {

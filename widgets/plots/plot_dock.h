@@ -13,12 +13,12 @@
 
 #include "robot/core/result.h"
 #include "robot/recording/recording.h"
+#include "robot/station/executor/serial_executor.h"
+#include "robot/station/history/replay_moment.h"
+#include "robot/station/link/recording_choice.h"
+#include "robot/station/link/session_state.h"
 #include "widgets/common/panel.h"
 #include "widgets/plots/plot_layout.h"
-#include "widgets/session/recording_choice.h"
-#include "widgets/session/replay_moment.h"
-#include "widgets/session/session_state.h"
-#include "widgets/session/session_worker.h"
 
 class QLabel;
 class QToolButton;
@@ -29,7 +29,7 @@ class ComparisonBand;
 class ElidedLabel;
 class PlotAnalysis;
 class PlotComparison;
-class PlotFeed;
+class HistoryFeed;
 class PlotMarks;
 class PlotPages;
 class PlotReplay;
@@ -141,7 +141,7 @@ private:
     void buildHeader();
     void styleHeader();
     void take(const SampleBatch& batch);
-    void takeFurther(const SampleBatch& batch);
+    void takeExtra(const SampleBatch& batch);
     void followAbsent();
     void buildPagesMenu();
     void sayWhatIsShown();
@@ -172,7 +172,7 @@ private:
     std::unique_ptr<SignalStore> store_;
     std::unique_ptr<StateLane> lane_;
     std::unique_ptr<PlotMarks> marks_;
-    std::unique_ptr<PlotFeed> feed_;
+    std::unique_ptr<HistoryFeed> feed_;
     std::unique_ptr<PlotReplay> replay_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
@@ -201,7 +201,7 @@ private:
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;
-    SessionWorker files_;  // last member: its jobs end before other members are destroyed
+    SerialExecutor files_;  // last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

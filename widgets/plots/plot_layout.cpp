@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/signals/derivation.h"
+#include "robot/station/history/derived_signal.h"
 
 namespace tiller {
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr qsizetype kLongestName = 60;
 /// Maximum length of the name of a recording (file name) or of a computed signal.
-constexpr qsizetype kLongestKey = Derivation::kLongestText;
+constexpr qsizetype kLongestKey = DerivedSignal::kLongestText;
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 20;
 

@@ -11,7 +11,7 @@
 
 #include "robot/core/result.h"
 #include "robot/divergence/divergence.h"
-#include "widgets/plots/plot_marks.h"
+#include "robot/station/history/plot_marks.h"
 
 namespace tiller {
 

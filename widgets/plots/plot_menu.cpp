@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
 #include "widgets/plots/curve_look.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -23,7 +23,7 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// In the syntax of Derivation. Characters of names or units with a meaning in this syntax are omitted.
+/// In the syntax of DerivedSignal. Characters of names or units with a meaning in this syntax are omitted.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;
@@ -126,7 +126,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
     };
     const SignalInfo& info = store_.info(signal);
     if (!store_.isDerived(signal)) {
-        const QString key = Derivation::written(info.key);
+        const QString key = DerivedSignal::written(info.key);
         const QString perSecond =
             info.unit.isEmpty() ? QStringLiteral("1/s") : info.unit + QStringLiteral("/s");
         add("plots.menu.derivative", tr("Rate of change of %1").arg(info.longLabel),
@@ -143,7 +143,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
     for (const int one : pane.shown()) {
         if (!pane.isHidden(one) && !store_.isDerived(one) &&
             store_.recordingOf(one) == store_.recordingOf(signal)) {
-            keys << Derivation::written(store_.info(one).key);
+            keys << DerivedSignal::written(store_.info(one).key);
             first = first < 0 ? one : first;
         }
     }

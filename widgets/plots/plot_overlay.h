@@ -7,7 +7,7 @@
 #include <QString>
 #include <vector>
 
-#include "widgets/plots/state_lane.h"
+#include "robot/station/history/state_lane.h"
 
 namespace tiller {
 

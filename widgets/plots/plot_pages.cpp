@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 

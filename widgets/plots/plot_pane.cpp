@@ -13,13 +13,13 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/common/format.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/text/format.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/axis_labels.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
 #include "widgets/plots/curve_sheet.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "robot/station/history/series_buffer.h"
 #include "widgets/plots/axis_range.h"
-#include "widgets/signals/series_buffer.h"
 
 class QGraphicsItem;
 class QGraphicsScene;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "robot/core/clock.h"
+#include "robot/station/history/signal_store.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 

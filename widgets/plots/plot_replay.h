@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "widgets/session/replay_moment.h"
+#include "robot/station/history/replay_moment.h"
 
 namespace tiller {
 

@@ -12,11 +12,11 @@
 #include <limits>
 #include <optional>
 
-#include "widgets/common/format.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/text/format.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -60,7 +60,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &PlotValues::fill);
-    connect(&sums_, &RangeSums::known, this, [this] {
+    connect(&sums_, &RangeStatisticsCache::known, this, [this] {
         if (isVisible() && !soon_.isActive()) {
             soon_.start(kGoesOn);
         }

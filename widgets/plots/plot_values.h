@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "widgets/plots/range_sums.h"
+#include "robot/station/history/range_statistics.h"
 
 class QLabel;
 class QTableWidget;
@@ -39,7 +39,7 @@ private:
     const PlotView* view_ = nullptr;
     QLabel* between_;
     QTableWidget* table_;
-    RangeSums sums_;
+    RangeStatisticsCache sums_;
     QTimer soon_;
 };
 

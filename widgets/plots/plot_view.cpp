@@ -13,16 +13,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/format.h"
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_lane.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
+#include "robot/station/text/format.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve_look.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_menu.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pane.h"
-#include "widgets/plots/signal_lane.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/signals/signal_store.h"
 #include "widgets/signals/signal_tree.h"
 
 namespace tiller {
@@ -56,7 +56,7 @@ constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
 constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]
 constexpr double kZoomPerNotch = 0.8;
-constexpr int kCoarse = 10;  // factor for arrow keys with Shift
+constexpr int kCoarseStep = 10;  // factor for arrow keys with Shift
 
 }  // namespace
 
@@ -1313,7 +1313,7 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
         return;
     }
     const double middle = window_.end() - window_.span() / 2;
-    const int pixels = (event->modifiers() & Qt::ShiftModifier) != 0 ? kCoarse : 1;
+    const int pixels = (event->modifiers() & Qt::ShiftModifier) != 0 ? kCoarseStep : 1;
     switch (event->key()) {
         case Qt::Key_A:
             setCursor(Cursor::A, cursors_[0].value_or(middle));

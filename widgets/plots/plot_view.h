@@ -16,10 +16,10 @@
 #include <optional>
 #include <vector>
 
+#include "robot/station/history/history_file.h"
+#include "robot/station/history/series_buffer.h"
 #include "widgets/plots/plot_layout.h"
 #include "widgets/plots/time_window.h"
-#include "widgets/signals/history_file.h"
-#include "widgets/signals/series_buffer.h"
 
 namespace tiller {
 

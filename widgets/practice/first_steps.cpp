@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/project/project_document.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller {
 namespace {

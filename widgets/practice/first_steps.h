@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller {
 

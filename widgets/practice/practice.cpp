@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "widgets/project/project_document.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/link/robot_session.h"
 
 namespace tiller {
 namespace {

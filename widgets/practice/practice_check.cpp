@@ -10,8 +10,8 @@
 
 #include "robot/core/angles.h"
 #include "robot/project/waypoint_list.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 
 namespace tiller {
 namespace {

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "robot/project/project_file.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 namespace tiller {
 

@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
-#include "widgets/session/texts.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <QObject>
 
+#include "robot/station/document/project_store.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_store.h"
-#include "widgets/session/robot_session.h"
 
 class QWidget;
 

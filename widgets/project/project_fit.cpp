@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/common/notation.h"
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 
 namespace tiller {
 

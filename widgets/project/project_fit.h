@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "robot/project/model_change.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/session/robot_session.h"
 
 class QMessageBox;
 class QWidget;

@@ -4,9 +4,9 @@
 #include <QVBoxLayout>
 
 #include "robot/receive/robot_state.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/common/replay_band.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/session/robot_session.h"
 
 namespace tiller {
 

@@ -3,8 +3,8 @@
 
 // The panel "View": the scene, fed by the session, with the ghost's figures in the title bar.
 
+#include "robot/station/history/replay_moment.h"
 #include "widgets/common/panel.h"
-#include "widgets/session/replay_moment.h"
 
 namespace tiller {
 

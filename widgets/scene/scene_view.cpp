@@ -14,13 +14,13 @@
 #include "robot/collision/arm_body.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/move_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/scene_bodies.h"
 #include "widgets/scene/scene_keys.h"
 #include "widgets/scene/scene_painter.h"
-#include "widgets/session/move_words.h"
 
 namespace tiller {
 

@@ -18,12 +18,12 @@
 #include "robot/core/clock.h"
 #include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
+#include "robot/station/link/session_state.h"
+#include "widgets/common/scene_marks.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/label_placer.h"
 #include "widgets/scene/scene_trace.h"
-#include "widgets/session/scene_marks.h"
-#include "widgets/session/session_state.h"
 
 namespace tiller {
 

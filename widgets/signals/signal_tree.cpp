@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "robot/station/history/signal_store.h"
 #include "widgets/common/density.h"
 #include "widgets/common/nothing_found.h"
 #include "widgets/common/theme.h"
-#include "widgets/signals/signal_store.h"
 
 namespace tiller {
 
@@ -42,7 +42,7 @@ public:
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
         // Into an expression, which is over what a robot or a file tells.
         keys.removeIf([](const QString& key) { return key.contains(QLatin1Char('=')); });
-        std::transform(keys.begin(), keys.end(), keys.begin(), &Derivation::written);
+        std::transform(keys.begin(), keys.end(), keys.begin(), &DerivedSignal::written);
         data->setText(keys.join(QStringLiteral(", ")));
         return data;
     }

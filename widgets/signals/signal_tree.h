@@ -41,7 +41,7 @@ public:
 Q_SIGNALS:
     /// Chosen by a double click or Return.
     void chosen(const QStringList& keys);
-    /// A signal to be computed from others, as Derivation describes the text.
+    /// A signal to be computed from others, as DerivedSignal describes the text.
     void derivationEntered(const QString& text);
 
 private:

@@ -9,10 +9,10 @@
 #include <QPushButton>
 #include <utility>
 
-#include "widgets/common/notation.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
-#include "widgets/session/texts.h"
 #include "widgets/status/simulation_chip.h"
 #include "widgets/status/speed_chip.h"
 #include "widgets/status/stop_button.h"

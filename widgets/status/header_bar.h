@@ -10,7 +10,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/status/mode_look.h"
 
 class QHBoxLayout;

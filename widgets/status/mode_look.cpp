@@ -6,8 +6,9 @@
 #include <array>
 
 #include "robot/dashboard/recovery.h"
-#include "widgets/common/format.h"
-#include "widgets/session/texts.h"
+#include "robot/station/link/obstacles.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller {
 
@@ -21,7 +22,7 @@ struct ModeLookText {
     Q_DECLARE_TR_FUNCTIONS(ModeLook)
 };
 
-/// The words are those of widgets/session/mode_words.h; this adds what the eye gets.
+/// The words are those of robot/station/text/mode_words.h; this adds what the eye gets.
 template <class Mode>
 struct Row {
     Mode mode;
@@ -273,7 +274,7 @@ NextStep nextStep(const SessionState& state) {
     if (state.link != LinkState::Live || state.monitorOnly) {
         return NextStep::None;
     }
-    const bool deaf = !texts::serviceObstacle(state).isEmpty();
+    const bool deaf = !serviceObstacle(state).isEmpty();
     switch (dashboard::nextRecoveryStep(state.safety(), state.robotMode)) {
         case dashboard::RecoveryStep::PowerOn:
             return deaf ? NextStep::None : NextStep::PowerOn;

@@ -7,8 +7,8 @@
 
 #include <QString>
 
+#include "robot/station/link/session_state.h"
 #include "widgets/common/state_chip.h"
-#include "widgets/session/session_state.h"
 
 namespace tiller {
 

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/common/notation.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"

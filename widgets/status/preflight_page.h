@@ -8,7 +8,7 @@
 #include <QVector>
 
 #include "robot/doctor/examination.h"
-#include "widgets/session/session_worker.h"
+#include "robot/station/executor/serial_executor.h"
 
 class QLabel;
 class QPushButton;
@@ -80,7 +80,7 @@ private:
     QVBoxLayout* list_;
     QPushButton* again_;
     QPushButton* connect_;
-    SessionWorker worker_;  // last: its job posts to this page
+    SerialExecutor worker_;  // last: its job posts to this page
 };
 
 }  // namespace tiller

@@ -12,10 +12,10 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/room.h"
 #include "widgets/common/theme.h"
 

@@ -9,9 +9,9 @@
 #include <array>
 #include <functional>
 
-#include "widgets/session/recovery_guide.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/session/stop_record.h"
+#include "robot/station/capture/stop_record.h"
+#include "robot/station/link/recovery_guide.h"
+#include "robot/station/link/robot_session.h"
 
 class QCheckBox;
 class QLabel;

@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/station/link/obstacles.h"
 #include "widgets/common/enter_key.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
-#include "widgets/session/texts.h"
 
 namespace tiller {
 
@@ -139,7 +139,7 @@ QString RobotPopup::obstacleNow(const SessionState& state) const {
     if (refused_) {
         return tr("The popup could not be closed from here: close it on the teach pendant.");
     }
-    return state.link == LinkState::Live ? texts::serviceObstacle(state, RobotCommand::ClosePopups)
+    return state.link == LinkState::Live ? serviceObstacle(state, RobotCommand::ClosePopups)
                                          : tr("No data from the robot: close it on the teach pendant.");
 }
 

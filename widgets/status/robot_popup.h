@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "robot/script/controller_message.h"
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 class QLabel;
 class QPushButton;

@@ -10,9 +10,9 @@
 #include <QTime>
 #include <algorithm>
 
+#include "robot/station/text/format.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/format.h"
 #include "widgets/common/shapes.h"
 #include "widgets/common/theme.h"
 

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 
 class QLabel;
 

@@ -11,13 +11,13 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/pose_editor.h"
 #include "widgets/common/row_table.h"
 #include "widgets/common/steady_scroll_area.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/session/robot_session.h"
+#include "robot/station/link/robot_session.h"
 #include "widgets/tools/part_model.h"
 
 class QAction;

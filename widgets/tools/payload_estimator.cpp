@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "robot/kinematics/speed_bounds.h"
-#include "widgets/common/format.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -152,7 +152,7 @@ Result<MotionPort::Id> PayloadEstimator::beginMove() {
              .speed});
     request.acceleration = kProposedAcceleration;
     request = slowedTo(heldSpeed_(), request, state_);
-    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)), HoldRules::silenceAt(0, request.speed)};
+    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)), HoldBounds::silenceAt(0, request.speed)};
     return port_.beginMove(request);
 }
 

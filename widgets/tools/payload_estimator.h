@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "robot/kinematics/payload_estimation.h"
+#include "robot/station/link/motion_port.h"
+#include "robot/station/link/move_time.h"
+#include "robot/station/link/standstill_mean.h"
 #include "widgets/common/hold_guard.h"
-#include "widgets/session/motion_port.h"
-#include "widgets/session/move_time.h"
-#include "widgets/tools/standstill_mean.h"
 
 class QLabel;
 class QPushButton;

@@ -13,13 +13,13 @@
 
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/row_table.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {

@@ -8,11 +8,11 @@
 #include <QVBoxLayout>
 
 #include "robot/project/waypoint_list.h"
-#include "widgets/common/notation.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/pose_editor.h"
 #include "widgets/common/row_table.h"
-#include "widgets/project/project_document.h"
 #include "widgets/tools/tcp_teacher.h"
 
 namespace tiller {

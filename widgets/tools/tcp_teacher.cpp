@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "robot/kinematics/tcp_calibration.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 class QLabel;
 class QPushButton;

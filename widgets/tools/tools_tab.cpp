@@ -4,8 +4,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "robot/station/document/project_document.h"
 #include "widgets/common/segmented_control.h"
-#include "widgets/project/project_document.h"
 #include "widgets/tools/cell_page.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"

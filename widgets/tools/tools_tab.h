@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/session/motion_port.h"
-#include "widgets/session/move_time.h"
+#include "robot/station/link/motion_port.h"
+#include "robot/station/link/move_time.h"
 
 class QAction;
 class QStackedWidget;

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/waypoints/action_words.h"
 
 namespace tiller {
 namespace {

@@ -8,14 +8,14 @@
 #include <iterator>
 #include <utility>
 
+#include "robot/station/document/project_document.h"
+#include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/project/project_document.h"
-#include "widgets/waypoints/action_words.h"
 
 namespace tiller {
 
-using Way = GoThrough::Way;
+using Way = RouteRunner::Way;
 
 GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
                            const std::function<HeldSpeed()>& heldSpeed, QWidget* parent)
@@ -65,8 +65,8 @@ GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDoc
         stop(control::StopCause::SelectionChanged);
         goThrough_.setLoop(loop);
     });
-    connect(&goThrough_, &GoThrough::failed, this, &GoThroughBar::refused);
-    connect(&goThrough_, &GoThrough::routeChanged, this, &GoThroughBar::showRoute);
+    connect(&goThrough_, &RouteRunner::failed, this, &GoThroughBar::refused);
+    connect(&goThrough_, &RouteRunner::routeChanged, this, &GoThroughBar::showRoute);
     showRoute();
 }
 
@@ -84,7 +84,7 @@ HoldButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
     connect(&key->guard(), &HoldGuard::began, this, &GoThroughBar::comingChanged);
     connect(&key->guard(), &HoldGuard::ended, this, &GoThroughBar::comingChanged);
     connect(&key->guard(), &HoldGuard::refused, this,
-            [this](const Error& error) { Q_EMIT refused(GoThrough::whyNot(error)); });
+            [this](const Error& error) { Q_EMIT refused(RouteRunner::whyNot(error)); });
     keys_[static_cast<std::size_t>(way)] = key;
     return key;
 }

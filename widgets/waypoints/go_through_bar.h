@@ -8,7 +8,7 @@
 #include <array>
 #include <functional>
 
-#include "widgets/waypoints/go_through.h"
+#include "robot/station/route/route_runner.h"
 
 class QCheckBox;
 
@@ -24,7 +24,7 @@ public:
     /// Which waypoints it goes through; as in the list of choices.
     enum class Scope { FromHere, Selection, All };
 
-    /// As those of GoThrough.
+    /// As those of RouteRunner.
     GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
     ~GoThroughBar() override;
@@ -44,7 +44,7 @@ public:
 
     /// Row of the coming waypoint while the way is under way or paused; -1 otherwise.
     int comingRow() const;
-    const GoThrough& goThrough() const { return goThrough_; }
+    const RouteRunner& goThrough() const { return goThrough_; }
 
 Q_SIGNALS:
     /// Another waypoint is the coming one, or a key was pressed or let go.
@@ -54,7 +54,7 @@ Q_SIGNALS:
 
 private:
     HoldButton* addKey(const QString& text, const QString& objectName, const QString& accessibleName,
-                       const QString& toolTip, GoThrough::Way way);
+                       const QString& toolTip, RouteRunner::Way way);
     QVector<int> rows() const;
     void showRoute();
     void showDetail();
@@ -65,15 +65,15 @@ private:
     ActionPort actions_;
     const ProjectDocument& document_;
     SessionState state_;
-    GoThrough goThrough_;
+    RouteRunner goThrough_;
     int current_ = -1;
     QList<int> selected_;
-    std::array<QString, 3> obstacles_;  ///< of the route, by GoThrough::Way
+    std::array<QString, 3> obstacles_;  ///< of the route, by RouteRunner::Way
 
     QString place_;  ///< "2 of 7"
     QString speed_;
 
-    std::array<HoldButton*, 3> keys_{};  ///< by GoThrough::Way
+    std::array<HoldButton*, 3> keys_{};  ///< by RouteRunner::Way
     ChoiceBox* scope_;
     QCheckBox* loop_;
 };

@@ -6,10 +6,10 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 
+#include "robot/station/link/move_time.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/list_typing.h"
 #include "widgets/common/text_entry.h"
-#include "widgets/session/move_time.h"
-#include "widgets/session/texts.h"
 
 namespace tiller {
 namespace {
@@ -59,7 +59,7 @@ Result<MotionPort::Id> GoToButton::begin() {
     }
     const bool linear = request->kind == MoveRequest::Kind::MoveL;
     bounds_ = {HoldBounds::longestOf(moveSeconds(*request, state_)),
-               HoldRules::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
+               HoldBounds::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
     return port_.beginMove(*request);
 }
 

@@ -6,9 +6,9 @@
 
 #include <functional>
 
+#include "robot/station/link/motion_port.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/physical_keys.h"
-#include "widgets/session/motion_port.h"
 
 namespace tiller {
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "robot/core/angles.h"
-#include "widgets/common/notation.h"
-#include "widgets/session/texts.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
 
 namespace tiller {
 namespace {

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "widgets/waypoints/path_recorder.h"
+#include "robot/station/route/path_recorder.h"
 
 class QAction;
 class QMenu;

@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 
 #include "robot/project/relative_move.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
-#include "widgets/project/project_document.h"
 #include "widgets/waypoints/pattern_grid.h"
 
 namespace tiller {

@@ -13,12 +13,13 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/waypoint_uses.h"
+#include "robot/station/route/action_words.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/reach_words.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/pose_editor.h"
 #include "widgets/common/theme.h"
-#include "widgets/waypoints/action_words.h"
 #include "widgets/waypoints/waypoint_model.h"
 
 namespace tiller {
@@ -214,7 +215,7 @@ void WaypointDetails::refresh() {
     pose_->setPose(shownPose);
     poseLine_ = format::pose(shownPose);
     const project::Reach& reach = document_.reach(row_);
-    advice_->setText(!reach.ok()           ? QStringLiteral("✕ ") + WaypointModel::reachAdvice(reach)
+    advice_->setText(!reach.ok()           ? QStringLiteral("✕ ") + reachAdvice(reach)
                      : wayLimit_.isEmpty() ? QString()
                                            : QStringLiteral("⚠ ") + wayLimit_);
     headlines_->setCurrentIndex(reach.ok() && wayLimit_.isEmpty() ? 0 : 1);

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "robot/project/waypoint_list.h"
-#include "widgets/session/session_state.h"
+#include "robot/station/link/session_state.h"
 
 class QLabel;
 class QPushButton;

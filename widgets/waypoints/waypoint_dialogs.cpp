@@ -7,10 +7,10 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/core/file_reading.h"
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/document/waypoint_exchange.h"
 #include "widgets/waypoints/actions_dialog.h"
 #include "widgets/waypoints/pattern_dialog.h"
-#include "widgets/waypoints/waypoint_exchange.h"
 #include "widgets/waypoints/waypoint_history_dialog.h"
 #include "widgets/waypoints/waypoint_properties.h"
 #include "widgets/waypoints/waypoint_shift.h"
@@ -228,12 +228,12 @@ void WaypointDialogs::importFrom(const QString& path) {
     const QModelIndex current = table_.currentIndex();
     const int row = current.isValid() ? current.row() + 1 : document_.waypoints().size();
     const QString text = tr("Import %n waypoints", nullptr, static_cast<int>(imported.waypoints.size()));
-    document_.undoStack().beginMacro(text);
+    document_.beginGroup(text);
     for (const project::Frame& frame : imported.frames) {
         document_.insertFrame(static_cast<int>(document_.frames().size()), frame, text);
     }
     document_.insertWaypoints(row, imported.waypoints, text);
-    document_.undoStack().endMacro();
+    document_.endGroup();
 }
 
 void WaypointDialogs::exportTo(const QString& path) {

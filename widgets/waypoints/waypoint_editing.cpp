@@ -5,8 +5,8 @@
 #include <QClipboard>
 #include <algorithm>
 
-#include "widgets/project/project_document.h"
-#include "widgets/waypoints/waypoint_clipboard.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/document/waypoint_clipboard.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {

@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 
 #include "robot/project/relative_move.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
-#include "widgets/common/notation.h"
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/notation.h"
 #include "widgets/waypoints/waypoint_properties.h"
 
 namespace tiller {

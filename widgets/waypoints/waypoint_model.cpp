@@ -11,10 +11,11 @@
 
 #include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/common/format.h"
-#include "widgets/common/notation.h"
+#include "robot/station/route/action_words.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/reach_words.h"
 #include "widgets/common/theme.h"
-#include "widgets/waypoints/action_words.h"
 #include "widgets/waypoints/waypoint_properties.h"
 
 namespace tiller {
@@ -120,46 +121,6 @@ void WaypointModel::setPathLimit(const QUuid& id, const QString& limit) {
     if (const int row = document_.waypoints().indexOf(id); row >= 0) {
         Q_EMIT dataChanged(index(row, ReachColumn), index(row, ReachColumn));
     }
-}
-
-QString WaypointModel::reachText(const project::Reach& reach) {
-    switch (reach.obstacle) {
-        case project::Reach::Obstacle::None:
-            return QStringLiteral("✓");
-        case project::Reach::Obstacle::JointLimit:
-            return tr("✕ joint");
-        case project::Reach::Obstacle::FrameMissing:
-            return tr("✕ frame");
-        case project::Reach::Obstacle::OutOfReach:
-            break;
-        case project::Reach::Obstacle::OnTheWay:
-            return tr("✕ line");
-        case project::Reach::Obstacle::OtherModel:
-            return tr("✕ arm");
-    }
-    return tr("✕ reach");
-}
-
-QString WaypointModel::reachAdvice(const project::Reach& reach) {
-    switch (reach.obstacle) {
-        case project::Reach::Obstacle::None:
-            return {};
-        case project::Reach::Obstacle::JointLimit:
-            return tr(
-                "A joint would exceed its range. Touch up the waypoint with another arm configuration.");
-        case project::Reach::Obstacle::FrameMissing:
-            return tr("Its frame is not in this project. Choose another frame.");
-        case project::Reach::Obstacle::OnTheWay:
-            return tr(
-                "The straight line from the current position leaves the reach of the arm. Use MoveJ, or "
-                "start from another position.");
-        case project::Reach::Obstacle::OtherModel:
-            return tr(
-                "The project was taught with another robot model. Use “Adapt project to this robot…” first.");
-        case project::Reach::Obstacle::OutOfReach:
-            break;
-    }
-    return tr("Out of reach. Touch up the waypoint closer to the base.");
 }
 
 // ---- the table's face ------------------------------------------------------------------------------

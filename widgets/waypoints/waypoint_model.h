@@ -7,7 +7,7 @@
 #include <QHash>
 
 #include "robot/project/reachability.h"
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
 
 namespace tiller {
 
@@ -19,12 +19,6 @@ public:
 
     /// document  must outlive the model
     explicit WaypointModel(ProjectDocument& document, QObject* parent = nullptr);
-
-    /// The text of the column Reach: "✓", "✕ reach", "✕ joint", "✕ frame"; "✕ path" where the path from the arm's
-    /// position leads into a collision.
-    static QString reachText(const project::Reach& reach);
-    /// As a sentence with what to do; empty when it can be reached.
-    static QString reachAdvice(const project::Reach& reach);
 
     /// The names a frame column can hold: "—" (the joints rule), "Base" and the taught frames.
     QStringList frameChoices() const;

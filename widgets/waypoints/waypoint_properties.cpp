@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "robot/core/angles.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
 
 namespace tiller {
 

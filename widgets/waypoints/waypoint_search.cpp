@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "widgets/project/project_document.h"
+#include "robot/station/document/project_document.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {

@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 
 #include "robot/core/angles.h"
+#include "robot/station/document/project_document.h"
+#include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
-#include "widgets/project/project_document.h"
 
 namespace tiller {
 namespace {

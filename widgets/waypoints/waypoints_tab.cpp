@@ -12,31 +12,33 @@
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/common/format.h"
-#include "widgets/common/joint_name.h"
+#include "robot/station/route/path_watch.h"
+#include "robot/station/route/waypoint_motion.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/reach_words.h"
 #include "widgets/common/lower_edge.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/folding_row.h"
 #include "widgets/waypoints/go_through_bar.h"
 #include "widgets/waypoints/go_to_button.h"
 #include "widgets/waypoints/path_controls.h"
-#include "widgets/waypoints/path_watch.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_dialogs.h"
 #include "widgets/waypoints/waypoint_editing.h"
 #include "widgets/waypoints/waypoint_model.h"
-#include "widgets/waypoints/waypoint_motion.h"
 #include "widgets/waypoints/waypoint_search.h"
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {
 
-WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
+WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent)
     : WaypointsTab(session, document, motionPort(session), parent) {}
 
-WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
+WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
+                           QWidget* parent)
     : QWidget(parent)
     , session_(session)
     , limits_(port.limits)
@@ -46,12 +48,13 @@ WaypointsTab::WaypointsTab(RobotSession& session, ProjectDocument& document, Mot
     setObjectName(QStringLiteral("waypoints"));
     setAccessibleName(tr("Waypoints"));
     watch_ = new PathWatch(
-        document_, *model_,
+        document_,
         [this, permits = port.permits](int row) -> Result<void> {
             const Result<MoveRequest> move = moveTo(row);
             return permits && move ? permits({&*move, 1}) : Result<void>();
         },
         this);
+    connect(watch_, &PathWatch::looked, model_.get(), &WaypointModel::setPathLimit);
     buildLayout(std::move(port));
     buildActions();
 
@@ -360,9 +363,8 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
         // Places of two arms in one project could not be told apart.
-        return document_.isOfOtherModel()
-                   ? WaypointModel::reachAdvice({project::Reach::Obstacle::OtherModel, {}})
-                   : QString();
+        return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
+                                          : QString();
     }
     return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
                             : tr("No robot is connected. Connect one, or try the simulator.");
@@ -373,7 +375,7 @@ QString WaypointsTab::goToObstacle() const {
         return tr("Select a waypoint to go to.");
     }
     if (!document_.reach(currentRow()).ok()) {
-        return WaypointModel::reachAdvice(document_.reach(currentRow()));
+        return reachAdvice(document_.reach(currentRow()));
     }
     if (!state_.canMove()) {
         return state_.controlReason.isEmpty() ? tr("Tiller is not in control. Take control first.")
@@ -538,7 +540,7 @@ void WaypointsTab::buildActions() {
         // Through the document, which reports what changed.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
-                isUndo ? &ProjectDocument::undo : &ProjectDocument::redo);
+                isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
         action->setObjectName(isUndo ? QStringLiteral("waypoint.action.undo")
                                      : QStringLiteral("waypoint.action.redo"));
         action->setShortcuts(isUndo ? QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_Z)}

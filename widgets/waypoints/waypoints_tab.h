@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "robot/project/waypoint_list.h"
+#include "robot/station/link/gripper_port.h"
+#include "robot/station/link/motion_port.h"
+#include "robot/station/link/move_time.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/session/gripper_port.h"
-#include "widgets/session/motion_port.h"
-#include "widgets/session/move_time.h"
-#include "widgets/session/scene_marks.h"
+#include "widgets/common/scene_marks.h"
 
 class QAction;
 class QPushButton;
@@ -31,7 +31,7 @@ class GoToButton;
 class NoticeBar;
 class PathControls;
 class PathWatch;
-class ProjectDocument;
+class UndoableDocument;
 class WaypointDetails;
 class WaypointDialogs;
 class WaypointEditing;
@@ -44,9 +44,9 @@ class WaypointsTab : public QWidget {
 
 public:
     /// document  must outlive the tab
-    WaypointsTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
+    WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent = nullptr);
     /// For tests: moves go through `port`, states still come from the session.
-    WaypointsTab(RobotSession& session, ProjectDocument& document, MotionPort port,
+    WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
 
@@ -128,7 +128,7 @@ private:
     std::function<control::MotionLimits()> limits_;
     std::function<HeldSpeed()> heldSpeed_ = [] { return HeldSpeed(); };
     SessionState state_;
-    ProjectDocument& document_;
+    UndoableDocument& document_;
     std::unique_ptr<WaypointModel> model_;
     QList<QAction*> actions_;
     QTimer detailsTimer_;

@@ -20,9 +20,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "robot/station/document/project_document.h"
+#include "robot/station/document/project_store.h"
 #include "tests/support/small_disk.h"
-#include "widgets/project/project_document.h"
-#include "widgets/project/project_store.h"
 
 using namespace tiller;
 
@@ -94,7 +94,6 @@ private:
                 project::Waypoint point = points.at(row);
                 point.note = note;
                 point.history = {};
-                document_.undoStack().clear();
                 document_.replaceRaw({point});
                 return;
             }

@@ -4,8 +4,11 @@
 
 #include <QDirIterator>
 #include <QFile>
+#include <QHash>
+#include <QLibraryInfo>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QStandardPaths>
 #include <QTest>
 #include <algorithm>
@@ -68,11 +71,67 @@ const QList<Room>& rooms() {
          {"robot/core", "robot/realtime", "robot/kinematics", "robot/rtde/protocol.h", "robot/rtde/codec.h",
           "robot/rtde/splitter.h", "robot/rtde/values.h", "robot/rtde/fields.h"},
          kGui},
-        {"widgets/common", {"robot/core", "robot/control/motion_types.h"}, {}},
-        {"widgets",
+        {"robot/station/text", {"robot/core", "robot/control", "robot/collision", "robot/project"}, kGui},
+        {"robot/station/executor", {"robot/core"}, kGui},
+        {"robot/station/link",
          {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/script",
-          "robot/dashboard", "robot/kinematics", "robot/collision", "robot/project", "robot/recording",
-          "robot/divergence", "robot/doctor"},
+          "robot/dashboard", "robot/kinematics", "robot/collision", "robot/recording", "robot/station/text",
+          "robot/station/executor"},
+         kGui},
+        {"robot/station/capture",
+         {"robot/core", "robot/receive", "robot/script", "robot/dashboard", "robot/recording",
+          "robot/station/text", "robot/station/executor", "robot/station/link"},
+         kGui},
+        {"robot/station/history",
+         {"robot/core", "robot/receive", "robot/recording", "robot/divergence", "robot/station/text",
+          "robot/station/executor", "robot/station/link"},
+         kGui},
+        {"robot/station/jog",
+         {"robot/core", "robot/control", "robot/kinematics", "robot/collision", "robot/station/text",
+          "robot/station/link"},
+         kGui},
+        {"robot/station/document",
+         {"robot/core", "robot/kinematics", "robot/collision", "robot/project", "robot/station/executor"},
+         kGui},
+        {"robot/station/route",
+         {"robot/core", "robot/receive", "robot/control", "robot/kinematics", "robot/project",
+          "robot/recording", "robot/station/text", "robot/station/executor", "robot/station/link",
+          "robot/station/document"},
+         kGui},
+        {"widgets/common",
+         {"robot/core", "robot/control/motion_types.h", "robot/station/text",
+          "robot/station/link/hold_motion.h"},
+         {}},
+        {"widgets/signals", {"robot/station", "widgets/common"}, {}},
+        {"widgets/plots",
+         {"robot/core", "robot/divergence", "robot/recording", "robot/station", "widgets/common",
+          "widgets/signals"},
+         {}},
+        {"widgets/jog",
+         {"robot/core", "robot/control", "robot/io", "robot/kinematics", "robot/station", "widgets/common"},
+         {}},
+        {"widgets/io", {"robot/core", "robot/io", "robot/receive", "robot/station", "widgets/common"}, {}},
+        {"widgets/log", {"robot/core", "robot/station", "widgets/common"}, {}},
+        {"widgets/scene",
+         {"robot/core", "robot/receive", "robot/kinematics", "robot/collision", "robot/station",
+          "widgets/common"},
+         {}},
+        {"widgets/status",
+         {"robot/core", "robot/script", "robot/dashboard", "robot/doctor", "robot/station", "widgets/common"},
+         {}},
+        {"widgets/project", {"robot/core", "robot/project", "robot/station", "widgets/common"}, {}},
+        {"widgets/waypoints",
+         {"robot/core", "robot/receive", "robot/kinematics", "robot/project", "robot/recording",
+          "robot/station", "widgets/common", "widgets/project"},
+         {}},
+        {"widgets/frames", {"robot/project", "robot/station", "widgets/common", "widgets/project"}, {}},
+        {"widgets/tools",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
+          "widgets/project"},
+         {}},
+        {"widgets/practice",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
+          "widgets/project"},
          {}},
         {"app", {"widgets", "robot"}, {}},
     };
@@ -135,10 +194,74 @@ QByteArray contentsOf(const QString& file) {
     return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
 }
 
+/// "widgets/jog/jog_pad" for its header and its source.
+QString unitOf(const QString& file) {
+    return file.section('.', 0, 0);
+}
+
+/// What the header and the source of a unit include.
+QStringList includesOf(const QString& unit) {
+    static const QRegularExpression kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
+                                             QRegularExpression::MultilineOption);
+    QStringList included;
+    for (const char* suffix : {".h", ".cpp"}) {
+        auto it = kInclude.globalMatch(QString::fromUtf8(contentsOf(unit + suffix)));
+        while (it.hasNext()) {
+            included << it.next().captured(1);
+        }
+    }
+    return included;
+}
+
+/// True for a header of Qt Gui, Widgets, Charts or Svg, and of the libraries of displays and devices.
+bool isOfDisplay(const QString& header) {
+    static const QDir kHeaders(QLibraryInfo::path(QLibraryInfo::HeadersPath));
+    static const QRegularExpression kOthers("^(xcb/|SDL|spnav|X11/)");
+    return kOthers.match(header).hasMatch() ||
+           (header.startsWith('Q') && !kHeaders.exists("QtCore/" + header) &&
+            !kHeaders.exists("QtNetwork/" + header));
+}
+
+/// Whether a unit of widgets/ shows something, or uses one that does.
+bool needsDisplay(const QString& unit, QSet<QString>& seen) {
+    if (seen.contains(unit)) {
+        return false;
+    }
+    seen.insert(unit);
+    const QStringList included = includesOf(unit);
+    return std::any_of(included.begin(), included.end(), [&](const QString& header) {
+        return isOfDisplay(header) || (header.startsWith("widgets/") && needsDisplay(unitOf(header), seen));
+    });
+}
+
+/// Units of widgets/ that need no display, with the reason why they are there all the same.
+const QHash<QString, QString>& withoutDisplay() {
+    static const QString kView = "values of the 3D view";
+    static const QString kPlots = "layout of plots on the screen";
+    static const QString kTutorial = "the tutorial of the window";
+    static const QHash<QString, QString> table = {
+        {"widgets/common/scene_marks", kView},
+        {"widgets/jog/input_device", "what devices in widgets/ implement"},
+        {"widgets/plots/axis_range", kPlots},
+        {"widgets/plots/plot_layout", kPlots},
+        {"widgets/plots/time_window", kPlots},
+        {"widgets/practice/first_steps", kTutorial},
+        {"widgets/practice/practice", kTutorial},
+        {"widgets/practice/practice_check", kTutorial},
+        {"widgets/scene/arm_mesh", kView},
+        {"widgets/scene/camera", kView},
+        {"widgets/scene/label_placer", kView},
+        {"widgets/scene/lanes", kView},
+        {"widgets/scene/mesh", kView},
+        {"widgets/scene/scene_trace", kView},
+    };
+    return table;
+}
+
 /// Those a program of others can include; the classes of the ur_rtde interface are given.
 QStringList publicHeaders() {
     static const QRegularExpression kOwn(
-        "/(detail|custom|python|examples|ur_rtde)/|simulator/"
+        "/(detail|custom|python|examples|ur_rtde|station)/|simulator/"
         "(?!(assumptions|simulator|simulator_options|arm/arm_state|arm/environment|box/personality)\\.h)");
     QStringList headers;
     for (const QString& file : sourceFiles()) {
@@ -208,12 +331,41 @@ private Q_SLOTS:
         QVERIFY(isAllowed(*receive, "robot/rtde/codec.h"));
         QVERIFY(!isAllowed(*roomOf("robot/simulator/simulator.cpp"), "robot/rtde/session.h"));
         QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/simulator.h"));
-        for (const char* outside :
-             {"widgets/session/robot_session.cpp", "app/main.cpp", "robot/ur_rtde/detail/native_control.cpp",
-              "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
+        for (const char* outside : {"robot/station/link/robot_session.cpp", "app/main.cpp",
+                                    "robot/ur_rtde/detail/native_control.cpp",
+                                    "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
             QVERIFY2(!isAllowed(*roomOf(outside), "robot/control/detail/mailbox.h"), outside);
         }
         QVERIFY(isAllowed(*roomOf("robot/control/motions.cpp"), "robot/control/detail/mailbox.h"));
+        QVERIFY(!isAllowed(*roomOf("robot/station/link/robot_session.cpp"),
+                           "robot/station/history/signal_store.h"));
+        QVERIFY(!isAllowed(*roomOf("widgets/io/io_tab.cpp"), "robot/station/link/detail/session_backend.h"));
+        QVERIFY(roomOf("robot/station/new_folder/x.h") == nullptr);
+        QVERIFY(roomOf("widgets/new_folder/x.h") == nullptr);
+    }
+
+    void everyFolderHasARow() {
+        QStringList missing;
+        for (const QString& file : sourceFiles()) {
+            if (!file.startsWith("tests/") && roomOf(file) == nullptr) {
+                missing << file;
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+    }
+
+    // The rows are in order: a folder of robot/station or widgets may include only folders above its own row.
+    void stationAndWidgetsHaveNoCycle() {
+        const QList<Room>& table = rooms();
+        for (qsizetype i = 0; i < table.size(); ++i) {
+            for (qsizetype later = i + 1; later < table.size(); ++later) {
+                const QString path = QString::fromLatin1(table[later].path);
+                if (path.startsWith("robot/station/") || path.startsWith("widgets/")) {
+                    QVERIFY2(!table[i].mayInclude.contains(path),
+                             qPrintable(table[i].path + (" includes " + path)));
+                }
+            }
+        }
     }
 
     void includesFollowTheArchitecture() {
@@ -242,6 +394,29 @@ private Q_SLOTS:
         }
         QVERIFY2(includes > 100, "no include lines found: is TILLER_SOURCE_DIR right?");
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
+    }
+
+    // Logic without pixels belongs to robot/station, where tiller-cli and tests in virtual time can use it.
+    void widgetsNeedADisplay() {
+        QVERIFY(isOfDisplay("QWidget") && isOfDisplay("QUndoStack"));
+        QVERIFY(!isOfDisplay("QObject") && !isOfDisplay("QTcpSocket"));
+        QSet<QString> found;
+        int units = 0;
+        for (const QString& file : sourceFiles()) {
+            if (file.startsWith("widgets/")) {
+                ++units;
+                QSet<QString> seen;
+                if (!needsDisplay(unitOf(file), seen)) {
+                    found.insert(unitOf(file));
+                }
+            }
+        }
+        QVERIFY(units > 100);
+        const QStringList table = withoutDisplay().keys();
+        const QSet<QString> expected(table.begin(), table.end());
+        QVERIFY2(found == expected,
+                 qPrintable("not in the table: " + QStringList((found - expected).values()).join(' ') +
+                            "; in it without need: " + QStringList((expected - found).values()).join(' ')));
     }
 
     // Those are not installed: a header of a user's that includes one would not compile.

@@ -8,9 +8,9 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "widgets/common/apply_notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/figure_box.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/segmented_control.h"
 
 using namespace tiller;

@@ -9,9 +9,9 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/notation.h"
+#include "widgets/common/apply_notation.h"
 #include "widgets/frames/frame_model.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -25,7 +25,7 @@ class TestFrameModel : public QObject {
 private Q_SLOTS:
     void init() {
         applyNotation(*qApp, {});
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         tray_ = {QUuid::createUuid(), "tray", Pose(-0.1, -0.4, 0.1, 0, 0, 0.5), {}};
         table_ = {QUuid::createUuid(), "table", Pose(0, -0.5, 0, 0, 0, 0), {}};
         project::Project cell;
@@ -168,7 +168,7 @@ private:
 
     Frame tray_;
     Frame table_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<FrameModel> model_;
     std::unique_ptr<QAbstractItemModelTester> tester_;
 };

@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "tests/support/live_state.h"
-#include "widgets/common/notation.h"
+#include "widgets/common/apply_notation.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frame_details.h"
@@ -23,7 +23,7 @@
 #include "widgets/frames/frame_table.h"
 #include "widgets/frames/frame_teacher.h"
 #include "widgets/frames/frames_tab.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -52,7 +52,7 @@ private Q_SLOTS:
         applyNotation(*qApp, {});
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<FramesTab>(*session_, *document_);
         tab_->resize(560, 560);
         tab_->show();
@@ -401,7 +401,7 @@ private:
     QAction* action(const QString& name) { return tab_->findChild<QAction*>("frame.action." + name); }
 
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<FramesTab> tab_;
 };
 

@@ -608,7 +608,7 @@ private Q_SLOTS:
         QVERIFY(!hands.arm.moves());
         const double seconds = static_cast<double>(hands.arm.movedNs - from) / kNsPerSecond;
         QVERIFY(seconds <= 2.03);
-        QVERIFY2(metresPerSecond * seconds <= HoldRules::kSilentLength + metresPerSecond * 0.03,
+        QVERIFY2(metresPerSecond * seconds <= HoldBounds::kSilentLength + metresPerSecond * 0.03,
                  qPrintable(QString::number(metresPerSecond * seconds)));
     }
 

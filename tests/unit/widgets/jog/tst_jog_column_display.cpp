@@ -7,15 +7,15 @@
 #include <numeric>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/station/jog/travel.h"
+#include "robot/station/text/notation.h"
 #include "tests/support/jog_scene.h"
 #include "tests/support/pictures.h"
-#include "widgets/common/notation.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/joint_rows.h"
 #include "widgets/jog/limiter_line.h"
 #include "widgets/jog/pose_view.h"
-#include "widgets/jog/travel.h"
 #include "widgets/jog/travel_watch.h"
 
 using namespace tiller;

@@ -10,8 +10,8 @@
 #include <QWindow>
 #include <memory>
 
+#include "robot/station/link/robot_session.h"
 #include "widgets/jog/stop_keys.h"
-#include "widgets/session/robot_session.h"
 
 using namespace tiller;
 using control::StopCause;

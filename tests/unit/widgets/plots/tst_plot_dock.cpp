@@ -29,8 +29,12 @@
 #include <array>
 #include <cmath>
 
+#include "robot/station/history/plot_marks.h"
+#include "robot/station/history/signal_store.h"
+#include "robot/station/history/state_lane.h"
+#include "robot/station/link/robot_session.h"
 #include "tests/support/sample_stream.h"
-#include "tests/unit/widgets/signals/long_recording.h"
+#include "tests/unit/robot/station/history/long_recording.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
@@ -42,14 +46,10 @@
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_layout.h"
-#include "widgets/plots/plot_marks.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
-#include "widgets/plots/state_lane.h"
-#include "widgets/session/robot_session.h"
-#include "widgets/signals/signal_store.h"
 #include "widgets/signals/signal_tree.h"
 
 using namespace tiller;
@@ -845,7 +845,7 @@ private Q_SLOTS:
         }
         // What is derived from it by the menu of a curve is a signal of the recording.
         const auto norm =
-            b.dock.store().derive(QStringLiteral("|F| [N] = norm(%1)").arg(Derivation::written(key)));
+            b.dock.store().derive(QStringLiteral("|F| [N] = norm(%1)").arg(DerivedSignal::written(key)));
         QVERIFY(norm.ok());
         b.view().addSignals({b.dock.store().info(*norm).key});
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.store().computedPart(*norm), 1.0, 60'000);
@@ -1081,7 +1081,7 @@ private Q_SLOTS:
             further.set(further.add(59 + i * 0.002, static_cast<std::uint64_t>(i) + 1), "tcp_force_scalar",
                         33);
         }
-        further.frame([&b](const SampleBatch& batch) { Q_EMIT b.session.furtherSamplesReceived(batch); });
+        further.frame([&b](const SampleBatch& batch) { Q_EMIT b.session.extraSamplesReceived(batch); });
         b.runTo(61);
         QVERIFY((b.curve(b.id("tcp_force_scalar")).range() == MinMax{33, 33}));
         QTest::keyClick(&b.view(), Qt::Key_Delete, Qt::ControlModifier);
@@ -1302,7 +1302,7 @@ private Q_SLOTS:
         QVERIFY(b.view().panes()[0]->shows(store.find("yesterday.csv/mine")));
         const LaneItem* lane = b.view().signalLane(store.find("yesterday.csv/actual_digital_input_bits.3"));
         QVERIFY(lane != nullptr && lane->segments().size() >= 2);
-        QVERIFY(store.furtherFields().isEmpty());
+        QVERIFY(store.extraFields().isEmpty());
         b.dock.setSignalsShown(true);
         b.list("yesterday");
         QVERIFY(b.rowOf("yesterday.csv").isValid());

@@ -16,16 +16,16 @@
 #include <utility>
 
 #include "robot/core/clock.h"
+#include "robot/station/history/history_export.h"
+#include "robot/station/history/history_feed.h"
+#include "robot/station/history/lane_text.h"
+#include "robot/station/history/signal_lane.h"
+#include "robot/station/history/state_lane.h"
 #include "tests/support/sample_stream.h"
 #include "widgets/plots/axis_range.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_sheet.h"
-#include "widgets/plots/lane_text.h"
-#include "widgets/plots/plot_export.h"
-#include "widgets/plots/plot_feed.h"
 #include "widgets/plots/plot_layout.h"
-#include "widgets/plots/signal_lane.h"
-#include "widgets/plots/state_lane.h"
 #include "widgets/plots/time_window.h"
 
 using namespace tiller;
@@ -35,7 +35,7 @@ namespace {
 struct Fed {
     SignalStore store;
     const SeriesBuffer& history = store.live();
-    PlotFeed feed{store};
+    HistoryFeed feed{store};
     test::SampleStream stream;
 
     void add(double time, std::uint64_t sequence, double fz = 0) {
@@ -444,7 +444,7 @@ private Q_SLOTS:
                 further.set(further.add(time, static_cast<std::uint64_t>(i) + 1), "tcp_force_scalar", i);
             }
             f.frame();
-            further.frame([&](const SampleBatch& batch) { return f.feed.takeFurther(batch); });
+            further.frame([&](const SampleBatch& batch) { return f.feed.takeExtra(batch); });
         };
         frame(0, 50, 100);
         QCOMPARE(f.store.valueAt(scalar, 100.02).value(), 10.0);

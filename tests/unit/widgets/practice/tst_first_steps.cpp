@@ -11,13 +11,13 @@
 #include <memory>
 
 #include "resources/resources.h"
+#include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
 #include "widgets/practice/first_steps.h"
 #include "widgets/practice/first_steps_card.h"
 #include "widgets/practice/tick_line.h"
-#include "widgets/project/project_document.h"
-#include "widgets/session/robot_session.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -41,7 +41,7 @@ class TestFirstSteps : public QObject {
 
 private:
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<FirstSteps> steps_;
 
     void show(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
@@ -66,7 +66,7 @@ private Q_SLOTS:
     void init() {
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         steps_ = std::make_unique<FirstSteps>(*session_, *document_);
         steps_->setFollowing(true);
     }

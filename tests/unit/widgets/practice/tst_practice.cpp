@@ -10,13 +10,13 @@
 #include <memory>
 
 #include "resources/resources.h"
+#include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
 #include "widgets/practice/practice.h"
 #include "widgets/practice/practice_card.h"
 #include "widgets/practice/tick_line.h"
-#include "widgets/project/project_document.h"
-#include "widgets/session/robot_session.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -26,7 +26,7 @@ class TestPractice : public QObject {
 
 private:
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<Practice> practice_;
     QString elsewhere_;  ///< why this is not the robot to practise on
     QList<PracticeTask> setUp_;
@@ -51,7 +51,7 @@ private Q_SLOTS:
         tidied_ = 0;
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         PracticeHooks hooks;
         hooks.obstacle = [this](const SessionState&) { return elsewhere_; };
         hooks.setUp = [this](PracticeTask task) { setUp_.append(task); };

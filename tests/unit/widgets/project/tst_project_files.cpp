@@ -17,8 +17,8 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 
@@ -59,7 +59,7 @@ private Q_SLOTS:
     void init() {
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         files_ = std::make_unique<ProjectFiles>(*document_);
         notice_.reset();
         connect(files_.get(), &ProjectFiles::noticeWanted, this,
@@ -225,7 +225,7 @@ private Q_SLOTS:
     void aProjectOpenElsewhereOffersTakeoverAndCopy() {
         document_->insertWaypoints(0, {named("a")}, "Teach");
         files_->saveAs(path_);
-        ProjectDocument otherDocument;
+        UndoableDocument otherDocument;
         ProjectFiles other(otherDocument);
         std::optional<Notice> asked;
         connect(&other, &ProjectFiles::noticeWanted, this, [&](const Notice& notice) { asked = notice; });
@@ -311,7 +311,7 @@ private:
 
     std::unique_ptr<QTemporaryDir> directory_;
     QString path_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;
     std::optional<Notice> notice_;
 };

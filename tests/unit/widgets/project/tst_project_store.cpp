@@ -8,8 +8,8 @@
 #include <QTimer>
 #include <memory>
 
-#include "widgets/project/project_document.h"
-#include "widgets/project/project_store.h"
+#include "robot/station/document/project_store.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 
@@ -36,7 +36,7 @@ private Q_SLOTS:
     void init() {
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         store_ = std::make_unique<ProjectStore>(*document_);
     }
     void cleanup() {
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("first")}, "Teach");
         QVERIFY(store_->saveNow().ok());
-        ProjectDocument otherDocument;
+        UndoableDocument otherDocument;
         ProjectStore other(otherDocument);
         QSignalSpy elsewhere(&other, &ProjectStore::openElsewhere);
         QVERIFY(other.open(path_).ok());
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("first")}, "Teach");
         QVERIFY(store_->saveNow().ok());
-        ProjectDocument otherDocument;
+        UndoableDocument otherDocument;
         ProjectStore other(otherDocument);
         QVERIFY(other.open(path_).ok());
         otherDocument.insertWaypoints(1, {named("second")}, "Teach");
@@ -356,7 +356,7 @@ private Q_SLOTS:
         store_.reset();
         const auto copies = project::keptCopies(folder);
         QCOMPARE(copies.size(), 1);
-        ProjectDocument other;
+        UndoableDocument other;
         ProjectStore second(other);
         second.setCopyFolder(folder);
         QVERIFY(second.openKept(copies[0]).ok());
@@ -379,7 +379,7 @@ private Q_SLOTS:
 private:
     std::unique_ptr<QTemporaryDir> directory_;
     QString path_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectStore> store_;
 };
 

@@ -18,7 +18,7 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
@@ -52,7 +52,7 @@ private Q_SLOTS:
         moves_.clear();
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         MotionPort port;
         port.beginMove = [this](const MoveRequest& request) -> Result<MotionPort::Id> {
             moves_.push_back(request);
@@ -516,7 +516,7 @@ private:
     }
 
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ToolsTab> tab_;
     std::vector<MoveRequest> moves_;
     std::vector<control::StopCause> ends_;

@@ -24,14 +24,14 @@
 #include "robot/core/angles.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/waypoint_revision.h"
+#include "robot/station/document/waypoint_exchange.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/pattern_grid.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_dialogs.h"
-#include "widgets/waypoints/waypoint_exchange.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_table.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -64,7 +64,7 @@ private Q_SLOTS:
     void init() {
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         document_->setAuthor("Ann");
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_);
         tab_->resize(560, 560);
@@ -506,7 +506,7 @@ private:
     }
 
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;
     QByteArray before_;
 };

@@ -8,9 +8,11 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/kinematics/speed_bounds.h"
-#include "widgets/waypoints/waypoint_clipboard.h"
+#include "robot/station/document/waypoint_clipboard.h"
+#include "robot/station/route/waypoint_motion.h"
+#include "robot/station/text/reach_words.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_model.h"
-#include "widgets/waypoints/waypoint_motion.h"
 
 using namespace tiller;
 using project::MoveKind;
@@ -53,7 +55,7 @@ class TestWaypointModel : public QObject {
 
 private Q_SLOTS:
     void init() {
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         model_ = std::make_unique<WaypointModel>(*document_);
         tester_ = std::make_unique<QAbstractItemModelTester>(
             model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -95,7 +97,7 @@ private Q_SLOTS:
         far.pose.position = Eigen::Vector3d(2, 0, 0.3);
         document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✕ reach"));
-        QVERIFY(!WaypointModel::reachAdvice(document_->reach(2)).isEmpty());
+        QVERIFY(!reachAdvice(document_->reach(2)).isEmpty());
         // A longer arm gets there.
         document_->setRobot(robotModel(RobotModelId::UR20));
         far.pose.position = Eigen::Vector3d(1.2, 0, 0.3);
@@ -306,7 +308,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointModel> model_;
     std::unique_ptr<QAbstractItemModelTester> tester_;
     QUuid tray_;

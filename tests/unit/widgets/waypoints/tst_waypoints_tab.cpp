@@ -22,8 +22,8 @@
 #include "widgets/common/hold_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/project/project_document.h"
 #include "widgets/project/project_files.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_details.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoint_table.h"
@@ -76,7 +76,7 @@ private Q_SLOTS:
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // no states but those of the test
-        document_ = std::make_unique<ProjectDocument>();
+        document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
         goTo()->guard().setClock(clock_);
         tab_->resize(560, 560);
@@ -654,7 +654,7 @@ private:
     FakeArm arm_;
     VirtualClock clock_;  // stands still: a late event loop ends no hold
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<ProjectDocument> document_;
+    std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;
 };
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/capture/incident_watch.h"
+
+#include <QDir>
+
+#include "robot/dashboard/robot_identity.h"
+#include "robot/station/link/recorded_note.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr std::chrono::seconds kIdentityPatience{5};
+
+QString reasonText(const std::string& reason) {
+    if (reason == "protective-stop") {
+        return IncidentWatch::tr("protective stop");
+    }
+    if (reason == "emergency-stop") {
+        return IncidentWatch::tr("emergency stop");
+    }
+    if (reason == "violation") {
+        return IncidentWatch::tr("safety violation");
+    }
+    if (reason == "fault") {
+        return IncidentWatch::tr("fault");
+    }
+    return QString::fromStdString(reason);
+}
+
+}  // namespace
+
+IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObject* parent)
+    : QObject(parent), session_(session), folder_(folder) {
+    connect(&session, &RobotSession::linkBegan, this, &IncidentWatch::restart);
+    connect(&session, &RobotSession::connected, this, &IncidentWatch::learnIdentity);
+    connect(&session, &RobotSession::message, this,
+            [this](Severity severity, const QString& text, Origin origin) {
+                box_.note(recordedNote(severity, text, origin));
+            });
+}
+
+// The worker goes first, then the box, which writes what is under way.
+IncidentWatch::~IncidentWatch() = default;
+
+void IncidentWatch::setProject(const QString& name, const QByteArray& content) {
+    projectName_ = name;
+    project_ = content;
+    box_.setProject(name, content.toStdString());
+}
+
+void IncidentWatch::restart() {
+    recording::BlackBoxOptions options;
+    options.folder = folder_;
+    options.facts["robot"] = session_.address().host.toStdString();
+    options.facts["written_by"] = "tiller";
+    options.written = [this](const recording::Incident& incident) {
+        QMetaObject::invokeMethod(
+            this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
+    };
+    // Ending the box of the link before may mean writing its incident: not here.
+    worker_.post(this, [this, options, receiver = session_.sharedReceiver()](const CancelToken&) {
+        static_cast<void>(box_.start(options, *receiver));
+        return std::function<void()>([this] {
+            box_.setProject(projectName_, project_.toStdString());
+            if (const receive::Receiver* now = session_.receiver()) {
+                box_.setFact("software", toString(now->version()));
+            }
+        });
+    });
+}
+
+void IncidentWatch::learnIdentity() {
+    const receive::Receiver* receiver = session_.receiver();
+    if (receiver == nullptr) {
+        return;
+    }
+    const SoftwareVersion version = receiver->version();
+    box_.setFact("software", toString(version));
+    worker_.post(this, [this, version, robot = session_.address()](const CancelToken& cancel) {
+        const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, version.isCb3(),
+                                                     Deadline::after(kIdentityPatience, cancel));
+        box_.setFact("model", identity.model.toStdString());
+        box_.setFact("serial_number", identity.serialNumber.toStdString());
+        return std::function<void()>();
+    });
+}
+
+void IncidentWatch::tell(const recording::Incident& incident) {
+    const QString what = reasonText(incident.reason);
+    if (incident.error.code != ErrorCode::None) {
+        Q_EMIT told(Severity::Error, tr("The incident (%1) could not be recorded.").arg(what),
+                    texts::errorText(incident.error), QString());
+        return;
+    }
+    Q_EMIT told(Severity::Warning, tr("Incident recorded: %1").arg(what),
+                tr("The recording %2 starts %1 s before the stop. Double-click this entry to open it.")
+                    .arg(incident.secondsBefore, 0, 'f', 0)
+                    .arg(QDir::toNativeSeparators(incident.path)),
+                incident.path);
+}
+
+}  // namespace tiller
+
+#include "moc_incident_watch.cpp"

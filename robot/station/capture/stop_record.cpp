@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/capture/stop_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/receive/robot_state.h"
+#include "robot/script/controller_message.h"
+#include "robot/station/text/controller_codes.h"
+
+namespace tiller {
+namespace {
+
+constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
+constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
+constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
+constexpr double kLongestGap = 0.5;   ///< [s] between two packets of one story
+constexpr double kElsewhere = 0.002;  ///< [rad] by more than this an arm has moved
+
+/// What the robot does not send is drawn as nothing.
+double orNothing(double value) {
+    return std::isfinite(value) ? value : 0.0;
+}
+
+int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
+    Vector6 worst = Vector6::Zero();
+    for (const StopRecord::Point& point : points) {
+        if (point.time > stoppedAt - kBlameWindow) {
+            worst = worst.cwiseMax(point.deviation.cwiseAbs());
+        }
+    }
+    Eigen::Index joint = 0;
+    return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
+}
+
+/// Where one of the two is not known, it has.
+bool hasMoved(const JointPositions& from, const JointPositions& to) {
+    return !((to.values - from.values).cwiseAbs().array() <= kElsewhere).all();
+}
+
+}  // namespace
+
+StopRecorder::StopRecorder(RobotSession& session, QObject* parent) : QObject(parent) {
+    connect(&session, &RobotSession::linkBegan, this, &StopRecorder::forget);
+    connect(&session, &RobotSession::samplesReceived, this, &StopRecorder::follow);
+    connect(&session, &RobotSession::controllerMessage, this, &StopRecorder::hear);
+}
+
+double StopRecorder::secondsSince() const {
+    return record_ ? std::max(0.0, now_ - record_->stoppedAt) : 0.0;
+}
+
+void StopRecorder::forget() {
+    points_.clear();
+    said_.clear();
+    stopped_ = false;
+    connection_ = 0;
+    q_ = {};
+    now_ = 0;
+    record_.reset();
+}
+
+void StopRecorder::follow(const SampleBatch& batch) {
+    for (const receive::Sample& sample : batch.samples) {
+        take(sample);
+        now_ = receive::RobotState(sample).timestamp();
+    }
+}
+
+void StopRecorder::take(const receive::Sample& sample) {
+    const receive::RobotState robot(sample);
+    StopRecord::Point point;
+    point.time = robot.timestamp();
+    point.force = orNothing(robot.tcpForce().force.norm());
+    point.speed = orNothing(robot.tcpSpeed().linear.norm());
+    point.current = robot.jointCurrent().unaryExpr(&orNothing);
+    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&orNothing);
+    bool gap = false;
+    if (!points_.empty()) {
+        const double since = point.time - points_.back().time;
+        gap = sample.connection != connection_ || since < 0 || since > kLongestGap;
+        if (since < 0) {
+            points_.clear();  // the controller was restarted
+        }
+    }
+    // Unseen, the arm may have been unlocked, moved and stopped again: the same stop leaves it where it was.
+    const bool another = gap && hasMoved(q_, robot.q());
+    connection_ = sample.connection;
+    q_ = robot.q();
+    points_.push_back(point);
+    while (points_.front().time < point.time - kSeconds) {
+        points_.pop_front();
+    }
+    const auto status = shownSafety(robot.safetyMode(),
+                                    static_cast<SafetyStatus>(static_cast<std::int32_t>(robot.number(
+                                        "safety_status", 0, static_cast<double>(SafetyMode::Undefined)))));
+    const bool stopped = !allowsMotion(status);
+    if (stopped && (!stopped_ || another || (record_ && record_->status != status))) {
+        freeze(sample, status);
+    }
+    stopped_ = stopped;
+}
+
+void StopRecorder::freeze(const receive::Sample& sample, SafetyStatus status) {
+    const receive::RobotState robot(sample);
+    StopRecord record;
+    record.status = status;
+    record.stoppedAt = robot.timestamp();
+    record.points.assign(points_.begin(), points_.end());
+    record.tcpPose = robot.tcpPose();
+    record.q = robot.q();
+    record.suspect = suspectOf(record.points, record.stoppedAt);
+    for (const auto& [time, text] : said_) {
+        if (record.stoppedAt - time < kHeardWithin) {
+            record.reports << text;
+        }
+    }
+    record_ = std::move(record);
+    Q_EMIT changed();
+}
+
+void StopRecorder::hear(const script::ControllerMessage& message) {
+    if (message.kind != script::MessageKind::ErrorCode ||
+        message.severity < script::MessageSeverity::Warning) {
+        return;
+    }
+    const CodeWords words = controllerCode(message.code);
+    const QString text =
+        QStringLiteral("%1 %2. %3").arg(message.codeName(), words.title, words.action).trimmed();
+    said_.emplace_back(now_, text);
+    while (said_.size() > 20) {
+        said_.pop_front();
+    }
+    if (stopped_ && record_ && now_ - record_->stoppedAt < kHeardWithin && !record_->reports.contains(text)) {
+        record_->reports << text;
+        Q_EMIT changed();
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_stop_record.cpp"

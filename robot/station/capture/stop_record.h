@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Remembers the last five seconds before the safety system stops the arm, at the full rate of the robot's
+// data, and what the controller said about it.
+
+#include <QObject>
+#include <QStringList>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "robot/receive/sample.h"
+#include "robot/station/link/robot_session.h"
+
+namespace tiller {
+
+struct StopRecord {
+    struct Point {
+        double time = 0;                      ///< the controller's time stamp [s]
+        double force = 0;                     ///< at the TCP [N]
+        double speed = 0;                     ///< of the TCP [m/s]
+        Vector6 current = Vector6::Zero();    ///< of the joints [A]
+        Vector6 deviation = Vector6::Zero();  ///< measured less target current [A]
+    };
+
+    SafetyStatus status = SafetyMode::Undefined;
+    double stoppedAt = 0;  ///< the controller's time stamp [s]
+    std::vector<Point> points;
+    Pose tcpPose;
+    JointPositions q;
+    int suspect = -1;     ///< the joint whose current left its target furthest, 0..5; -1: none stands out
+    QStringList reports;  ///< what the controller said within two seconds of the stop: "C157 Collision ..."
+};
+
+/// Threads  GUI
+class StopRecorder : public QObject {
+    Q_OBJECT
+
+public:
+    explicit StopRecorder(RobotSession& session, QObject* parent = nullptr);
+
+    /// The last stop of this connection; nothing when there was none.
+    const std::optional<StopRecord>& last() const { return record_; }
+    /// Since the stop, by the controller's clock [s]; 0 when there was none.
+    double secondsSince() const;
+
+    static constexpr double kSeconds = 5.0;
+
+Q_SIGNALS:
+    /// A stop was recorded, or more was said about the last one.
+    void changed();
+
+private:
+    void forget();
+    void follow(const SampleBatch& batch);
+    void take(const receive::Sample& sample);
+    void freeze(const receive::Sample& sample, SafetyStatus status);
+    void hear(const script::ControllerMessage& message);
+
+    std::deque<StopRecord::Point> points_;
+    std::deque<std::pair<double, QString>> said_;
+    bool stopped_ = false;
+    std::uint64_t connection_ = 0;  ///< of the last sample
+    JointPositions q_;              ///< where the arm was in it
+    double now_ = 0;
+    std::optional<StopRecord> record_;
+};
+
+}  // namespace tiller

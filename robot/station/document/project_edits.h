@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The edits of a project as values that can be applied and reverted: four of the list of waypoints, one of any other
+// part. ProjectDocument creates them; an undo history keeps them.
+
+#include <QString>
+#include <QVector>
+#include <vector>
+
+#include "robot/station/document/project_document.h"
+
+namespace tiller {
+
+/// One edit, with what was there before and after. The document must be in the state before it for apply(), and in the
+/// state after it for revert().
+class ProjectEdit {
+public:
+    explicit ProjectEdit(const QString& text) : text_(text) {}
+    virtual ~ProjectEdit() = default;
+    /// What an undo history shows: "Delete “home”".
+    const QString& text() const { return text_; }
+    virtual void apply(ProjectDocument& document) = 0;
+    virtual void revert(ProjectDocument& document) = 0;
+
+private:
+    QString text_;
+};
+
+class InsertWaypoints : public ProjectEdit {
+public:
+    InsertWaypoints(int row, std::vector<project::Waypoint> waypoints, const QString& text);
+    void apply(ProjectDocument& document) override;
+    void revert(ProjectDocument& document) override;
+
+private:
+    int row_;
+    std::vector<project::Waypoint> waypoints_;
+};
+
+class RemoveWaypoints : public ProjectEdit {
+public:
+    RemoveWaypoints(QVector<int> rows, const QString& text);
+    void apply(ProjectDocument& document) override;
+    void revert(ProjectDocument& document) override;
+
+private:
+    QVector<int> rows_;  // ascending
+    std::vector<project::Waypoint> taken_;
+};
+
+class ChangeWaypoints : public ProjectEdit {
+public:
+    /// before, after  the same waypoints in the same order
+    ChangeWaypoints(std::vector<project::Waypoint> before, std::vector<project::Waypoint> after,
+                    const QString& text);
+    void apply(ProjectDocument& document) override;
+    void revert(ProjectDocument& document) override;
+
+private:
+    std::vector<project::Waypoint> before_;
+    std::vector<project::Waypoint> after_;
+};
+
+class ReorderWaypoints : public ProjectEdit {
+public:
+    /// before, after  the ids of all waypoints
+    ReorderWaypoints(QVector<QUuid> before, QVector<QUuid> after, const QString& text);
+    void apply(ProjectDocument& document) override;
+    void revert(ProjectDocument& document) override;
+
+private:
+    QVector<QUuid> before_;
+    QVector<QUuid> after_;
+};
+
+/// Parts other than the waypoints are small: the whole part is kept.
+template <class Part>
+class EditPart : public ProjectEdit {
+public:
+    EditPart(Part project::Project::*part, Part before, Part after, const QString& text)
+        : ProjectEdit(text), part_(part), before_(std::move(before)), after_(std::move(after)) {}
+    void apply(ProjectDocument& document) override { document.setPartRaw(part_, after_); }
+    void revert(ProjectDocument& document) override { document.setPartRaw(part_, before_); }
+
+private:
+    Part project::Project::*part_;
+    Part before_;
+    Part after_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/history/comparison_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "robot/station/text/format.h"
+#include "robot/station/text/joint_name.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+
+namespace {
+
+using divergence::Quantity;
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ComparisonText {
+    Q_DECLARE_TR_FUNCTIONS(Comparison)
+};
+
+QString nameOf(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::JointPosition:
+            return ComparisonText::tr("Joint positions");
+        case Quantity::TcpPosition:
+            return ComparisonText::tr("TCP position");
+        case Quantity::JointCurrent:
+            return ComparisonText::tr("Joint currents");
+        case Quantity::TcpForce:
+            return ComparisonText::tr("TCP force");
+    }
+    return {};
+}
+
+QString seconds(const divergence::Difference& difference) {
+    return format::number(difference.seconds, 3);
+}
+
+QString outcomeLine(const divergence::Outcome& outcome) {
+    const QString name = nameOf(outcome.quantity);
+    if (!(outcome.limit > 0)) {
+        return ComparisonText::tr("%1: not compared").arg(name);
+    }
+    if (!outcome.missing.empty()) {
+        QStringList fields;
+        for (const std::string& field : outcome.missing) {
+            fields << QString::fromStdString(field);
+        }
+        return ComparisonText::tr(
+                   "%1: not compared because the recording has no %2; record all signals to MCAP")
+            .arg(name, fields.join(QStringLiteral(", ")));
+    }
+    if (!outcome.greatest) {
+        return ComparisonText::tr("%1: no values").arg(name);
+    }
+    const QString limit = amountText(outcome.quantity, outcome.limit);
+    if (!outcome.parted) {
+        return ComparisonText::tr("%1: within %2 at all times, maximum %3 at %4 s")
+            .arg(name, limit, amountText(outcome.quantity, outcome.greatest->amount),
+                 seconds(*outcome.greatest));
+    }
+    return ComparisonText::tr("%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s")
+        .arg(name, limit, seconds(*outcome.parted), partingMark(*outcome.parted),
+             amountText(outcome.quantity, outcome.greatest->amount), seconds(*outcome.greatest));
+}
+
+}  // namespace
+
+QString amountText(Quantity quantity, double amount) {
+    switch (quantity) {
+        case Quantity::JointPosition:
+            return format::degrees(amount);
+        case Quantity::TcpPosition:
+            return format::length(amount, 1);
+        case Quantity::JointCurrent:
+            return format::amperes(amount);
+        case Quantity::TcpForce:
+            return format::newtons(amount);
+    }
+    return {};
+}
+
+QString partingMark(const divergence::Difference& parting) {
+    const QString place = parting.joint < 0 ? ComparisonText::tr("TCP") : jointName(parting.joint);
+    return ComparisonText::tr("%1 %2", "TCP 6.2 mm").arg(place, amountText(parting.quantity, parting.amount));
+}
+
+QString partingText(const divergence::Difference& parting) {
+    const QString amount = amountText(parting.quantity, parting.amount);
+    switch (parting.quantity) {
+        case Quantity::JointPosition:
+            return ComparisonText::tr("Arm and model diverge at %1 s: %2 deviates by %3")
+                .arg(seconds(parting), jointName(parting.joint), amount);
+        case Quantity::TcpPosition:
+            return ComparisonText::tr("Arm and model diverge at %1 s: the TCP deviates by %2")
+                .arg(seconds(parting), amount);
+        case Quantity::JointCurrent:
+            return ComparisonText::tr("Arm and model diverge at %1 s: the current of %2 deviates by %3")
+                .arg(seconds(parting), jointName(parting.joint), amount);
+        case Quantity::TcpForce:
+            return ComparisonText::tr("Arm and model diverge at %1 s: a force of %2 acts on the TCP")
+                .arg(seconds(parting), amount);
+    }
+    return {};
+}
+
+QString reportText(const divergence::Report& report) {
+    if (const auto first = report.first()) {
+        return partingText(*first);
+    }
+    const QString model = QString::fromLatin1(robotModel(report.model).name);
+    return report.firstCompared ? ComparisonText::tr("The arm moved as the model of a %1 does").arg(model)
+                                : ComparisonText::tr(
+                                      "Nothing to compare: the arm was powered off or guided by hand for the "
+                                      "whole recording.");
+}
+
+QString reportDetails(const divergence::Report& report) {
+    QStringList lines;
+    if (report.partedFromStart()) {
+        lines << ComparisonText::tr(
+            "They differ from the first sample on: check the configured payload, the robot model, and "
+            "contact with the arm.");
+    } else if (report.first()) {
+        lines << ComparisonText::tr(
+            "From there on, the arm was pushed or held, its payload differed, or a joint did not follow its "
+            "target.");
+    }
+    for (const divergence::Outcome& outcome : report.outcomes) {
+        lines << outcomeLine(outcome);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString comparisonError(const Error& error) {
+    switch (error.code) {
+        case ErrorCode::FieldUnknown:
+            return ComparisonText::tr(
+                "This recording cannot be compared with a model: target or actual joint positions are "
+                "missing. Record all signals to MCAP.");
+        case ErrorCode::InvalidArgument:
+            return ComparisonText::tr(
+                "This recording cannot be compared with a model: its sampling interval is too long. Record "
+                "every packet.");
+        case ErrorCode::Cancelled:
+            return ComparisonText::tr("Not compared with the model of the arm.");
+        default:
+            return texts::errorText(error);
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How far a signal goes: its smallest and its largest value over some samples.
+
+#include <limits>
+
+namespace tiller {
+
+/// min > max: there was no value.
+struct MinMax {
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+
+    bool isEmpty() const { return !(min <= max); }
+    void add(const MinMax& other) {
+        min = other.min < min ? other.min : min;
+        max = other.max > max ? other.max : max;
+    }
+    /// NaN is no value.
+    void add(double value) {
+        min = value < min ? value : min;
+        max = value > max ? value : max;
+    }
+    friend bool operator==(const MinMax&, const MinMax&) = default;
+};
+
+}  // namespace tiller

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/history/replay_moment.h"
+
+#include <QCoreApplication>
+
+#include "robot/station/text/format.h"
+
+namespace tiller {
+
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ReplayText {
+    Q_DECLARE_TR_FUNCTIONS(Replay)
+};
+
+}  // namespace
+
+QString ReplayMoment::words() const {
+    // Where there is little room the name of the file is what is cut.
+    QStringList parts{ReplayText::tr("REPLAY")};
+    if (wallTime.isValid()) {
+        parts << wallTime.toString(QStringLiteral("HH:mm:ss.zzz"));
+    }
+    if (sample.isEmpty()) {
+        parts << ReplayText::tr("no data");
+    }
+    parts << (source.isEmpty() ? ReplayText::tr("history at %1 s").arg(format::number(time, 3))
+                               : ReplayText::tr("at %1 s of %2").arg(format::number(seconds, 3), source));
+    return parts.join(QStringLiteral(" · "));
+}
+
+}  // namespace tiller

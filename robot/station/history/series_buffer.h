@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The history behind the plots: one column of times, and one column of values per signal with levels of minima and
+// maxima. Whatever is asked of it costs as much as there are pixel columns in the answer, not as there are samples
+// in the history. The oldest samples fall out when they are older, or all of them more, than the limits say.
+//
+// The samples may lie in a file instead: then only outlines of them are in memory, and a block of rows is fetched when one
+// of them is asked for.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "robot/station/history/min_max.h"
+#include "robot/station/history/series_column.h"
+
+namespace tiller {
+
+/// Which samples belong to which pixel column. Column i holds the samples edges[i] ... edges[i + 1] - 1,
+/// those with start + i * width <= time < start + (i + 1) * width. Made once a frame and shared by all
+/// curves.
+struct ColumnGrid {
+    double start = 0;  ///< time of the left edge of column 0 [s]
+    double width = 0;  ///< of a column [s]
+    std::vector<std::int64_t> edges;
+    std::vector<std::uint8_t> gapBefore;  ///< samples were lost right before one of this column's samples
+
+    std::int64_t first = 0;  ///< of the history when the grid was cut
+    std::int64_t end = 0;
+    std::uint64_t revision = 0;
+
+    int columns() const { return static_cast<int>(gapBefore.size()); }
+    bool empty() const { return edges.empty() || edges.front() == edges.back(); }
+};
+
+/// What a history may take before its oldest samples fall out.
+struct HistoryLimits {
+    /// Half an hour, and a block so that it is whole.
+    double seconds = 30 * 60 + 10;
+    std::size_t bytes = std::size_t{1} << 30;
+};
+
+/// Where the samples are that a history has no values of.
+class SampleFile {
+public:
+    virtual ~SampleFile() = default;
+    /// Gives the history times and values of a block: SeriesBuffer::setTimes(), setRows().
+    virtual void fill(std::int64_t block) = 0;
+};
+
+/// Threads  one (GUI)
+class SeriesBuffer {
+public:
+    explicit SeriesBuffer(int columns = 0, const HistoryLimits& limits = {});
+
+    int columnCount() const { return static_cast<int>(columns_.size()); }
+    /// A signal that has no values until the next row comes.
+    /// Returns  its number
+    int addColumn(Precision precision = Precision::Single);
+    const HistoryLimits& limits() const { return limits_; }
+    /// Takes effect at once.
+    void setLimits(const HistoryLimits& limits);
+    /// All that the samples take [bytes].
+    std::size_t memoryBytes() const;
+
+    /// One row. NaN, or a column beyond the values: this signal has no value at this time.
+    /// time       [s], later than that of the row before
+    /// gapBefore  samples between this row and the one before were lost
+    /// Returns    false, and keeps nothing, if the time does not go forward or is not finite
+    bool append(double time, std::span<const float> values, bool gapBefore = false);
+    struct Row {
+        double time = 0;
+        bool gapBefore = false;
+    };
+    /// Many rows, column by column, which is several times as fast. Their times go forward and are later than
+    /// lastTime().
+    /// source(column, row)  gives each value
+    template <class Source>
+    void appendRows(std::span<const Row> rows, Source source) {
+        for (const Row& row : rows) {
+            addTime(row);
+        }
+        for (std::size_t c = 0; c < columns_.size(); ++c) {
+            columns_[c].add(rows.size(), [&source, c](std::size_t row) { return source(c, row); });
+        }
+        trim();
+    }
+    /// Writes a column anew, for all samples there are: source(sample).
+    template <class Source>
+    void fillColumn(int column, Source source) {
+        SeriesColumn filled(columns_[static_cast<std::size_t>(column)].precision());
+        const std::int64_t oldest = first();
+        filled.add(static_cast<std::size_t>(end_ - oldest),
+                   [&](std::size_t row) { return source(oldest + static_cast<std::int64_t>(row)); });
+        columns_[static_cast<std::size_t>(column)] = std::move(filled);
+    }
+
+    // In a file. Nothing can be appended then; the limits do not hold.
+
+    /// When a sample is, roughly: to be refined by setTimes().
+    struct Mark {
+        std::int64_t sample = 0;
+        double time = 0;  ///< [s]
+    };
+    /// file   must outlive the history
+    /// marks  the first and the last sample among them; between two of them samples come evenly
+    /// gaps   before these samples others were lost, in order
+    void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
+               std::vector<std::int64_t> gaps);
+    bool isInFile() const { return file_ != nullptr; }
+    /// Counts whatever has become known of a history in a file.
+    std::uint64_t revision() const { return revision_; }
+    /// All values of these samples are in memory.
+    bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
+    /// See SeriesColumn. The column that outlineColumn() made has its values in the file.
+    int outlineColumn(Precision precision);
+    void setExtents(int column, std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
+    std::int64_t grainOf(int column, std::int64_t block) const {
+        return columns_[static_cast<std::size_t>(column)].grainOf(block);
+    }
+    void setTimes(std::int64_t block, std::span<const double> times);
+    void setRows(int column, std::int64_t block, std::span<const double> values);
+    /// Lets go of times and values of a block.
+    void forget(std::int64_t block);
+
+    /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
+    /// next one to come.
+    std::int64_t first() const { return first_; }
+    std::int64_t end() const { return end_; }
+    bool isEmpty() const { return end_ == 0; }
+    double firstTime() const { return isEmpty() ? 0 : roughTime(first_); }
+    double lastTime() const { return isEmpty() ? 0 : roughTime(end_ - 1); }
+
+    double time(std::int64_t sample) const {
+        const std::int64_t row = sample - first_;
+        const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
+        if (!block) {
+            fetch(row);
+        }
+        return block->times[static_cast<std::size_t>(row & kInBlock)];
+    }
+    double value(int column, std::int64_t sample) const {
+        const std::int64_t row = sample - first_;
+        const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
+        if (file_ != nullptr && values.grainOf(row >> SeriesColumn::kBlockBits) != 1) {
+            fetch(row);
+        }
+        return values.value(row);
+    }
+    bool gapBefore(std::int64_t sample) const {
+        if (file_ != nullptr) {
+            return hasGap(sample, sample + 1);
+        }
+        const std::int64_t row = sample - first_;
+        const auto at = static_cast<std::size_t>(row & kInBlock);
+        return (times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)]->gaps[at / 64] >>
+                    (at % 64) &
+                1) != 0;
+    }
+    /// The first sample at or after this time; end() if there is none.
+    std::int64_t lowerBound(double time) const;
+    /// The last sample at or before this time, or -1 if there is none.
+    std::int64_t lastBefore(double time) const;
+
+    /// Cuts start ... start + columns * width into columns. A grid that was cut from this history before and
+    /// lies on the same raster of time keeps what has not changed: a moving view costs only its new columns.
+    void cut(double start, double width, int columns, ColumnGrid& grid) const;
+    /// Minimum and maximum per column of the grid, exactly.
+    void envelope(int column, const ColumnGrid& grid, std::vector<MinMax>& out) const;
+    std::vector<MinMax> envelope(int column, double t0, double t1, int columns) const;
+    /// Over the samples begin ... end - 1.
+    MinMax minMax(int column, std::int64_t begin, std::int64_t end) const {
+        return columns_[static_cast<std::size_t>(column)].minMax(begin - first_, end - first_);
+    }
+    /// See SeriesColumn::fetchAhead().
+    void fetchAhead(int column, std::int64_t sample) const {
+        columns_[static_cast<std::size_t>(column)].fetchAhead(sample - first_);
+    }
+    /// True when samples were lost right before one of the samples begin ... end - 1.
+    bool hasGap(std::int64_t begin, std::int64_t end) const;
+
+private:
+    static constexpr std::int64_t kInBlock = SeriesColumn::kBlockRows - 1;
+
+    struct TimeBlock {
+        std::array<double, std::size_t(SeriesColumn::kBlockRows)> times;
+        std::array<std::uint64_t, std::size_t(SeriesColumn::kBlockRows) / 64> gaps;
+        int gapCount;
+    };
+
+    void addTime(const Row& row);
+    void trim();
+    /// As it is known, without a look into the file.
+    double roughTime(std::int64_t sample) const {
+        const std::int64_t row = sample - first_;
+        const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
+        return block ? block->times[static_cast<std::size_t>(row & kInBlock)] : timeByMarks(row);
+    }
+    double timeByMarks(std::int64_t row) const;
+    void fetch(std::int64_t row) const;
+    /// First sample whose rough time is >= time, looking outwards from a guess.
+    std::int64_t lowerBoundNear(double time, std::int64_t guess) const;
+    std::int64_t lowerBoundBetween(double time, std::int64_t low, std::int64_t high) const;
+
+    HistoryLimits limits_;
+    std::int64_t first_ = 0;
+    std::int64_t end_ = 0;
+    std::vector<std::unique_ptr<TimeBlock>> times_;
+    std::vector<SeriesColumn> columns_;
+
+    SampleFile* file_ = nullptr;
+    std::vector<Mark> marks_;
+    std::vector<std::int64_t> gaps_;  ///< of a history in a file
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace tiller

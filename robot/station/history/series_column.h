@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The values of one signal, block by block, with levels of minima and maxima inside each block. A block whose values
+// are all the same holds that value and nothing else: registers, modes and words of bits cost next to nothing.
+//
+// Of a column that lies in a file only outlines may be known: the extents of so many rows each. What is asked about rows
+// that are not there is answered from them, and may then be the extent of more rows than were asked for, never of fewer.
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <span>
+#include <vector>
+
+#include "robot/station/history/min_max.h"
+
+namespace tiller {
+
+enum class Precision : std::uint8_t {
+    Single,  ///< as float: what is measured
+    Exact,   ///< as double: integers, words of bits
+};
+
+/// Rows are counted from the oldest one kept.
+/// Threads  one
+class SeriesColumn {
+public:
+    static constexpr int kBlockBits = 12;
+    static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
+    /// A stretch of rows that begins and ends at multiples of this is answered from summaries alone.
+    static constexpr std::int64_t kSummary = 32;
+    /// The same, and from far fewer of them.
+    static constexpr std::int64_t kCoarseSummary = 256;
+    /// More rows than any extent has.
+    static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
+
+    /// rowsBefore  rows that the columns beside it have already: no values here
+    explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
+
+    Precision precision() const { return precision_; }
+    std::int64_t rows() const { return rows_; }
+    /// Memory of the values and their levels [bytes].
+    std::size_t bytes() const { return bytes_; }
+
+    /// source(row) gives each of the values; NaN: none.
+    template <class Source>
+    void add(std::size_t count, Source source) {
+        if (precision_ == Precision::Single) {
+            addAs<float>(count, source);
+        } else {
+            addAs<double>(count, source);
+        }
+    }
+    /// The oldest block falls out.
+    void dropBlock();
+
+    // Of a column in a file.
+
+    /// Rows that lie in the file: nothing is known of them yet. The column has no others.
+    void outline(std::int64_t rows);
+    /// Extents of `rowsEach` rows each, from a row on that is a multiple of it; an empty one where there are no values.
+    /// rowsEach  a multiple of kSummary that divides a block, or of a block
+    void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
+    /// The values of a block.
+    void setRows(std::int64_t block, std::span<const double> values);
+    /// Goes back to what was known before setRows().
+    void forgetRows(std::int64_t block);
+    /// How many rows an extent that is known of this block has: kUnknown at first, and 1 when its rows are there.
+    std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
+
+    double value(std::int64_t row) const {
+        const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
+        const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
+        return block.single  ? static_cast<double>(block.single->rows[at])
+               : block.exact ? block.exact->rows[at]
+                             : block.constant;
+    }
+    /// Has what minMax() reads about this row on its way from the memory. Rows that lie far apart are each waited for
+    /// otherwise.
+    void fetchAhead(std::int64_t row) const {
+#if defined(__GNUC__)
+        if (row < 0 || row >= rows_) {
+            return;
+        }
+        const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
+        const auto at = static_cast<std::size_t>(row & (kBlockRows - 1));
+        if (block.single) {
+            if (at % std::size_t(kSummary) != 0) {
+                const std::size_t fine = at & ~(std::size_t(kSummary) - 1);
+                __builtin_prefetch(&block.single->rows[fine]);
+                __builtin_prefetch(&block.single->rows[fine + std::size_t(kSummary) / 2]);
+            }
+            if (at % std::size_t(kCoarseSummary) != 0) {
+                __builtin_prefetch(&block.single->levels.fine[at >> kFineBits]);
+            }
+            __builtin_prefetch(&block.single->levels.coarse[at >> kCoarseBits]);
+        }
+#endif
+    }
+    /// Over the rows begin ... end - 1, exactly.
+    MinMax minMax(std::int64_t begin, std::int64_t end) const;
+
+private:
+    // So many rows make an entry of the first level, eight of those one of the next.
+    static constexpr int kFineBits = 5;
+    static_assert(std::int64_t{1} << kFineBits == kSummary);
+    static constexpr int kCoarseBits = 8;
+    static_assert(std::int64_t{1} << kCoarseBits == kCoarseSummary);
+    static constexpr std::size_t kFineEntries = std::size_t(kBlockRows >> kFineBits);
+    static constexpr std::size_t kCoarseEntries = std::size_t(kBlockRows >> kCoarseBits);
+
+    template <class Value>
+    struct Extent {
+        Value min, max;
+    };
+    static constexpr std::size_t kCacheLine = 64;
+    /// Begins with a cache line. By way of the ordinary allocator: glibc's for aligned memory hardly ever uses again what
+    /// was given back, and a history in which the oldest block makes room for the next would grow for days.
+    struct OnCacheLine {
+        static void* operator new(std::size_t size, std::align_val_t);
+        static void operator delete(void* at, std::align_val_t);
+    };
+    /// The fine entries of a coarse one are a cache line.
+    template <class Value>
+    struct alignas(kCacheLine) Levels : OnCacheLine {
+        std::array<Extent<Value>, kFineEntries> fine;
+        std::array<Extent<Value>, kCoarseEntries> coarse;
+    };
+    template <class Value>
+    struct Values : OnCacheLine {
+        std::array<Value, std::size_t(kBlockRows)> rows;
+        Levels<Value> levels;
+    };
+    template <class Value>
+    struct RunningExtent;
+    /// What is known of a block in a file besides its rows.
+    struct Outline {
+        /// Of equal parts of the block, as many as it is worth without levels.
+        std::array<MinMax, 2> halves;
+        std::unique_ptr<Levels<float>> single;
+        std::unique_ptr<Levels<double>> exact;
+        std::int64_t grain = kUnknown;
+    };
+    struct Block {
+        double constant = 0;  ///< of every row, while there are no values
+        std::unique_ptr<Values<float>> single;
+        std::unique_ptr<Values<double>> exact;
+        MinMax whole;                      ///< of a block that is full
+        std::unique_ptr<Outline> outline;  ///< of a block in a file
+        std::int64_t grain = 1;
+    };
+
+    template <class Value>
+    static std::unique_ptr<Values<Value>>& valuesOf(Block& block) {
+        if constexpr (sizeof(Value) == sizeof(float)) {
+            return block.single;
+        } else {
+            return block.exact;
+        }
+    }
+    template <class Value>
+    static bool isSame(Value a, double b) {
+        return static_cast<double>(a) == b || (std::isnan(a) && std::isnan(b));
+    }
+    template <class Value, class Source>
+    void addAs(std::size_t count, Source source) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto at = static_cast<std::size_t>(rows_ & (kBlockRows - 1));
+            if (at == 0) {
+                beginBlock();
+            }
+            Block& block = blocks_.back();
+            auto& values = valuesOf<Value>(block);
+            const auto value = static_cast<Value>(source(i));
+            if (!values && at == 0) {
+                block.constant = static_cast<double>(value);
+            } else if (!values && !isSame(value, block.constant)) {
+                spread<Value>(block, at);
+            }
+            ++rows_;
+            if (values) {
+                values->rows[at] = value;
+                if ((rows_ & ((std::int64_t{1} << kFineBits) - 1)) == 0) {
+                    completeLevels(*values, at + 1);
+                }
+            }
+            if ((rows_ & (kBlockRows - 1)) == 0) {
+                completeBlock(block);
+            }
+        }
+    }
+    void beginBlock();
+    /// The block gets room for values that differ.
+    template <class Value>
+    void spread(Block& block, std::size_t rows);
+    template <class Value>
+    static void completeLevels(Values<Value>& values, std::size_t rows);
+    template <class Value>
+    static void completeCoarse(Levels<Value>& levels, std::size_t entry);
+    static void completeBlock(Block& block);
+    template <class Value>
+    static void addRange(const Values<Value>& values, std::size_t begin, std::size_t end, MinMax& sum);
+    template <class Value>
+    static RunningExtent<Value> extentOf(const Levels<Value>& levels, std::size_t begin, std::size_t end);
+    static void addOutline(const Outline& outline, std::size_t begin, std::size_t end, MinMax& sum);
+    template <class Value>
+    void setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t at, std::size_t rows,
+                   const MinMax& extent);
+    template <class Value>
+    void setRowsAs(Block& block, std::span<const double> values);
+
+    Precision precision_;
+    std::int64_t rows_ = 0;
+    std::size_t bytes_ = 0;
+    std::vector<Block> blocks_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/jog/freedrive_axes.h"
+
+#include <QCoreApplication>
+
+#include "robot/station/text/format.h"
+
+namespace tiller {
+
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct FreedriveText {
+    Q_DECLARE_TR_FUNCTIONS(Freedrive)
+};
+
+}  // namespace
+
+QString freedriveAxesText(FreedriveAxes axes) {
+    switch (axes) {
+        case FreedriveAxes::All:
+            return FreedriveText::tr("All axes");
+        case FreedriveAxes::Position:
+            return FreedriveText::tr("Position only");
+        case FreedriveAxes::Orientation:
+            return FreedriveText::tr("Orientation only");
+        case FreedriveAxes::Plane:
+            return FreedriveText::tr("Plane X Y");
+        case FreedriveAxes::Line:
+            return FreedriveText::tr("Line Z");
+    }
+    return {};
+}
+
+control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
+    control::Freedrive freedrive;
+    if (axes == FreedriveAxes::All) {
+        return freedrive;  // without a frame, so that older software knows it too
+    }
+    switch (axes) {
+        case FreedriveAxes::All:
+        case FreedriveAxes::Position:
+            freedrive.freeAxes = {true, true, true, false, false, false};
+            break;
+        case FreedriveAxes::Orientation:
+            freedrive.freeAxes = {false, false, false, true, true, true};
+            break;
+        case FreedriveAxes::Plane:
+            freedrive.freeAxes = {true, true, false, false, false, false};
+            break;
+        case FreedriveAxes::Line:
+            freedrive.freeAxes = {false, false, true, false, false, false};
+            break;
+    }
+    freedrive.feature.position = tcp.position;
+    freedrive.feature.rotation = rotationVector(R_base_frame);
+    return freedrive;
+}
+
+QString payloadDoubt(const SessionState& state) {
+    if (state.moving) {
+        return FreedriveText::tr("Wait until the arm is at standstill before Freedrive.");
+    }
+    const double force = state.tcpForce.force.norm();
+    const double torque = state.tcpForce.torque.norm();
+    if (force <= kPayloadForce && torque <= kPayloadTorque) {
+        return {};
+    }
+    const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
+    return FreedriveText::tr(
+               "The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct "
+               "payload and TCP.")
+        .arg(felt, format::number(state.payloadMass, 2));
+}
+
+}  // namespace tiller

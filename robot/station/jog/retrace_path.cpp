@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/jog/retrace_path.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace tiller {
+namespace {
+
+/// How near to the beginning is there [rad].
+constexpr double kThere = 0.001;
+/// A place counts as reached this long before the arm is there, because the picture of the arm is some
+/// hundredths of a second old [s].
+constexpr double kAhead = 0.08;
+/// Slowing down at the end of the way [rad/s per rad].
+constexpr double kApproach = 4.0;
+
+double apart(const JointPositions& a, const JointPositions& b) {
+    return (a.values - b.values).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+RetracePath::RetracePath(const MotionPort& port, Speed speed) : port_(port), speed_(std::move(speed)) {}
+
+void RetracePath::record(const JointPositions& q) {
+    const bool jumped = !trail_.empty() && apart(now_, q) > kJump;
+    now_ = q;
+    if (jumped) {
+        clear();
+    }
+    if (going_ != 0 || (!trail_.empty() && apart(trail_.back(), q) < kSpacing)) {
+        return;
+    }
+    trail_.push_back(q);
+    ++revision_;
+    if (trail_.size() > kCapacity) {
+        trail_.pop_front();
+    }
+}
+
+void RetracePath::clear() {
+    trail_.clear();
+    ++revision_;
+}
+
+bool RetracePath::isEmpty() const {
+    return trail_.empty() || (trail_.size() == 1 && apart(trail_.front(), now_) < kSpacing);
+}
+
+Result<control::JogTarget> RetracePath::next() {
+    const double reach =
+        std::max(1.5 * kSpacing, (trail_.empty() ? 0 : speed_(now_, trail_.back())) * kAhead);
+    while (trail_.size() > 1 && apart(trail_.back(), now_) < reach) {
+        trail_.pop_back();  // the beginning stays known
+        ++revision_;
+    }
+    const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
+    if (left < kThere) {
+        return Error{ErrorCode::Rejected,
+                     QCoreApplication::translate("RetracePath", "go back: no recorded motion left"),
+                     {}};
+    }
+    const double speed = speed_(now_, trail_.back());
+    control::JogTarget target;
+    target.kind = control::JogTarget::Kind::Joint;
+    const double wanted = trail_.size() > 1 ? speed : std::min(speed, kApproach * left);
+    target.qd = JointVelocities(Vector6((trail_.back().values - now_.values) * (wanted / left)));
+    return target;
+}
+
+std::optional<JointPositions> RetracePath::nextPlace() const {
+    if (isEmpty()) {
+        return std::nullopt;
+    }
+    // The newest place may be where the arm stands.
+    const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
+        return apart(q, now_) >= kSpacing / 2;
+    });
+    return place == trail_.rend() ? trail_.front() : *place;
+}
+
+/// The cell may be another one than when the arm came: then a jog would end in front of what is there now.
+Result<void> RetracePath::permits() const {
+    return port_.permitsPath ? port_.permitsPath(std::vector<JointPositions>(trail_.rbegin(), trail_.rend()))
+                             : Result<void>();
+}
+
+double RetracePath::speed() const {
+    const std::optional<JointPositions> place = nextPlace();
+    return place ? speed_(now_, *place) : 0;
+}
+
+HoldBounds RetracePath::bounds() const {
+    // How fast the arm may go differs from place to place; to ask at each of thousands takes too long.
+    constexpr std::size_t kAsked = 32;
+    const std::size_t stride = trail_.size() / kAsked + 1;
+    double seconds = 0;
+    double fastest = 0;
+    double speed = 0;
+    const JointPositions* from = &now_;
+    std::size_t count = 0;
+    for (auto place = trail_.rbegin(); place != trail_.rend(); ++place) {
+        if (count++ % stride == 0) {
+            speed = std::max(speed_(*from, *place), 1e-3);
+            fastest = std::max(fastest, speed);
+        }
+        seconds += apart(*from, *place) / speed;
+        from = &*place;
+    }
+    return {HoldBounds::longestOf(seconds), HoldBounds::silenceAt(0, fastest)};
+}
+
+HoldMotion RetracePath::motion() {
+    return {
+        .begin = [this]() -> Result<HoldMotion::Id> {
+            const Result<control::JogTarget> target = next();
+            if (!target) {
+                return target.error();
+            }
+            if (const Result<void> permitted = permits(); !permitted) {
+                return permitted.error();
+            }
+            const Result<HoldMotion::Id> jog = port_.beginJog(*target);
+            going_ = jog ? *jog : 0;
+            return jog;
+        },
+        .hold =
+            [this](HoldMotion::Id id) {
+                const Result<control::JogTarget> target = next();
+                if (!target) {
+                    going_ = 0;
+                    port_.endMotion(id, control::StopCause::Completed);
+                    return false;
+                }
+                // Whatever ended the jog was a stop, and a stop is final.
+                if (!port_.holdWith(id, *target)) {
+                    going_ = 0;
+                }
+                return going_ != 0;
+            },
+        .end =
+            [this](HoldMotion::Id id, control::StopCause cause) {
+                going_ = 0;
+                port_.endMotion(id, cause);
+            },
+        .runsToEnd = {},
+        .bounds = [this] { return bounds(); },
+    };
+}
+
+}  // namespace tiller

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Fields that somebody wants to see besides those that every part of the window needs: on a connection of their own,
+// so that choosing another one never interrupts the stream that the hand relies on.
+
+#include <QSet>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "robot/core/clock.h"
+#include "robot/receive/receiver.h"
+#include "robot/station/executor/serial_executor.h"
+#include "robot/station/link/sample_batch.h"
+
+namespace tiller {
+
+/// Threads  GUI; the receiver's own thread runs at normal priority
+class ExtraFieldStream {
+public:
+    /// cleanup  joins the threads of receivers that are not needed any more
+    ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
+
+    /// Follows these fields of this robot from now on, and no others. Empty: none.
+    void follow(const QString& host, std::uint16_t port, const QStringList& fields);
+    void end();
+    /// What came since the last call; valid as long as `into` is.
+    SampleBatch drain(std::vector<receive::Sample>& into);
+    /// Those of the fields that the robot does not have.
+    QSet<QString> absent() const;
+
+private:
+    const Clock& clock_;
+    SerialExecutor& cleanup_;
+    std::shared_ptr<receive::Receiver> receiver_;
+    receive::Subscription stream_;
+    std::uint64_t lost_ = 0;
+};
+
+}  // namespace tiller

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the packets of the last ten seconds were like: totals since the start of a day say nothing about the
+// link as it is now. Private to robot/station/link.
+
+#include <deque>
+
+#include "robot/receive/receiver.h"
+#include "robot/station/link/session_state.h"
+
+namespace tiller {
+
+/// Threads  GUI
+class LinkHistory {
+public:
+    static constexpr std::int64_t kSpanNs = 10'000'000'000;
+
+    /// Takes the counters of now.
+    /// Returns  how much they grew within the span
+    PacketCounts add(std::int64_t nowNs, const PacketCounts& now);
+    void clear() { points_.clear(); }
+
+private:
+    struct Point {
+        std::int64_t ns = 0;
+        PacketCounts counts;
+    };
+    std::deque<Point> points_;  ///< a few a second
+};
+
+}  // namespace tiller

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the arm could touch, and which moves are refused because of it. Made again whenever the arm, its tool or its
+// surroundings change.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "robot/collision/move_check.h"
+#include "robot/control/motion_path.h"
+#include "robot/station/link/robot_session.h"
+
+namespace tiller {
+
+class MoveGuard {
+public:
+    void setSurroundings(const collision::CellSurroundings& cell);
+    /// Follows the arm and its tool.
+    /// Returns  whether check() is another one now
+    bool follow(const SessionState& state);
+    void forget() { check_.reset(); }  ///< There is no arm.
+    /// Null while there is no arm.
+    const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
+
+    /// Moves one after the other, from where the arm is.
+    /// Errors  NoSolution with a sentence: which part of the arm would come too near to what, and where on the path
+    Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
+    /// The same for a path of joint positions that is followed from where the arm is.
+    Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;
+    /// The same for a path, with its blends.
+    Result<void> permit(const SessionState& state, const control::MotionPath& path) const;
+
+private:
+    struct Leg {
+        control::PathEntry::Target target;
+        bool linear = false;
+        double blend = 0;  ///< [m]
+    };
+    Result<void> permit(const JointPositions& start, const std::vector<Leg>& legs) const;
+    Error refusal(const collision::MoveLimit& limit) const;
+
+    collision::CellSurroundings cell_;
+    RobotModel arm_;
+    Pose tcpOffset_;
+    std::shared_ptr<const collision::CollisionCheck> check_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/detail/session_backend.h"
+
+#include <limits>
+#include <utility>
+
+#include "robot/control/stop_meter.h"
+#include "robot/kinematics/parallel_axes.h"
+#include "robot/receive/robot_state.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+namespace {
+
+constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
+constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
+
+/// By the robot's own data, with or without control: 0.1 deg/s is above the noise of an arm at standstill.
+bool moves(const JointVelocities& qd, const Twist& tcpSpeed) {
+    constexpr double kStandstill = 0.0017;
+    return qd.values.cwiseAbs().maxCoeff() > kStandstill || tcpSpeed.linear.norm() >= control::kStillTcpSpeed;
+}
+
+}  // namespace
+
+SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
+    if (link == nullptr) {
+        return {};
+    }
+    std::size_t count = 0;
+    while (true) {
+        if (count == into.size()) {
+            into.emplace_back();
+        }
+        if (!link->stream.next(into[count])) {
+            break;
+        }
+        ++count;
+    }
+    if (count > 0) {
+        sample = into[count - 1];
+    }
+    const std::uint64_t lostBefore = std::exchange(link->lost, link->stream.lost());
+    return {std::span(into).first(count), link->lost - lostBefore};
+}
+
+void SessionBackend::followExtraFields() {
+    if (link != nullptr) {
+        further.follow(address.host, static_cast<std::uint16_t>(rtde::kPort + address.portOffset),
+                       extraFields);
+    } else {
+        further.end();
+    }
+}
+
+void SessionBackend::read() {
+    if (link == nullptr) {
+        const RecordingState recordingState = state.recording;
+        state = SessionState{};
+        state.monitorOnly = monitorOnly;
+        state.recording = recordingState;
+        movedBefore = false;
+        state.speedCap = limits.tcpSpeed;
+        state.controlReason = RobotSession::tr("Not connected to a robot.");
+        readRecording();
+        return;
+    }
+    state.monitorOnly = monitorOnly;
+    if (state.isFresh()) {
+        movedBefore = state.moving || state.motionActive;
+    }
+    readLink();
+    if (state.link != LinkState::Live && std::exchange(movedBefore, false)) {
+        state.lastStopSeen = false;
+    }
+    readSample();
+    readControl();
+    readGuard();
+    readRecording();
+    state.controlReason = obstacle();
+}
+
+void SessionBackend::readLink() {
+    const receive::Receiver& receiver = *link->receiver;
+    const std::int64_t age = receiver.ageNs();
+    const bool receiving = receiver.state() == receive::ReceiverState::Receiving;
+    const bool everReceived = !sample.isEmpty();
+    if (!everReceived) {
+        state.link =
+            receiver.state() == receive::ReceiverState::Waiting ? LinkState::Lost : LinkState::Connecting;
+    } else if (!receiving || age > kLostNs) {
+        state.link = LinkState::Lost;
+    } else {
+        state.link = age > kStaleNs ? LinkState::Stale : LinkState::Live;
+    }
+    const Error error = receiver.lastError();
+    state.linkReason = state.link == LinkState::Live ? QString()
+                       : error.code == ErrorCode::None
+                           ? RobotSession::tr("Waiting for data from %1.").arg(address.host)
+                           : texts::errorText(error);
+    const receive::ReceiverCounters counters = receiver.counters();
+    state.quality.rateHz = counters.rateHz;
+    state.quality.all = {counters.packets, counters.late, counters.lost};
+    state.quality.recent = history.add(clock->nowNs(), state.quality.all);
+    state.quality.ageMs = everReceived ? static_cast<double>(age) / kNsPerMs : 0.0;
+    state.robotName = address.name;
+    state.address = address.host;
+    state.portOffset = address.portOffset;
+    state.simulated = address.simulated;
+    state.version = receiver.version();
+    const auto told = link->primary ? link->primary->configuration() : std::nullopt;
+    state.modelKnown = told.has_value();
+    if (told) {
+        state.model = robotModelByType(told->robotType, state.version.isCb3()).value_or(state.model);
+    }
+    const RobotModel& model = robotModel(state.model);
+    state.dh = told ? kinematics::calibrated(model, told->dh) : model.dh;
+}
+
+void SessionBackend::readSample() {
+    if (sample.isEmpty()) {
+        return;
+    }
+    const receive::RobotState robot(sample);
+    state.sequence = sample.sequence;
+    state.robotTime = robot.timestamp();
+    state.robotMode = robot.robotMode();
+    state.safetyMode = robot.safetyMode();
+    state.safetyStatus = static_cast<SafetyStatus>(static_cast<std::int32_t>(
+        robot.number("safety_status", 0, static_cast<double>(SafetyMode::Undefined))));
+    state.runtimeState = robot.runtimeState();
+    state.q = robot.q();
+    state.qd = robot.qd();
+    state.tcpPose = robot.tcpPose();
+    // Software that does not tell them is shown as an arm without a tool, at full speed.
+    state.tcpOffset = robot.has("tcp_offset") ? robot.tcpOffset() : Pose();
+    state.tcpSpeed = robot.tcpSpeed();
+    state.tcpForce = robot.tcpForce();
+    state.payloadMass = robot.number("payload", 0, 0.0);
+    state.payloadKnown = robot.has("payload") && robot.has("payload_cog");
+    state.payloadCentre = state.payloadKnown ? robot.payloadCentreOfGravity() : Eigen::Vector3d::Zero();
+    state.rawWrenchKnown = robot.has("ft_raw_wrench");
+    state.rawWrench = state.rawWrenchKnown ? robot.rawWrench() : Wrench();
+    state.jointCurrent = robot.jointCurrent();
+    state.jointTemperature = robot.jointTemperature();
+    state.speedFraction = robot.number("target_speed_fraction", 0, 1.0);
+    state.speedScaling = robot.number("speed_scaling", 0, 1.0);
+    state.digitalInputs = robot.digitalInputs().value_or(0);
+    state.digitalOutputs = robot.digitalOutputs().value_or(0);
+    state.service = report.kind;
+    state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
+    state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||
+                              report.kind == dashboard::ServiceKind::Unknown;
+    // Remote control may be switched off altogether; such a robot says "Local" and takes everything.
+    state.remoteNeeded = localRefuses && report.remoteControl == false;
+    state.operationalMode = report.operationalMode;
+    state.loadedProgram = report.program;
+}
+
+void SessionBackend::readControl() {
+    const control::ControllerStatus status = link->controller->status();
+    state.speedCap = limits.tcpSpeed;
+    state.quality.roundTripMs = status.roundTripMs;
+    state.limiter = status.limiter;
+    noteStop(status.lastStop, ownStops);
+    noteStop(link->foreignStop->last(), foreignStops);
+    state.motionActive = status.motion != control::kNoMotion;
+    state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
+    state.freedriveActive =
+        status.inControl && status.motion != control::kNoMotion && status.motion == link->freedrive;
+    state.moving = state.isFresh() && moves(state.qd, state.tcpSpeed);
+    if (takingControl) {
+        state.control = ControlState::Taking;
+    } else if (status.inControl || isSendingPath(status)) {
+        state.control = ControlState::InControl;
+        refusal.clear();
+    } else {
+        state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
+    }
+    using control::ControlLoss;
+    loss = status.loss;
+    state.controlLoss = status.loss;
+    state.controlInDoubt = isControlInDoubt();
+}
+
+/// After a loss of control, until the receiver has delivered fresh data for a time: then the window only monitors, and
+/// what runs belongs to others. A control program that ended while its connection lives has most likely been replaced.
+bool SessionBackend::isControlInDoubt() {
+    using control::ControlLoss;
+    constexpr std::int64_t kAfterDeadConnection = 15 * kNsPerSecond;
+    constexpr std::int64_t kAfterEndedProgram = 3 * kNsPerSecond;
+    const bool deadConnection = loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost;
+    if (takingControl || (!deadConnection && loss != ControlLoss::EchoStalled)) {
+        freshSinceLossNs.reset();
+        doubtEnded = false;
+        return false;
+    }
+    const std::int64_t nowNs = clock->nowNs();
+    if (!state.isFresh()) {
+        freshSinceLossNs.reset();
+    } else if (!freshSinceLossNs) {
+        freshSinceLossNs = nowNs;
+    }
+    const std::int64_t limit = deadConnection ? kAfterDeadConnection : kAfterEndedProgram;
+    doubtEnded = doubtEnded || (freshSinceLossNs && nowNs - *freshSinceLossNs >= limit);
+    return !doubtEnded;
+}
+
+/// The control program is sent again with a path in it, which is no loss of control.
+bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
+    return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
+}
+
+SessionState SessionBackend::stateNow() const {
+    SessionState now = state;
+    const control::StopEvidence evidence = stopEvidence();
+    now.quality.ageMs = static_cast<double>(link->receiver->ageNs()) / kNsPerMs;
+    if (const receive::Sample newest = link->receiver->latest(); !newest.isEmpty()) {
+        now.runtimeState = receive::RobotState(newest).runtimeState();
+    }
+    now.moving = evidence.fresh && evidence.moving;
+    if (now.control == ControlState::InControl && !evidence.inControl) {
+        now.control = ControlState::None;
+    }
+    return now;
+}
+
+control::StopEvidence SessionBackend::stopEvidence() const {
+    control::StopEvidence evidence;
+    evidence.nowNs = clock->nowNs();
+    if (const receive::Sample newest = link->receiver->latest(); !newest.isEmpty()) {
+        const receive::RobotState robot(newest);
+        evidence.fresh = link->receiver->isFresh(control::kHoldTime);
+        evidence.dataNs = newest.hostTimeNs;
+        evidence.moving = moves(robot.qd(), robot.tcpSpeed());
+        evidence.tcpSpeed = robot.tcpSpeed().linear.norm();
+        evidence.jointSpeed = robot.qd().values.cwiseAbs().maxCoeff();
+        evidence.stopped = robot.runtimeState() == RuntimeState::Stopped;
+    }
+    const control::ControllerStatus status = link->controller->status();
+    const bool sending = isSendingPath(status);
+    evidence.inControl = status.inControl || sending;
+    // What is being sent begins nothing after a stop.
+    evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
+    evidence.executedEpoch = status.executing ? status.motion : 0;
+    return evidence;
+}
+
+void SessionBackend::readGuard() {
+    state.jointLimits = link->controller->jointLimits();
+    if (guard.follow(state)) {
+        link->controller->setCollisionCheck(guard.check());
+    }
+    state.check = guard.check();
+}
+
+void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_t& seen) {
+    if (stop.count > seen) {
+        const std::uint64_t count = state.lastStop.count + stop.count - seen;
+        seen = stop.count;
+        state.lastStop = stop;
+        state.lastStop.count = count;
+        state.lastStopSeen = true;
+    }
+}
+
+void SessionBackend::readRecording() {
+    const recording::RecorderProgress progress = recorder.progress();
+    state.recording.active = progress.state == recording::RecorderState::Recording;
+    state.recording.rows = progress.rows;
+    state.recording.seconds = progress.seconds;
+    state.recording.bytes = progress.bytes;
+    state.recording.lost = progress.lost;
+    state.recording.freeBytes = progress.freeBytes;
+    state.recording.path = recorder.path();
+    state.recording.error =
+        progress.state == recording::RecorderState::Failed ? texts::errorText(recorder.error()) : QString();
+}
+
+QString SessionBackend::obstacle() const {
+    switch (state.link) {
+        case LinkState::Disconnected:
+            return RobotSession::tr("Not connected to a robot.");
+        case LinkState::Connecting:
+            return RobotSession::tr("Connecting to %1…").arg(address.host);
+        case LinkState::Lost:
+            return RobotSession::tr(
+                "No data from the robot. Reconnecting automatically; motion does not resume.");
+        case LinkState::Stale:
+            return RobotSession::tr("Robot data are late.");
+        case LinkState::Live:
+            break;
+    }
+    if (monitorOnly) {
+        return texts::monitorOnlyObstacle();
+    }
+    if (const QString safety = texts::safetyModeObstacle(state.safety()); !safety.isEmpty()) {
+        return safety;
+    }
+    if (const QString mode = texts::robotModeObstacle(state.robotMode); !mode.isEmpty()) {
+        return mode;
+    }
+    if (takingControl) {
+        return RobotSession::tr("Taking control…");
+    }
+    if (state.control == ControlState::InControl) {
+        return {};
+    }
+    if (!refusal.isEmpty()) {
+        return refusal;
+    }
+    return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(loss);
+}
+
+}  // namespace tiller

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which gripper is at the wrist of a robot, as the operator chose it.
+
+#include <QString>
+#include <cstdint>
+
+#include "robot/io/outputs.h"
+
+namespace tiller {
+
+struct GripperChoice {
+    enum class Kind { None, Robotiq, OneOutput, TwoOutputs };
+    enum class Model { TwoF85, TwoF140, HandE };
+
+    Kind kind = Kind::None;
+    Model model = Model::TwoF85;
+    /// Outputs as the robot numbers their bits. On closes; with two of them the other is off meanwhile.
+    int closeOutput = io::kFirstTool;
+    int openOutput = io::kFirstTool + 1;
+
+    bool usesOutputs() const { return kind == Kind::OneOutput || kind == Kind::TwoOutputs; }
+    /// Its outputs, as bits.
+    std::uint32_t outputs() const {
+        return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
+    }
+    /// What they are set to, to close or to open it.
+    std::uint32_t outputsTo(bool close) const {
+        return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
+    }
+    /// "robotiq|2F-85", "outputs|16|17"; empty: none
+    QString toText() const;
+    /// What it cannot read is no gripper.
+    static GripperChoice fromText(const QString& text);
+    friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
+};
+
+/// What a model of Robotiq's can. Source: the maker's instruction manuals.
+struct RobotiqRange {
+    const char* name;
+    double stroke;      ///< between the fingers wide open [m]
+    double leastForce;  ///< [N], at 0 %
+    double mostForce;   ///< [N], at 100 %
+    double leastSpeed;  ///< [m/s], at 0 %
+    double mostSpeed;   ///< [m/s], at 100 %
+};
+const RobotiqRange& robotiqRange(GripperChoice::Model model);
+
+}  // namespace tiller

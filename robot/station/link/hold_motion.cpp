@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/hold_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tiller {
+
+std::int64_t HoldBounds::longestOf(double seconds) {
+    constexpr double kSpare = 5;
+    constexpr double kMax = 3600;  // an invalid number must not allow an endless hold
+    const double sane = std::isfinite(seconds) ? std::clamp(seconds, 0.0, kMax) : 0.0;
+    return static_cast<std::int64_t>((sane + kSpare) * kNsPerSecond);
+}
+
+std::int64_t HoldBounds::silenceAt(double linear, double angular) {
+    double seconds = static_cast<double>(kMaxSilenceNs) / kNsPerSecond;
+    if (linear > 0) {
+        seconds = std::min(seconds, kSilentLength / linear);
+    }
+    if (angular > 0) {
+        seconds = std::min(seconds, kSilentAngle / angular);
+    }
+    return std::max(kMinSilenceNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
+}
+
+}  // namespace tiller

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The one way through which every panel moves the arm, so that each can be tried without a robot. What a single key
+// does with it while it is held is a HoldMotion (hold_motion.h).
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "robot/control/compliance.h"
+#include "robot/control/motion.h"
+#include "robot/control/motion_path.h"
+#include "robot/station/link/robot_session.h"
+
+namespace tiller {
+
+struct MotionPort {
+    using Id = RobotSession::MotionId;
+
+    std::function<Result<Id>(const control::JogTarget&)> beginJog = {};
+    std::function<Result<Id>(const MoveRequest&)> beginMove;
+    /// Keeps a motion alive; false once it has been stopped or has arrived.
+    std::function<bool(Id)> hold;
+    std::function<void(Id, control::StopCause)> endMotion;
+    std::function<control::MotionLimits()> limits;
+    std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
+    /// Keeps a jog alive with another target; false once it has been stopped.
+    std::function<bool(Id, const control::JogTarget&)> holdWith = {};
+    /// As those of RobotSession: for what goes on from one motion to the next under one press.
+    std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
+    std::function<std::uint64_t()> stops = {};
+    std::function<Result<control::MotionProgress>(Id)> progress = {};
+    std::function<Result<void>(std::span<const MoveRequest>)> permits = {};
+    std::function<Result<void>(std::span<const JointPositions>)> permitsPath = {};
+};
+
+/// The port of a session, which must outlive it.
+MotionPort motionPort(RobotSession& session);
+
+}  // namespace tiller

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/move_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robot/core/robot_model.h"
+#include "robot/kinematics/arm_kinematics.h"
+#include "robot/kinematics/speed_bounds.h"
+#include "robot/station/text/format.h"
+#include "robot/station/text/notation.h"
+
+namespace tiller {
+namespace {
+
+constexpr double kLeastFraction = 0.02;  // of the slider
+/// Slower than this the TCP turns more than it goes [m/s].
+constexpr double kHardlyMoves = 0.0005;
+constexpr double kNoWay = 1e-4;  // [rad], or [m] of a line: what an arm at rest trembles by
+
+struct LineWay {
+    double distance = 0;  ///< of the TCP [m]
+    double turn = 0;      ///< [rad]
+    double length = 0;    ///< what its speed counts for [m]
+};
+
+LineWay lineWay(const Pose& from, const Pose& to) {
+    return {(to.position - from.position).norm(),
+            rotationVector(rotationMatrix(from.rotation).transpose() * rotationMatrix(to.rotation)).norm(),
+            kinematics::lineLength(from, to)};
+}
+
+/// How fast such a line may be, in what its speed counts for, so that TCP and elbow keep below `cap` [m/s].
+double lineBound(const SessionState& state, const Pose& to, double cap) {
+    if (!std::isfinite(cap)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    // Where the model has the TCP, not where the robot says: both figures shall be of one line.
+    const DhParameters& dh = state.dh;
+    const LineWay way = lineWay(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
+    const double tcp = kinematics::lineSpeedBound(dh, state.q, to, state.tcpOffset, cap,
+                                                  std::numeric_limits<double>::infinity())
+                           .speed;
+    return way.distance > 0 ? tcp * way.length / way.distance : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double moveSeconds(const MoveRequest& request, const SessionState& state) {
+    double distance = 0;
+    if (request.kind == MoveRequest::Kind::MoveJ) {
+        distance = (request.q.values - state.q.values).cwiseAbs().maxCoeff();
+    } else {
+        distance = kinematics::lineLength(state.tcpPose, request.pose);
+    }
+    return kinematics::moveDuration(distance, request.speed, request.acceleration) /
+           std::max(state.speedFraction, kLeastFraction);
+}
+
+QString moveSpeedText(const MoveRequest& request, const SessionState& state) {
+    const double fraction = std::max(state.speedFraction, kLeastFraction);
+    double tcp = 0;   // [m/s]
+    double turn = 0;  // [rad/s]
+    if (request.kind == MoveRequest::Kind::MoveJ) {
+        if ((request.q.values - state.q.values).cwiseAbs().maxCoeff() < kNoWay) {
+            return {};
+        }
+        // The bound is in proportion to the cap: for a cap of 1 m/s it is the way of the joint per metre.
+        const kinematics::SpeedBound bound =
+            kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, 1.0);
+        tcp = request.speed / bound.speed;
+        turn = request.speed;
+    } else {
+        const LineWay way = lineWay(state.tcpPose, request.pose);
+        if (way.length < kNoWay) {
+            return {};
+        }
+        tcp = request.speed * way.distance / way.length;
+        turn = request.speed * way.turn / way.length;
+    }
+    return tcp < kHardlyMoves ? format::degreesPerSecond(turn * fraction) : format::speed(tcp * fraction);
+}
+
+MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionState& state) {
+    if (request.kind == MoveRequest::Kind::MoveJ) {
+        request.speed = std::min(
+            {request.speed, speed.joint,
+             kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, speed.tcp).speed});
+        return request;
+    }
+    // The longer of way and turn leads a line; each keeps below its own speed.
+    const LineWay way = lineWay(state.tcpPose, request.pose);
+    if (way.distance > kNoWay) {
+        request.speed = std::min({request.speed, speed.tcp * way.length / way.distance,
+                                  lineBound(state, request.pose, speed.tcp)});
+    }
+    if (way.turn > kNoWay) {
+        request.speed = std::min(request.speed, speed.rotation * way.length / way.turn);
+    }
+    return request;
+}
+
+}  // namespace tiller

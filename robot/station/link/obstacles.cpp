@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/obstacles.h"
+
+#include <QCoreApplication>
+
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct ReasonsText {
+    Q_DECLARE_TR_FUNCTIONS(Reasons)
+};
+
+}  // namespace
+
+using control::StopCause;
+
+QString cannotMoveReason(const SessionState& state) {
+    if (state.canMove()) {
+        return {};
+    }
+    if (!state.controlReason.isEmpty()) {
+        return state.controlReason;
+    }
+    switch (state.link) {
+        case LinkState::Disconnected:
+            return ReasonsText::tr("No robot connected. Choose one at the top left.");
+        case LinkState::Connecting:
+            return ReasonsText::tr("Connecting…");
+        case LinkState::Lost:
+            return state.linkReason.isEmpty()
+                       ? ReasonsText::tr("No data from the robot. Reconnecting automatically.")
+                       : state.linkReason;
+        case LinkState::Stale:
+            return ReasonsText::tr("Robot data are late. Waiting for new data.");
+        case LinkState::Live:
+            break;
+    }
+    if (const QString safety = texts::safetyModeObstacle(state.safetyMode); !safety.isEmpty()) {
+        return safety;
+    }
+    if (const QString mode = texts::robotModeObstacle(state.robotMode); !mode.isEmpty()) {
+        return mode;
+    }
+    return state.control == ControlState::Taking
+               ? ReasonsText::tr("Taking control…")
+               : ReasonsText::tr("Not in control. Press “Take control” in the header.");
+}
+
+StopCause stopCauseFor(const SessionState& state) {
+    switch (state.link) {
+        case LinkState::Stale:
+            return StopCause::DataStale;
+        case LinkState::Lost:
+        case LinkState::Disconnected:
+        case LinkState::Connecting:
+            return StopCause::LinkLost;
+        case LinkState::Live:
+            break;
+    }
+    if (state.robotMode != RobotMode::Running || !allowsMotion(state.safetyMode)) {
+        return StopCause::UnsafeMode;
+    }
+    return StopCause::ControlLost;
+}
+
+QString serviceObstacle(const SessionState& state) {
+    if (state.monitorOnly) {
+        return texts::monitorOnlyObstacle();
+    }
+    const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
+                            state.service == dashboard::ServiceKind::Unknown;
+    return withoutApi ? QCoreApplication::translate(
+                            "Texts",
+                            "PolyScope X before 10.11 does not accept such commands over the network: use "
+                            "the teach pendant.")
+                      : QString();
+}
+
+QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command) {
+    return state.monitorOnly || dashboard::offers(state.service, command)
+               ? serviceObstacle(state)
+               : QCoreApplication::translate(
+                     "Texts", "PolyScope X cannot close popups over the network: use the teach pendant.");
+}
+
+}  // namespace tiller

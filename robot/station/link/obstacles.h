@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Why the robot cannot do something in its present state, as a sentence that ends with what to do.
+
+#include <QString>
+
+#include "robot/station/link/session_state.h"
+
+namespace tiller {
+
+/// The session's own reason, or one made from link and modes; empty exactly when state.canMove().
+QString cannotMoveReason(const SessionState& state);
+
+/// What ends a motion when the arm can no longer be moved.
+control::StopCause stopCauseFor(const SessionState& state);
+
+/// Why this robot accepts no commands for power, recovery and programs over the network; empty when it does.
+QString serviceObstacle(const SessionState& state);
+/// The same for one command, which some kinds of robot do not have.
+QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
+
+}  // namespace tiller

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A line of the window's log as recordings keep it.
+
+#include "robot/recording/recording_format.h"
+#include "robot/station/link/robot_session.h"
+
+namespace tiller {
+
+/// Said now.
+recording::RecordedNote recordedNote(Severity severity, const QString& text, Origin origin);
+
+}  // namespace tiller

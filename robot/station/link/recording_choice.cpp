@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/recording_choice.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QSet>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "robot/recording/recorder.h"
+
+namespace tiller {
+
+namespace {
+
+/// The texts of this file for the translators: lupdate finds them by this name.
+struct RecordingChoiceText {
+    Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
+};
+
+constexpr qsizetype kLongestName = 120;
+constexpr int kMostNumber = 99'999;
+constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
+const QString kNumber = QStringLiteral("{number}");
+
+/// What some file system takes for something else.
+bool isForbidden(QChar c) {
+    return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c);
+}
+
+QString withoutEnding(const QString& pattern) {
+    const QString trimmed = pattern.trimmed();
+    for (const RecordingChoice::Format format : kFormats) {
+        const QString ending = QLatin1Char('.') + formatName(format);
+        if (trimmed.endsWith(ending, Qt::CaseInsensitive)) {
+            return trimmed.chopped(ending.size());
+        }
+    }
+    return trimmed;
+}
+
+QString nameOf(const QString& pattern, const QString& robot, const QDateTime& now) {
+    QString name = withoutEnding(pattern);
+    name.replace(QStringLiteral("{date}"), now.toString(QStringLiteral("yyyy-MM-dd")));
+    name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
+    name.replace(QStringLiteral("{robot}"), robot);
+    std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
+    // As the name of a robot may be: empty, or one that would be hidden.
+    if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
+        name.prepend(QLatin1Char('_'));
+    }
+    return name.left(kLongestName);
+}
+
+/// What is in the folder, hidden and broken ones too. In one look: a file that is asked for by its name each
+/// takes its time on a network drive. Some file systems know no capital letters.
+QSet<QString> namesIn(const QDir& folder) {
+    QSet<QString> names;
+    const QStringList entries =
+        folder.entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+    for (const QString& entry : entries) {
+        names.insert(entry.toLower());
+    }
+    return names;
+}
+
+}  // namespace
+
+QString formatName(RecordingChoice::Format format) {
+    return format == RecordingChoice::Format::Mcap ? QStringLiteral("mcap") : QStringLiteral("csv");
+}
+
+RecordingChoice::Format formatByName(const QString& name) {
+    return name == formatName(RecordingChoice::Format::Mcap) ? RecordingChoice::Format::Mcap
+                                                             : RecordingChoice::Format::Csv;
+}
+
+QStringList recordableFields() {
+    QStringList fields;
+    for (const std::string& field : recording::defaultRecordedFields()) {
+        if (field != "timestamp") {
+            fields << QString::fromStdString(field);
+        }
+    }
+    return fields;
+}
+
+QString recordingFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("Tiller"));
+}
+
+QString patternProblem(const QString& pattern) {
+    const QString name = withoutEnding(pattern);
+    if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
+        return RecordingChoiceText::tr("A file name must not be empty or begin with a period.");
+    }
+    const auto forbidden = std::find_if(name.begin(), name.end(), isForbidden);
+    if (forbidden != name.end()) {
+        return RecordingChoiceText::tr("A file name cannot contain “%1”.").arg(*forbidden);
+    }
+    return name.size() > kLongestName ? RecordingChoiceText::tr("This name is too long.") : QString();
+}
+
+RecordingChoice RecordingChoice::sane() const {
+    RecordingChoice out = *this;
+    out.folder = folder.trimmed();
+    out.every = std::clamp(every, 1, kMostSparse);
+    out.keepFree = std::clamp(keepFree, 0, kMostKeptFree);
+    if (!patternProblem(pattern).isEmpty()) {
+        out.pattern = defaultPattern();
+    }
+    const QStringList known = recordableFields();
+    out.fields.removeIf([&known](const QString& field) { return !known.contains(field); });
+    out.fields.removeDuplicates();
+    if (out.fields.size() == known.size()) {
+        out.fields.clear();
+    }
+    return out;
+}
+
+QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now) {
+    const RecordingChoice sane = choice.sane();
+    const QDir folder(sane.folder.isEmpty() ? recordingFolder() : sane.folder);
+    const QString name = nameOf(sane.pattern, robot, now);
+    const QString ending = QLatin1Char('.') + formatName(sane.format);
+    const auto free = [taken = namesIn(folder)](const QString& file) {
+        return !taken.contains(file.toLower());
+    };
+    if (name.contains(kNumber)) {
+        for (int number = 1; number <= kMostNumber; ++number) {
+            const QString counted =
+                QString(name).replace(kNumber, QStringLiteral("%1").arg(number, 3, 10, QLatin1Char('0'))) +
+                ending;
+            if (free(counted)) {
+                return folder.filePath(counted);
+            }
+        }
+    }
+    QString file = name + ending;
+    for (int more = 2; !free(file); ++more) {
+        file = QStringLiteral("%1_%2%3").arg(name).arg(more).arg(ending);
+    }
+    return folder.filePath(file);
+}
+
+}  // namespace tiller

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the operator can ask of the controller itself, apart from motion: power, safety, programs. A command
+// is sent once; what became of it shows in SessionState and as a message.
+
+#include <QString>
+
+#include "robot/dashboard/robot_command.h"
+
+namespace tiller {
+
+using dashboard::RobotCommand;
+
+/// "Power on", as on the key that asks for it and in the log.
+QString commandText(RobotCommand command);
+
+/// The operator's explicit word that the arm has been looked at. Only the page on which that word is given
+/// can make one, so that nothing else in the program can unlock a protective stop: the manufacturer forbids
+/// automatic reset.
+class UnlockConsent {
+    friend class RecoveryPage;
+    UnlockConsent() = default;
+};
+
+}  // namespace tiller

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+
+#include "robot/station/link/robot_outputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "robot/control/output_pulses.h"
+#include "robot/core/wait_until.h"
+#include "robot/io/input_registers.h"
+#include "robot/station/link/detail/session_backend.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kConfirmTime{2000};
+constexpr milliseconds kQuickTime{500};
+constexpr milliseconds kConnectTime{3000};
+/// A pulse that goes on for so much longer than asked for has not been ended by the robot.
+constexpr milliseconds kPulseGrace{300};
+
+QString holderOf(const Result<void>& can) {
+    // Not connected is no holder: setting tries to connect by itself.
+    return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
+}
+
+milliseconds lengthOf(double seconds) {
+    constexpr double kMsPerSecond = 1000;
+    return milliseconds(std::llround(seconds * kMsPerSecond));
+}
+
+/// Outputs, their levels during a pulse and after it.
+struct PulseLevels {
+    std::uint32_t mask;
+    std::uint32_t during;
+    std::uint32_t after;
+};
+
+/// What a pulse needs while the link goes away.
+struct PulseLink {
+    std::shared_ptr<control::Controller> controller;
+    std::shared_ptr<receive::Receiver> receiver;
+    std::shared_ptr<io::Outputs> outputs;
+};
+
+/// Begins a pulse and waits for its end, which the robot brings about. Ends it before where the key was released, and
+/// switches the outputs back over RTDE where the robot did not.
+/// leaving  the connection ends: the rest has to be quick
+/// ended    taken back, or leaving
+Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
+                          const Clock& clock, const CancelToken& leaving, const CancelToken& ended) {
+    constexpr std::int64_t kMuteNs = 200 * kNsPerMs;
+    control::OutputPulses pulses(*link.controller);
+    const milliseconds length = lengthOf(pulse.seconds);
+    const Result<void> begun = pulses.begin(levels.mask, levels.during, length, control::Holding::Held,
+                                            Deadline::after(kConfirmTime, ended));
+    if (!begun && begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
+        return begun;  // it was refused
+    }
+    bool isOver = false;
+    if (begun) {
+        const io::OutputFeedback feedback = io::OutputFeedback::fromReceiver(*link.receiver);
+        const std::int64_t beganNs = clock.nowNs();
+        const std::int64_t overdueNs = beganNs + std::chrono::nanoseconds(length + kPulseGrace).count();
+        std::int64_t heldNs = beganNs;
+        std::uint32_t holds = pulse.holds();
+        bool isSeen = false;
+        waitUntil(Deadline::after(control::kMaxPulse + kConfirmTime, ended), [&] {
+            const std::int64_t nowNs = clock.nowNs();
+            if (const std::uint32_t now = pulse.holds(); now != holds) {
+                holds = now;
+                heldNs = nowNs;
+            }
+            if (const auto levelsNow = feedback.newest().digitalOutputs) {
+                isSeen = isSeen || (*levelsNow & levels.mask) == levels.during;
+                isOver = isSeen && (*levelsNow & levels.mask) == levels.after;
+            }
+            return isOver || nowNs >= overdueNs || nowNs - heldNs > kMuteNs;
+        });
+    }
+    if (isOver) {
+        return {};
+    }
+    const Deadline quick = Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime);
+    (void)pulses.end(levels.mask,
+                     quick);  // not in control, or answered no more: the outputs are switched back below
+    const Result<void> back = link.outputs->setDigitalOutputs(levels.mask, levels.after, quick);
+    return begun ? back : begun;
+}
+
+}  // namespace
+
+QString ioTerminal(bool output, int channel) {
+    const char* group = channel < io::kFirstConfigurable ? (output ? "DO" : "DI")
+                        : channel < io::kFirstTool       ? (output ? "CO" : "CI")
+                                                         : (output ? "TO" : "TI");
+    const int first = channel < io::kFirstConfigurable ? 0
+                      : channel < io::kFirstTool       ? io::kFirstConfigurable
+                                                       : io::kFirstTool;
+    return QStringLiteral("%1 %2").arg(QLatin1String(group)).arg(channel - first);
+}
+
+void RobotOutputs::setNames(const QMap<QString, QString>& names) {
+    names_ = names;
+}
+
+QString RobotOutputs::terminalText(const QString& terminal) const {
+    const QString name = names_.value(terminal);
+    return name.isEmpty() ? terminal : tr("%1 (%2)").arg(name, terminal);
+}
+
+const OutputHolders& RobotOutputs::holders() const {
+    return holders_;
+}
+
+void RobotOutputs::connect() {
+    if (d_.monitorOnly) {
+        // Another client may need the inputs that an open connection occupies.
+        d_.worker.post(&session_, [outputs = d_.link->outputs](const CancelToken&) {
+            outputs->disconnect();
+            return std::function<void()>();
+        });
+        return;
+    }
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
+        const OutputHolders holders{holderOf(outputs->canSetDigitalOutput(0)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstConfigurable)),
+                                    holderOf(outputs->canSetDigitalOutput(io::kFirstTool)),
+                                    holderOf(outputs->canSetAnalogOutput())};
+        return std::function<void()>([this, generation, result, holders] {
+            if (generation != d_.generation) {
+                return;
+            }
+            holders_ = holders;
+            if (!result && result.error().code != ErrorCode::Cancelled) {
+                Q_EMIT session_.message(Severity::Warning, texts::errorText(result.error()));
+            }
+        });
+    });
+}
+
+void RobotOutputs::forget() {
+    holders_ = {};
+    pulses_.clear();
+    sliderBusy_ = false;
+    sliderWanted_.reset();
+    sliderLogged_.reset();
+    sliderAskedNs_ = 0;
+}
+
+void RobotOutputs::setDigitalOutput(int output, bool on) {
+    if (session_.refusesCommand(terminalText(ioTerminal(true, output))) || !d_.link) {
+        return;
+    }
+    // Set by hand, it is no pulse any more.
+    std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
+    const QString done =
+        tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, output, on, done,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+QString RobotOutputs::changeText(int output, bool on, const std::optional<OutputOrder::Pulse>& pulse) const {
+    const QString terminal = terminalText(ioTerminal(true, output));
+    if (!pulse) {
+        return (on ? tr("%1: on") : tr("%1: off")).arg(terminal);
+    }
+    return (on ? tr("%1: on for %2 s") : tr("%1: off for %2 s"))
+        .arg(terminal, QString::number(pulse->seconds, 'g', 6));
+}
+
+void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
+                                     const OutputOrder& order) {
+    if (const bool refused = session_.refusesCommand(what); refused || !d_.link) {
+        if (order.done) {
+            order.done(Error{refused ? ErrorCode::Rejected : ErrorCode::NotConnected, what, {}});
+        }
+        return;
+    }
+    QStringList each;
+    for (int output = 0; output < io::kDigitalOutputs; ++output) {
+        if ((mask >> output & 1U) != 0) {
+            each << changeText(output, (values >> output & 1U) != 0, order.pulse);
+        }
+    }
+    const QString done = tr("%1 (%2)").arg(what, each.join(QStringLiteral(", ")));
+    if (order.pulse && !pulseObstacle().isEmpty()) {
+        const Error error{ErrorCode::NotInControl, what, {}};
+        report(d_.generation, done, error);
+        if (order.done) {
+            order.done(error);
+        }
+        return;
+    }
+    SerialExecutor& worker = order.pulse ? d_.pulses : d_.worker;
+    worker.post(&session_, [this, generation = d_.generation, mask, values, done, order, clock = d_.clock,
+                            link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
+                               const CancelToken& token) {
+        Result<void> result = Error{ErrorCode::Cancelled, done, {}};
+        // Taken back while it connects, it is not sent either.
+        const CancelToken either(
+            [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
+        if (!either.isCancelled()) {
+            result = order.pulse ? runHeldPulse(link, {mask, values & mask, ~values & mask}, *order.pulse,
+                                                *clock, token, either)
+                                 : link.outputs->setDigitalOutputs(mask, values,
+                                                                   Deadline::after(kConfirmTime, either));
+        }
+        return std::function<void()>([this, generation, done, order, result] {
+            if (result || result.error().code != ErrorCode::Cancelled) {
+                report(generation, done, result);
+            }
+            if (order.done) {
+                order.done(result);
+            }
+        });
+    });
+}
+
+QString RobotOutputs::pulseObstacle() const {
+    return d_.link && d_.state.control == ControlState::InControl
+               ? QString()
+               : tr("Pulses are timed by the robot and need control. Take control first, or switch the "
+                    "output on and off.");
+}
+
+void RobotOutputs::pulseDigitalOutput(int output, double seconds) {
+    if (session_.refusesCommand(terminalText(ioTerminal(true, output)))) {
+        return;
+    }
+    if (const QString obstacle = pulseObstacle(); !obstacle.isEmpty()) {
+        Q_EMIT session_.message(Severity::Warning, obstacle);
+        return;
+    }
+    const QString done = changeText(output, true, OutputOrder::Pulse{seconds, {}});
+    d_.worker.post(&session_, [this, generation = d_.generation, output, seconds, done,
+                               controller = d_.link->controller](const CancelToken& token) {
+        const std::uint32_t bit = 1U << output;
+        const Result<void> begun = control::OutputPulses(*controller)
+                                       .begin(bit, bit, lengthOf(seconds), control::Holding::Free,
+                                              Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, output, seconds, done, begun] {
+            report(generation, done, begun);
+            if (begun && generation == d_.generation) {
+                const auto length = std::chrono::nanoseconds(lengthOf(seconds) + kPulseGrace);
+                pulses_.push_back({output, d_.clock->nowNs() + length.count()});
+            }
+        });
+    });
+}
+
+void RobotOutputs::followPulses() {
+    const std::int64_t nowNs = d_.clock->nowNs();
+    const auto overdue = [&](const RunningPulse& pulse) { return nowNs >= pulse.dueNs; };
+    std::vector<RunningPulse> ended;
+    std::copy_if(pulses_.begin(), pulses_.end(), std::back_inserter(ended), overdue);
+    std::erase_if(pulses_, overdue);
+    for (const RunningPulse& pulse : ended) {
+        if ((d_.state.digitalOutputs >> pulse.output & 1U) != 0) {
+            Q_EMIT session_.message(Severity::Warning,
+                                    tr("The robot did not end the pulse of %1 because its program was "
+                                       "stopped or paused. Tiller switches the output off.")
+                                        .arg(terminalText(ioTerminal(true, pulse.output))));
+            setDigitalOutput(pulse.output, false);
+        }
+    }
+}
+
+void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double level) {
+    if (session_.refusesCommand(terminalText(QStringLiteral("AO %1").arg(output))) || !d_.link) {
+        return;
+    }
+    const bool current = domain == io::AnalogDomain::Current;
+    const QString done = tr("Analog output %1: %2 %3")
+                             .arg(terminalText(QStringLiteral("AO %1").arg(output)))
+                             .arg(current ? 4 + 16 * level : 10 * level, 0, 'f', 2)
+                             .arg(current ? QStringLiteral("mA") : QStringLiteral("V"));
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, output, domain, level, done,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result =
+            outputs->setAnalogOutput(output, domain, level, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotOutputs::setRegister(const RegisterValue& value) {
+    using Kind = RegisterValue::Kind;
+    if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
+        return;
+    }
+    // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
+    io::InputRegistersOptions options;
+    options.host = d_.address.host;
+    options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
+    (value.kind == Kind::Int      ? options.ints
+     : value.kind == Kind::Double ? options.doubles
+                                  : options.bits) = {value.number};
+    const QString done = tr("Input register %1: %2").arg(value.number).arg(value.value);
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, value, options, done](const CancelToken& token) {
+        io::InputRegisters registers(options);
+        const Deadline deadline = Deadline::after(kConnectTime, token);
+        Result<void> result = registers.connect(deadline);
+        if (result) {
+            result = value.kind == Kind::Int
+                         ? registers.setInt(value.number, static_cast<std::int32_t>(value.value), deadline)
+                     : value.kind == Kind::Double
+                         ? registers.setDouble(value.number, value.value, deadline)
+                         : registers.setBit(value.number, value.value != 0, deadline);
+        }
+        registers.disconnect();
+        return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
+    });
+}
+
+void RobotOutputs::report(std::uint64_t generation, const QString& done, const Result<void>& result) {
+    if (generation != d_.generation) {
+        return;
+    }
+    if (result) {
+        Q_EMIT session_.message(Severity::Info, done, Origin::Operator);
+    } else {
+        Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+    }
+}
+
+void RobotOutputs::setSpeedSlider(double fraction) {
+    if (session_.refusesCommand(tr("Speed slider")) || !d_.link) {
+        return;
+    }
+    if (sliderBusy_) {
+        // A slider is dragged faster than the robot confirms: only the newest wish counts.
+        sliderWanted_ = fraction;
+        return;
+    }
+    sliderBusy_ = true;
+    sliderAskedNs_ = d_.clock->nowNs();
+    const std::uint64_t generation = d_.generation;
+    d_.worker.post(&session_, [this, generation, fraction,
+                               outputs = d_.link->outputs](const CancelToken& token) {
+        const Result<void> result = outputs->setSpeedSlider(fraction, Deadline::after(kConfirmTime, token));
+        return std::function<void()>([this, generation, result] {
+            if (generation != d_.generation) {
+                return;
+            }
+            sliderBusy_ = false;
+            if (!result) {
+                Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+            }
+            if (sliderWanted_) {
+                setSpeedSlider(*std::exchange(sliderWanted_, std::nullopt));
+            }
+        });
+    });
+}
+
+// Whoever moved it; once it has come to rest, because a hand that draws it passes many places.
+void RobotOutputs::reportSlider() {
+    constexpr std::int64_t kRestNs = 500 * kNsPerMs;
+    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // so long a place asked for may take to be there
+    constexpr double kSame = 0.005;
+    const std::int64_t now = d_.clock->nowNs();
+    const double fraction = d_.state.speedFraction;
+    if (fraction != sliderSeen_) {
+        sliderSeen_ = fraction;
+        sliderMovedNs_ = now;
+    }
+    if (!sliderLogged_) {
+        sliderLogged_ = fraction;
+    } else if (std::abs(fraction - *sliderLogged_) > kSame && now - sliderMovedNs_ >= kRestNs) {
+        sliderLogged_ = fraction;
+        const bool ours = sliderAskedNs_ != 0 && sliderMovedNs_ - sliderAskedNs_ < kOursNs;
+        Q_EMIT session_.message(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
+                                ours ? Origin::Operator : Origin::Robot);
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/robot_services.h"
+#include "robot/station/link/obstacles.h"
+
+#include <functional>
+#include <utility>
+
+#include "robot/station/link/detail/session_backend.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+namespace {
+
+using dashboard::RobotService;
+using dashboard::ServiceKind;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kReplyTime{3000};
+/// The Robot API may answer only when it is done.
+constexpr milliseconds kDoneTime{10'000};
+/// Half of the second within which a switch to Local is to be noticed.
+constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
+
+/// Sends one command and reports a refusal.
+/// after  hears whether it was carried out
+template <class Call>
+void send(
+    RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call,
+    const std::function<void(bool)>& after = [](bool) {}) {
+    if (!link) {
+        Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
+        after(false);
+        return;
+    }
+    link->service->post(
+        std::move(call), &session,
+        [&session, what, after](const Result<void>& result) {
+            if (result) {
+                Q_EMIT session.message(Severity::Info, what, Origin::Operator);
+            } else {
+                Q_EMIT session.message(
+                    Severity::Error,
+                    RobotServices::tr("%1 failed. %2").arg(what, texts::errorText(result.error())));
+            }
+            after(result.ok());
+        },
+        session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
+}
+
+}  // namespace
+
+QString commandText(RobotCommand command) {
+    switch (command) {
+        case RobotCommand::PowerOn:
+            return RobotServices::tr("Power on");
+        case RobotCommand::ReleaseBrakes:
+            return RobotServices::tr("Release brakes");
+        case RobotCommand::PowerOff:
+            return RobotServices::tr("Power off");
+        case RobotCommand::RestartSafety:
+            return RobotServices::tr("Restart safety");
+        case RobotCommand::ClosePopups:
+            return RobotServices::tr("Close popups");
+        case RobotCommand::Play:
+            return RobotServices::tr("Play program");
+        case RobotCommand::Pause:
+            return RobotServices::tr("Pause program");
+        case RobotCommand::StopProgram:
+            return RobotServices::tr("Stop program");
+    }
+    return {};
+}
+
+void RobotServices::perform(RobotCommand command) {
+    if (session_.refusesCommand(commandText(command))) {
+        Q_EMIT session_.commandDone(command, false);
+        return;
+    }
+    if (const QString why = serviceObstacle(d_.state, command); !why.isEmpty()) {
+        Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        Q_EMIT session_.commandDone(command, false);
+        return;
+    }
+    if (command == RobotCommand::PowerOff || command == RobotCommand::RestartSafety) {
+        session_.stop(control::StopCause::ControlLost);
+    }
+    send(
+        session_, d_.link, commandText(command),
+        [command](RobotService& s, const Deadline& d) { return s.perform(command, d); },
+        [this, command](bool done) { Q_EMIT session_.commandDone(command, done); });
+}
+
+void RobotServices::unlockProtectiveStop(const UnlockConsent&) {
+    if (session_.refusesCommand(tr("Unlock protective stop"))) {
+        return;
+    }
+    send(session_, d_.link, tr("Protective stop unlocked by the operator"),
+         [](RobotService& s, const Deadline& d) { return s.unlockProtectiveStop(d); });
+}
+
+void RobotServices::loadProgram(const QString& name) {
+    const QString what = tr("Load program %1").arg(name);
+    if (session_.refusesCommand(what)) {
+        return;
+    }
+    send(session_, d_.link, what,
+         [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
+}
+
+void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) {
+    if (!ExternalProgramStopper::isByStopKey(cause)) {
+        return;
+    }
+    const SessionState now = d_.stateNow();
+    if (ExternalProgramStopper::isMeant(cause, now)) {
+        stopOnEveryRoute(cause);
+    } else if (now.control == ControlState::InControl && unconfirmed_) {
+        unconfirmed_->confirmation.repeat(epoch);
+    } else if (now.control == ControlState::InControl) {
+        unconfirmed_ = {cause, control::StopConfirmation(epoch, d_.stopEvidence())};
+    }
+}
+
+void RobotServices::stopOnEveryRoute(control::StopCause cause) {
+    unconfirmed_.reset();
+    // In this order: what the taking still sends is stopped too.
+    d_.taking.cancel();
+    d_.link->foreignStop->request(cause, *d_.link->receiver);
+}
+
+bool RobotServices::stopsForeignProgramsAtOnce() const {
+    return d_.link && d_.link->foreignStop->isReady();
+}
+
+void RobotServices::followForeignStop(const SampleBatch& batch) {
+    using Verdict = control::StopConfirmation::Verdict;
+    if (const auto verdict =
+            unconfirmed_ ? unconfirmed_->confirmation.look(d_.stopEvidence()) : Verdict::Waiting;
+        verdict == Verdict::EveryRoute) {
+        stopOnEveryRoute(unconfirmed_->cause);
+    } else if (verdict == Verdict::Confirmed) {
+        unconfirmed_.reset();
+    }
+    switch (d_.link->foreignStop->follow(d_.state, batch)) {
+        case ExternalProgramStopper::Outcome::None:
+            break;
+        case ExternalProgramStopper::Outcome::Stopped:
+            Q_EMIT session_.message(Severity::Info, tr("The program on the robot was stopped"),
+                                    Origin::Operator);
+            break;
+        case ExternalProgramStopper::Outcome::Failed:
+            Q_EMIT session_.message(
+                Severity::Error,
+                tr("The program on the robot could not be stopped: stop it on the teach pendant. %1")
+                    .arg(texts::errorText(d_.link->foreignStop->error())));
+            break;
+    }
+}
+
+void RobotServices::ask() {
+    const std::int64_t now = d_.clock->nowNs();
+    // Leaving Remote, a controller ends its script connections: the first sign there is.
+    const bool primary = d_.link->primary->isConnected();
+    const bool sign = std::exchange(primarySeen_, primary) && !primary;
+    if (d_.state.link != LinkState::Live || reportAsked_ || (now - reportAskedNs_ < kAskEveryNs && !sign)) {
+        return;
+    }
+    reportAsked_ = true;
+    reportAskedNs_ = now;
+    const std::uint64_t generation = d_.generation;
+    d_.link->watch->post([](RobotService& s, const Deadline& d) { return s.look(d); }, &session_,
+                         [this, generation](const Result<dashboard::ServiceReport>& result) {
+                             if (generation != d_.generation) {
+                                 return;
+                             }
+                             reportAsked_ = false;
+                             // Which service it is stays known while it does not answer.
+                             dashboard::ServiceReport silent;
+                             silent.kind = d_.report.kind;
+                             d_.report = result ? *result : silent;
+                             followReport(d_.report);
+                         },
+                         kReplyTime);
+}
+
+void RobotServices::followReport(const dashboard::ServiceReport& report) {
+    if (!report.remoteControl) {
+        return;
+    }
+    // A robot that never was in Remote has remote control switched off, and may be controlled as it is.
+    const bool was = std::exchange(remoteSeen_, *report.remoteControl);
+    if (was && !remoteSeen_) {
+        leaveForLocal();
+    } else if (!was && remoteSeen_) {
+        d_.localRefuses = true;
+        if (d_.state.control == ControlState::Refused) {
+            d_.refusal.clear();  // what it was refused for is over, or shows again at the next attempt
+        }
+        d_.link->foreignStop->reconnect();
+    }
+}
+
+void RobotServices::leaveForLocal() {
+    if (d_.state.control != ControlState::InControl && d_.state.control != ControlState::Taking) {
+        return;
+    }
+    session_.stop(control::StopCause::ControlLost);
+    const QString why =
+        tr("The robot was switched to Local control: the motion was stopped and control was given back. "
+           "Switch the robot to Remote control on the teach pendant, then take control again.");
+    Q_EMIT session_.message(Severity::Warning, why, Origin::Robot);
+    d_.taking.cancel();
+    const std::uint64_t generation = d_.generation;
+    d_.controlling.post(&session_,
+                        [this, generation, why, controller = d_.link->controller](const CancelToken&) {
+                            controller->release();
+                            return std::function<void()>([this, generation, why] {
+                                if (generation == d_.generation) {
+                                    d_.refusal = why;
+                                    session_.refresh();
+                                }
+                            });
+                        });
+}
+
+void RobotServices::forget() {
+    d_.report = {};
+    unconfirmed_.reset();
+    reportAsked_ = false;
+    remoteSeen_ = false;
+    primarySeen_ = false;
+}
+
+}  // namespace tiller

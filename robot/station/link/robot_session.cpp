@@ -1,0 +1,644 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/link/robot_session.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "robot/control/compliance.h"
+#include "robot/control/motions.h"
+#include "robot/receive/field_info.h"
+#include "robot/station/link/detail/session_backend.h"
+#include "robot/station/text/controller_codes.h"
+#include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTakeControlTime{5000};
+constexpr milliseconds kSendPathTime{5000};
+
+QString stopSentence(const control::StopMeasurement& stop) {
+    return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
+        .arg(texts::stopCauseText(stop.cause))
+        .arg(stop.durationMs, 0, 'f', 0)
+        .arg(format::length(stop.distanceMm / 1e3, 1));
+}
+
+/// "C157A1 Collision noticed by a joint (elbow)"
+QString codeTitle(const script::ControllerMessage& message, const CodeWords& words) {
+    const QString name = message.codeName() + QLatin1Char(' ');
+    if (message.text.isEmpty()) {
+        return name + words.title;
+    }
+    return words.known ? name + words.title + QStringLiteral(" (") + message.text + QLatin1Char(')')
+                       : name + message.text;
+}
+
+/// A stop that the operator asked for by letting go, by a key or by STOP.
+bool isByHand(control::StopCause cause) {
+    using control::StopCause;
+    return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
+           cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
+}
+
+}  // namespace
+
+RobotSession::RobotSession(const Clock& clock, QObject* parent)
+    : QObject(parent)
+    , d_(std::make_unique<SessionBackend>(clock))
+    , outputs_(*this, *d_)
+    , services_(*this, *d_)
+    , tooling_(*this, *d_)
+    , recording_(*this, *d_) {
+    qRegisterMetaType<SessionState>();
+    d_->frameClock.setTimerType(Qt::PreciseTimer);
+    d_->frameClock.setInterval(kFrameMs);
+    connect(this, &RobotSession::connected, this, [this] {
+        outputs_.connect();
+        d_->link->foreignStop->warmUp();
+    });
+    connect(&d_->frameClock, &QTimer::timeout, this, &RobotSession::refresh);
+    d_->frameClock.start();
+    d_->read();
+}
+
+RobotSession::~RobotSession() {
+    shutDown();
+}
+
+const SessionState& RobotSession::state() const {
+    return d_->state;
+}
+
+receive::Receiver* RobotSession::receiver() const {
+    return d_->link ? d_->link->receiver.get() : nullptr;
+}
+
+std::shared_ptr<const receive::Receiver> RobotSession::sharedReceiver() const {
+    return d_->link ? d_->link->receiver : nullptr;
+}
+
+const RobotAddress& RobotSession::address() const {
+    return d_->address;
+}
+
+const control::MotionLimits& RobotSession::limits() const {
+    return d_->limits;
+}
+
+void RobotSession::setSpeedCap(double metresPerSecond) {
+    d_->limits.tcpSpeed = metresPerSecond;
+    if (d_->link) {
+        (void)d_->link->controller->setSpeedCap(metresPerSecond);
+    }
+    refresh();
+}
+
+// ---- connection
+// ----------------------------------------------------------------------------------------------------
+
+void RobotSession::connectTo(const RobotAddress& address) {
+    disconnectFromRobot();
+    d_->address = address;
+
+    auto link = std::make_unique<RobotLink>();
+
+    receive::ReceiverOptions receiverOptions;
+    receiverOptions.host = address.host;
+    receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
+    receiverOptions.clock = d_->clock;
+    link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
+    link->stream = link->receiver->subscribe();
+    static_cast<void>(link->receiver->start());  // what it refuses is its lastError(), which readLink() shows
+
+    control::ControllerOptions controllerOptions;
+    controllerOptions.host = address.host;
+    controllerOptions.portOffset = address.portOffset;
+    controllerOptions.clock = d_->clock;
+    controllerOptions.limits = d_->limits;
+    link->controller = std::make_shared<control::Controller>(controllerOptions);
+    d_->guard.forget();
+
+    io::OutputsOptions outputsOptions;
+    outputsOptions.host = address.host;
+    outputsOptions.port = receiverOptions.port;
+    link->outputs =
+        std::make_shared<io::Outputs>(outputsOptions, io::OutputFeedback::fromReceiver(*link->receiver));
+
+    link->service =
+        std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));
+    link->service->start();
+    link->watch =
+        std::make_unique<dashboard::ServiceWorker>(dashboard::serviceAt(address.host, address.portOffset));
+    link->watch->start();
+    link->foreignStop =
+        std::make_unique<ExternalProgramStopper>(*this, address.host, address.portOffset, *d_->clock);
+
+    script::PrimaryClientOptions primaryOptions;
+    primaryOptions.host = address.host;
+    primaryOptions.port = script::kPrimaryPort + address.portOffset;
+    primaryOptions.clock = d_->clock;
+    link->primary = std::make_unique<script::PrimaryClient>(primaryOptions);
+    link->primary->start();
+
+    d_->link = std::move(link);
+    d_->sample = receive::Sample(d_->link->receiver->layout());
+    d_->followExtraFields();
+    Q_EMIT linkBegan();
+    Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
+                   Origin::Operator);
+    refresh();
+}
+
+void RobotSession::disconnectFromRobot() {
+    if (!d_->link) {
+        return;
+    }
+    stop(control::StopCause::ControlLost);
+    recording_.stop();
+    ++d_->generation;
+    d_->controlling.cancelAll();
+    d_->worker.cancelAll();
+    // Joining the link's threads takes some tenths of a second: not here.
+    d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
+        link->controller->release();
+        link->outputs->disconnect();
+        link->receiver->stop();
+        link.reset();
+    });
+    d_->link.reset();
+    d_->followExtraFields();
+    d_->takingControl = false;
+    d_->refusal.clear();
+    outputs_.forget();
+    services_.forget();
+    d_->localRefuses = false;
+    d_->history.clear();
+    d_->stopsSeen = 0;
+    d_->ownStops = 0;
+    d_->foreignStops = 0;
+    d_->linkSeen = LinkState::Disconnected;
+    Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
+    refresh();
+}
+
+void RobotSession::shutDown() {
+    d_->frameClock.stop();
+    disconnectFromRobot();
+}
+
+void RobotSession::followExtraFields(const QStringList& fields) {
+    if (fields != d_->extraFields) {
+        d_->extraFields = fields;
+        d_->followExtraFields();
+    }
+}
+
+QSet<QString> RobotSession::absentFields() const {
+    QSet<QString> fields = d_->further.absent();
+    if (!d_->link || d_->state.version.major == 0) {
+        return fields;
+    }
+    for (const std::string& field : d_->link->receiver->absentFields()) {
+        fields.insert(QString::fromStdString(field));
+    }
+    for (const receive::FieldInfo& field : receive::fieldInfos()) {
+        if (!field.isAvailableOn(d_->state.version)) {
+            fields.insert(QString::fromUtf8(field.name.data(), static_cast<qsizetype>(field.name.size())));
+        }
+    }
+    return fields;
+}
+
+void RobotSession::setMonitorOnly(bool on) {
+    if (on == d_->monitorOnly) {
+        return;
+    }
+    if (on) {
+        stop(control::StopCause::ControlLost);
+        releaseControl();
+    }
+    d_->monitorOnly = on;
+    d_->refusal.clear();
+    Q_EMIT message(Severity::Info,
+                   on ? tr("Monitor only: this window changes nothing on the robot. STOP still works.")
+                      : tr("Monitor only is off"),
+                   Origin::Operator);
+    if (d_->link && d_->state.hasData()) {
+        outputs_.connect();
+    }
+    refresh();
+}
+
+bool RobotSession::isMonitorOnly() const {
+    return d_->monitorOnly;
+}
+
+bool RobotSession::refusesCommand(const QString& command) {
+    if (d_->monitorOnly) {
+        Q_EMIT message(Severity::Warning, tr("%1: refused. %2").arg(command, texts::monitorOnlyObstacle()));
+    }
+    return d_->monitorOnly;
+}
+
+// ---- control
+// -------------------------------------------------------------------------------------------------------
+
+void RobotSession::takeControl(ForeignProgram program) {
+    if (refusesCommand(tr("Take control")) || !d_->link || d_->takingControl) {
+        return;
+    }
+    if (program == ForeignProgram::Ask && d_->state.hasForeignProgram()) {
+        Q_EMIT takeControlQuestion();
+        return;
+    }
+    d_->takingControl = true;
+    d_->refusal.clear();
+    services_.forgetStop();
+    d_->link->foreignStop->withdraw();
+    const CancelToken stopped;
+    d_->taking = stopped;
+    const std::uint64_t generation = d_->generation;
+    d_->controlling.post(this, [this, generation, stopped,
+                                controller = d_->link->controller](const CancelToken& token) {
+        const CancelToken either([token, stopped] { return token.isCancelled() || stopped.isCancelled(); });
+        Result<void> result = controller->takeControl(Deadline::after(kTakeControlTime, either));
+        if (result && stopped.isCancelled()) {
+            controller->release();
+            result = Error{ErrorCode::Cancelled, QStringLiteral("take control"), {}};
+        }
+        return std::function<void()>([this, generation, result] {
+            if (generation != d_->generation) {
+                return;
+            }
+            d_->takingControl = false;
+            if (result) {
+                Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
+            } else if (result.error().code == ErrorCode::Cancelled) {
+                Q_EMIT message(Severity::Info, tr("Taking control was cancelled by a stop"));
+            } else {
+                d_->refusal = texts::errorText(result.error());
+                d_->localRefuses =
+                    d_->localRefuses || result.error().code == ErrorCode::RemoteControlRequired;
+                Q_EMIT message(Severity::Error, d_->refusal);
+            }
+            refresh();
+        });
+    });
+    refresh();
+}
+
+void RobotSession::releaseControl() {
+    if (!d_->link) {
+        return;
+    }
+    services_.forgetStop();
+    d_->taking.cancel();
+    d_->controlling.post(this, [controller = d_->link->controller](const CancelToken&) {
+        controller->release();
+        return std::function<void()>();
+    });
+}
+
+void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
+    d_->guard.setSurroundings(cell);
+    refresh();
+}
+
+Result<void> RobotSession::permits(std::span<const MoveRequest> moves) const {
+    return d_->guard.permit(d_->state, moves);
+}
+
+Result<void> RobotSession::permitsPath(std::span<const JointPositions> way) const {
+    return d_->guard.permit(d_->state, way);
+}
+
+// ---- motion
+// --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Error notMovable(const SessionState& state) {
+    return {state.link == LinkState::Live ? ErrorCode::NotInControl : ErrorCode::NotConnected,
+            state.controlReason,
+            {}};
+}
+
+}  // namespace
+
+Result<RobotSession::MotionId> RobotSession::beginJog(const control::JogTarget& target) {
+    if (!d_->link || d_->monitorOnly) {
+        return notMovable(d_->state);
+    }
+    const Result<control::Jog> jog =
+        control::Motions(*d_->link->controller).startJog(target, control::Holding::Held);
+    if (!jog) {
+        return jog.error();
+    }
+    d_->link->jog = *jog;
+    return jog->id();
+}
+
+Result<RobotSession::MotionId> RobotSession::beginMove(const MoveRequest& request) {
+    if (!d_->link || d_->monitorOnly) {
+        return notMovable(d_->state);
+    }
+    if (const QString objection = request.toProject ? projectGuard_() : QString(); !objection.isEmpty()) {
+        return Error{ErrorCode::Cancelled, objection, {}};
+    }
+    if (const Result<void> permitted = permits({&request, 1}); !permitted) {
+        return permitted.error();
+    }
+    const control::MoveParameters parameters{request.speed, request.acceleration, control::Holding::Held};
+    control::Controller& controller = *d_->link->controller;
+    control::Motions motions(controller, request.stops.value_or(controller.stops()));
+    const Result<control::Motion> move = request.kind == MoveRequest::Kind::MoveJ
+                                             ? motions.moveJ(request.q, parameters)
+                                             : motions.moveL(request.pose, parameters);
+    if (!move) {
+        return move.error();
+    }
+    d_->link->move = *move;
+    return move->id();
+}
+
+Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path, std::uint64_t stops) {
+    if (!d_->link || !d_->state.canMove()) {
+        return notMovable(d_->state);
+    }
+    if (const QString objection = projectGuard_(); !objection.isEmpty()) {
+        return Error{ErrorCode::Cancelled, objection, {}};
+    }
+    if (const Result<void> permitted = d_->guard.permit(d_->state, path); !permitted) {
+        return permitted.error();
+    }
+    PathStart& start = d_->link->path;
+    start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);
+    start.phase = PathStart::Phase::Sending;
+    ++start.sending;
+    d_->controlling.post(
+        this, [this, ticket = start.ticket, generation = d_->generation, stops, path = std::move(path),
+               controller = d_->link->controller](const CancelToken& token) {
+            const Result<control::PreparedPath> prepared =
+                control::Motions(*controller, stops).preparePath(path, Deadline::after(kSendPathTime, token));
+            return std::function<void()>([this, ticket, generation, prepared] {
+                if (generation == d_->generation) {
+                    startPath(ticket, prepared);
+                }
+            });
+        });
+    refresh();
+    return start.ticket;
+}
+
+void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath>& prepared) {
+    PathStart& start = d_->link->path;
+    --start.sending;
+    if (ticket == start.ticket && start.phase == PathStart::Phase::Sending) {
+        start.phase = prepared ? PathStart::Phase::Ready : PathStart::Phase::Failed;
+        start.prepared = prepared ? *prepared : control::PreparedPath();
+        start.error = prepared ? Error{} : prepared.error();
+    }
+    refresh();
+}
+
+namespace {
+
+/// Begins it where it is held, once it is there, and keeps it alive from then on.
+bool holdPath(RobotLink& link) {
+    PathStart& path = link.path;
+    if (path.phase == PathStart::Phase::Ready) {
+        const Result<control::Motion> motion =
+            control::Motions(*link.controller).startPath(path.prepared, control::Holding::Held);
+        path.phase = motion ? PathStart::Phase::Begun : PathStart::Phase::Failed;
+        path.motion = motion ? *motion : control::Motion();
+        path.error = motion ? Error{} : motion.error();
+    }
+    return path.phase == PathStart::Phase::Sending ||
+           (path.phase == PathStart::Phase::Begun && path.motion.refresh());
+}
+
+}  // namespace
+
+std::uint64_t RobotSession::stops() const {
+    return d_->link ? d_->link->controller->stops() : 0;
+}
+
+Result<control::MotionProgress> RobotSession::motionProgress(MotionId motion) const {
+    control::MotionProgress progress;
+    if (!d_->link) {
+        progress.cause = control::StopCause::ControlLost;
+        return progress;
+    }
+    const RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        if (motion == link.move.id()) {
+            return link.move.progress();
+        }
+        const control::MotionState state = link.controller->motionState(motion);
+        progress.phase = state.phase;
+        progress.cause = state.cause;
+        return progress;
+    }
+    if (motion != link.path.ticket) {
+        progress.cause = control::StopCause::Superseded;
+        return progress;
+    }
+    switch (link.path.phase) {
+        case PathStart::Phase::Sending:
+        case PathStart::Phase::Ready:
+            progress.phase = control::MotionPhase::Active;
+            return progress;
+        case PathStart::Phase::Begun:
+            return link.path.motion.progress();
+        case PathStart::Phase::Failed:
+            break;
+    }
+    return link.path.error;
+}
+
+Result<RobotSession::MotionId> RobotSession::beginFreedrive(const control::Freedrive& freedrive) {
+    if (!d_->link || d_->monitorOnly) {
+        return notMovable(d_->state);
+    }
+    const Result<control::Motion> motion =
+        control::Compliance(*d_->link->controller).startFreedrive(freedrive, control::Holding::Held);
+    if (!motion) {
+        return motion.error();
+    }
+    d_->link->move = *motion;
+    d_->link->freedrive = motion->id();
+    return motion->id();
+}
+
+bool RobotSession::hold(MotionId motion) {
+    if (!d_->link || motion == control::kNoMotion) {
+        return false;
+    }
+    RobotLink& link = *d_->link;
+    if (motion >= PathStart::kFirstTicket) {
+        return motion == link.path.ticket && holdPath(link);
+    }
+    return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
+}
+
+bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {
+    return d_->link && motion != control::kNoMotion && motion == d_->link->jog.id() &&
+           d_->link->jog.refresh(target);
+}
+
+void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
+    if (!d_->link) {
+        return;
+    }
+    RobotLink& link = *d_->link;
+    if (motion < PathStart::kFirstTicket) {
+        link.controller->end(motion, cause);
+    } else if (motion == link.path.ticket &&
+               (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {
+        // What has no number yet only a stop reaches: it does not begin any more.
+        link.controller->stop(cause);
+        link.path.phase = PathStart::Phase::Failed;
+        link.path.error = {ErrorCode::Stopped, QStringLiteral("start a path"), {}};
+    } else if (motion == link.path.ticket && link.path.phase == PathStart::Phase::Begun) {
+        link.controller->end(link.path.motion.id(), cause);
+    }
+}
+
+void RobotSession::stop(control::StopCause cause) {
+    if (!d_->link) {
+        return;
+    }
+    const std::uint64_t epoch = d_->link->controller->stop(cause);
+    services_.stopPrograms(cause, epoch);
+}
+
+// ---- the frame
+// -----------------------------------------------------------------------------------------------------
+
+void RobotSession::refresh() {
+    // Taken out for this frame: whoever hears of it may let events run, and with them another frame.
+    std::vector<receive::Sample> room = std::move(d_->room);
+    const std::uint64_t connection = d_->sample.connection;
+    const SampleBatch batch = d_->drain(room);
+    const bool isConnectedAnew = d_->sample.connection != connection;
+    d_->read();
+    if (!batch.samples.empty() || batch.lost > 0) {
+        Q_EMIT samplesReceived(batch);
+    }
+    std::vector<receive::Sample> extraRoom = std::move(d_->extraRoom);
+    if (const SampleBatch further = d_->further.drain(extraRoom);
+        !further.samples.empty() || further.lost > 0) {
+        Q_EMIT extraSamplesReceived(further);
+    }
+    d_->extraRoom = std::move(extraRoom);
+    reportChanges();
+    if (d_->link) {
+        services_.followForeignStop(batch);
+        if (isConnectedAnew) {
+            Q_EMIT connected();
+        }
+        services_.ask();
+    }
+    d_->room = std::move(room);
+    Q_EMIT stateChanged(d_->state);
+}
+
+void RobotSession::reportChanges() {
+    const SessionState& state = d_->state;
+    if (state.lastStop.count > d_->stopsSeen) {
+        d_->stopsSeen = state.lastStop.count;
+        Q_EMIT motionStopped(state.lastStop);
+        Q_EMIT message(Severity::Info, stopSentence(state.lastStop),
+                       isByHand(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
+    }
+    if (state.link != d_->linkSeen) {
+        if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {
+            Q_EMIT message(Severity::Info, tr("Connected to %1").arg(state.robotName));
+        } else if (state.link == LinkState::Lost) {
+            Q_EMIT message(Severity::Error, state.linkReason);
+        }
+        d_->linkSeen = state.link;
+    }
+    if (d_->loss != d_->lossSeen) {
+        d_->lossSeen = d_->loss;
+        if (d_->loss == control::ControlLoss::LinkLost) {
+            Q_EMIT message(Severity::Error,
+                           tr("Control was given up: the control connection did not respond for 0.5 s or was "
+                              "closed. STOP, Space and Esc still stop the robot. Take control again."));
+        }
+    }
+    if (state.hasData() && state.safety() != d_->safetySeen) {
+        d_->safetySeen = state.safety();
+        const QString obstacle = texts::safetyModeObstacle(state.safety());
+        Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
+                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
+    }
+    if (state.link == LinkState::Live) {
+        outputs_.reportSlider();
+        outputs_.followPulses();
+    }
+    recording_.reportFailure();
+    if (d_->link) {
+        reportControllerMessages();
+    }
+}
+
+void RobotSession::reportControllerMessages() {
+    using script::MessageKind;
+    script::PrimaryClient& primary = *d_->link->primary;
+    script::MessageLimiter& limiter = d_->link->messageLimiter;
+    const std::int64_t now = d_->clock->nowNs();
+    std::vector<script::ControllerMessage> messages = primary.takeMessages();
+    limiter.limit(messages, now);
+    limiter.setDropped(primary.droppedMessages());
+    if (const std::uint64_t removed = limiter.takeRemoved(now); removed > 0) {
+        Q_EMIT message(
+            Severity::Warning,
+            tr("The robot sends too many messages: %n were not shown", nullptr,
+               static_cast<int>(std::min<std::uint64_t>(removed, std::numeric_limits<int>::max()))));
+    }
+    for (const script::ControllerMessage& m : messages) {
+        Q_EMIT controllerMessage(m);
+        const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
+                                  : m.severity == script::MessageSeverity::Warning ? Severity::Warning
+                                                                                   : Severity::Info;
+        switch (m.kind) {
+            case MessageKind::Text:
+                Q_EMIT message(severity, tr("Program: %1").arg(m.text), Origin::Robot);
+                break;
+            case MessageKind::ErrorCode: {
+                const CodeWords words = controllerCode(m.code);
+                Q_EMIT message(severity, codeTitle(m, words), Origin::Robot,
+                               words.meaning + QLatin1Char(' ') + words.action);
+                break;
+            }
+            case MessageKind::RuntimeException:
+                Q_EMIT message(
+                    Severity::Error,
+                    tr("Program error in line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text),
+                    Origin::Robot);
+                break;
+            case MessageKind::Popup:
+                Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed(),
+                               Origin::Robot);
+                break;
+            case MessageKind::RequestValue:
+                Q_EMIT message(
+                    Severity::Warning,
+                    tr("The program on the robot is waiting for an answer on the teach pendant: %1")
+                        .arg(m.text),
+                    Origin::Robot);
+                break;
+            default:
+                break;
+        }
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_robot_session.cpp"

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The one object through which the interface sees and moves a robot. It makes and ends the link, takes control, turns
+// the state of all into one SessionState a frame, and what the hand does into motion; outputs, services and recording
+// are parts of it. Widgets hold it by reference and never talk to the backend themselves.
+
+#include <QObject>
+#include <QSet>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robot/collision/surroundings.h"
+#include "robot/core/clock.h"
+#include "robot/core/result.h"
+#include "robot/script/controller_message.h"
+#include "robot/station/link/robot_command.h"
+#include "robot/station/link/robot_outputs.h"
+#include "robot/station/link/robot_services.h"
+#include "robot/station/link/robot_tooling.h"
+#include "robot/station/link/sample_batch.h"
+#include "robot/station/link/session_recording.h"
+#include "robot/station/link/session_state.h"
+
+namespace tiller {
+
+namespace receive {
+class Receiver;
+}
+namespace control {
+struct Freedrive;
+struct MotionProgress;
+struct PathEntry;
+class PreparedPath;
+}  // namespace control
+
+struct RobotAddress {
+    QString name;  ///< shown in the robot selector
+    QString host;  ///< address or host name
+    int portOffset = 0;
+    bool simulated = false;
+};
+
+enum class Severity { Info, Warning, Error };
+/// Whose doing a message tells of.
+enum class Origin { Tiller, Operator, Robot };
+
+/// A bounded motion: a step, or a way to a waypoint.
+struct MoveRequest {
+    enum class Kind { MoveJ, MoveL };
+    Kind kind = Kind::MoveJ;
+    JointPositions q;           ///< MoveJ: target
+    Pose pose;                  ///< MoveL: target TCP pose in the base frame
+    double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
+    double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
+    /// Of what one press goes on with: it begins only if there were no more stops than these since.
+    std::optional<std::uint64_t> stops = {};
+    /// To a place of the project: it does not begin while the project guard of the session has an objection.
+    bool toProject = false;
+};
+
+class RobotSession : public QObject {
+    Q_OBJECT
+
+public:
+    /// clock  drives every expiry and age in the session; the steady clock unless a test brings its own
+    explicit RobotSession(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
+    ~RobotSession() override;
+
+    const SessionState& state() const;
+    /// For whoever follows the robot at a pace of his own; null while disconnected. What is shown comes with
+    /// samplesReceived and stateChanged.
+    receive::Receiver* receiver() const;
+    /// The same for a thread of its own, which may keep it a moment longer than the link.
+    std::shared_ptr<const receive::Receiver> sharedReceiver() const;
+    /// Connected to last.
+    const RobotAddress& address() const;
+
+    // Connection. Never blocks; the outcome comes through stateChanged and message.
+    void connectTo(const RobotAddress& address);
+    void disconnectFromRobot();
+
+    /// Fields of the robot that somebody wants to see besides those that every part of the window needs, here and on
+    /// the robots to come; replaces those wanted before. They come with extraSamplesReceived.
+    void followExtraFields(const QStringList& fields);
+    /// Fields that this robot does not send, of those it was asked for or by its software.
+    QSet<QString> absentFields() const;
+
+    /// Outputs, registers and the speed slider.
+    RobotOutputs& outputs() { return outputs_; }
+    const RobotOutputs& outputs() const { return outputs_; }
+    /// Power, recovery and programs.
+    RobotServices& services() { return services_; }
+    /// TCP and payload.
+    RobotTooling& tooling() { return tooling_; }
+    SessionRecording& recording() { return recording_; }
+
+    /// Refuses every command that changes the robot, by whatever caller, with a message; stop() still works. Control
+    /// that is held is given back first.
+    void setMonitorOnly(bool on);
+    bool isMonitorOnly() const;
+    /// Every command that changes the robot checks this first, here and in the parts of the session. In monitor-only mode
+    /// it reports that `command` is refused and returns true.
+    bool refusesCommand(const QString& command);
+
+    // Control. The outcome comes through stateChanged and message.
+    /// What to do with a program of another client that runs or is paused on the robot.
+    enum class ForeignProgram { Ask, Stop };
+    /// Uploads the control script; needs RUNNING, and Remote control where the controller has it. This ends any other
+    /// program on the robot: unless `program` is Stop, takeControl() then emits takeControlQuestion() and does nothing
+    /// else.
+    void takeControl(ForeignProgram program = ForeignProgram::Ask);
+    /// Ends the control program; the robot is free for others.
+    void releaseControl();
+
+    /// Holds at once: jogs slow down and end at the safety distance, moves and paths that would come nearer are refused.
+    void setSurroundings(const collision::CellSurroundings& cell);
+    /// Why these moves, made one after the other from where the arm is, would be refused.
+    /// Errors  NoSolution with a sentence: what would come too near to what, and where
+    Result<void> permits(std::span<const MoveRequest> moves) const;
+    /// The same for a path of joint positions.
+    Result<void> permitsPath(std::span<const JointPositions> way) const;
+
+    // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
+    // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
+    using MotionId = std::uint64_t;
+    /// guard  asked before every move to a place of the project (MoveRequest::toProject, beginPath()): why it must not
+    ///        begin, as a sentence; empty when it may. Such moves then end with Cancelled and that sentence
+    void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
+    Result<MotionId> beginJog(const control::JogTarget& target);
+    /// Errors  also as permits(): every bounded motion of every key passes here
+    Result<MotionId> beginMove(const MoveRequest& request);
+    /// Several moves, blended into each other by the controller. They are sent to it first, which takes some tenths
+    /// of a second, in which the motion counts as under way: it can be held, ended and stopped, and then nothing
+    /// moves. What keeps it from beginning is told by motionProgress().
+    /// stops   as MoveRequest::stops
+    /// Errors  also as permits()
+    Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
+    /// How many stops there were on this link, by whomever: see MoveRequest::stops.
+    std::uint64_t stops() const;
+    /// How far a move or a path is, or how it ended.
+    /// Errors  why a path could not begin: those of control::Motions::movePath()
+    Result<control::MotionProgress> motionProgress(MotionId motion) const;
+    /// The arm follows the hand.
+    Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
+    /// Keeps the motion alive; a jog may change its target on the way.
+    /// Returns  false once the motion has been stopped: it needs a new press
+    bool hold(MotionId motion);
+    bool hold(MotionId motion, const control::JogTarget& target);
+    void endMotion(MotionId motion, control::StopCause cause);
+    /// Stops whatever moves, whoever began it. STOP, Esc and Space (by their causes) also stop a program that
+    /// is not ours, and end the taking of control. Safe to call at any time.
+    void stop(control::StopCause cause);
+    const control::MotionLimits& limits() const;
+    /// The fastest that TCP and elbow may get [m/s], above 0. Holds at once; another one than before stops
+    /// whatever moves.
+    void setSpeedCap(double metresPerSecond);
+
+    /// One frame: fetches the samples that came since the last one, makes a new SessionState from the newest and
+    /// tells everybody. Called by the interface's one frame clock, a timer that the session owns, and where
+    /// something shall show at once; tests in virtual time call it themselves.
+    void refresh();
+    /// Between two frames [ms].
+    static constexpr int kFrameMs = 16;
+    /// Ends the link and waits for it: at the end of the program. Blocks: half a second at most, longer only
+    /// where a file system does
+    void shutDown();
+
+Q_SIGNALS:
+    /// A link to a robot begins: what was received before is another robot's, or an older link's.
+    void linkBegan();
+    /// The first data of a connection are there: of a new link, or because the robot has come back to this one.
+    void connected();
+    /// In each frame with new samples, before the stateChanged that shows the last of them.
+    void samplesReceived(const tiller::SampleBatch& batch);
+    /// The same for the fields of followExtraFields().
+    void extraSamplesReceived(const tiller::SampleBatch& batch);
+    void stateChanged(const tiller::SessionState& state);
+    /// A motion ended and its stop was measured.
+    void motionStopped(const tiller::control::StopMeasurement& measurement);
+    /// Something the operator should be able to read again later.
+    /// detail  what the text means and what to do, as sentences; may be empty
+    void message(tiller::Severity severity, const QString& text,
+                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
+    /// A command to the robot's service was answered, or could not be asked.
+    void commandDone(tiller::RobotCommand command, bool done);
+    /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
+    void takeControlQuestion();
+    /// What the controller itself said, whole; it comes as message too.
+    void controllerMessage(const tiller::script::ControllerMessage& message);
+
+private:
+    void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
+    void reportChanges();
+    void reportControllerMessages();
+
+    std::unique_ptr<SessionBackend> d_;
+    std::function<QString()> projectGuard_ = [] { return QString(); };
+    RobotOutputs outputs_;
+    RobotServices services_;
+    RobotTooling tooling_;
+    SessionRecording recording_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the session tells the robot of its tool: TCP and payload. The robot must be under control; whether it has taken
+// it shows in the next state. The outcome comes as a message.
+
+#include <QCoreApplication>
+#include <QString>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "robot/core/deadline.h"
+#include "robot/core/result.h"
+#include "robot/core/spatial.h"
+
+namespace tiller {
+
+class RobotSession;
+struct SessionBackend;
+
+class RobotTooling {
+    Q_DECLARE_TR_FUNCTIONS(RobotTooling)
+
+public:
+    RobotTooling(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
+
+    struct Load {
+        double mass = 0;                                   ///< [kg]
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of gravity, from the flange [m]
+        std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
+    };
+
+    /// Where the arm moves it is refused: its speed would be that of another point.
+    /// tcp   T_flange_tcp [m, rad]
+    /// name  for the log
+    void setTcp(const Pose& tcp, const QString& name);
+    /// As setTcp(): the arm would sag.
+    void setPayload(const Load& load, const QString& name);
+
+private:
+    void set(const QString& done, std::function<Result<void>(const Deadline&)> order);
+
+    RobotSession& session_;
+    SessionBackend& d_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the robot sends into a file, a row for each packet, or for each n-th. All calls return at once; what became of
+// them shows in SessionState::recording and as a message.
+
+#include <QByteArray>
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+
+#include "robot/station/link/recording_choice.h"
+
+namespace tiller {
+
+class RobotSession;
+struct SessionBackend;
+
+/// A recording to begin.
+struct RecordingOrder {
+    QString path;
+    QStringList fields{};  ///< by their RTDE names; empty: all that ur_rtde records, in MCAP all there are
+    int every = 1;         ///< every n-th packet becomes a row
+    RecordingChoice::Format format = RecordingChoice::Format::Csv;
+    std::int64_t keepFree = 200'000'000;  ///< ends in order when less is free on the disk [bytes]
+};
+
+class SessionRecording {
+    Q_DECLARE_TR_FUNCTIONS(SessionRecording)
+
+public:
+    SessionRecording(RobotSession& session, SessionBackend& backend);
+
+    void start(const RecordingOrder& order);
+    /// As CSV.
+    void start(const QString& path, const QStringList& fields = {}) {
+        start(RecordingOrder{.path = path, .fields = fields});
+    }
+    /// What formats with room for it keep inside as the project, from the next recording on; none without a name.
+    void setProject(const QString& name, const QByteArray& content);
+    void stop();
+
+    // For the session.
+    void reportFailure();
+
+private:
+    RobotSession& session_;
+    SessionBackend& d_;
+    bool wasRecording_ = false;
+    QString projectName_;
+    QByteArray project_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One consistent picture of the robot for everything that paints: made once a frame from one sample.
+
+#include <QMetaType>
+#include <QString>
+#include <cstdint>
+#include <memory>
+
+#include "robot/control/control_status.h"
+#include "robot/control/jog_reach.h"
+#include "robot/control/motion_types.h"
+#include "robot/core/joints.h"
+#include "robot/core/modes.h"
+#include "robot/core/robot_model.h"
+#include "robot/core/spatial.h"
+#include "robot/core/version.h"
+#include "robot/dashboard/robot_command.h"
+#include "robot/station/text/mode_words.h"
+
+namespace tiller {
+
+enum class LinkState {
+    Disconnected,  ///< nobody asked for a connection
+    Connecting,    ///< first attempt under way
+    Live,          ///< data younger than 0.3 s
+    Stale,         ///< data older than 0.3 s: values are greyed
+    Lost,          ///< data older than 1 s or the connection broke; reconnecting by itself: "NO DATA"
+};
+
+enum class ControlState {
+    None,       ///< monitoring only
+    Taking,     ///< the control script is being uploaded
+    InControl,  ///< the script answers: the arm can be moved
+    Refused,    ///< see SessionState::controlReason
+};
+
+/// Packets of a stretch of time.
+struct PacketCounts {
+    std::uint64_t packets = 0;
+    std::uint64_t late = 0;  ///< came more than half a period after their time
+    std::uint64_t lost = 0;  ///< the controller skipped, by its own time stamps
+};
+
+struct LinkQuality {
+    double rateHz = 0;
+    PacketCounts all;        ///< since the connection was made
+    PacketCounts recent;     ///< of the last ten seconds: what the link is like now
+    double roundTripMs = 0;  ///< command out to echo back; 0 = not known
+    double ageMs = 0;        ///< of the newest sample
+};
+
+struct RecordingState {
+    bool active = false;
+    QString path;
+    std::uint64_t rows = 0;
+    double seconds = 0;
+    std::int64_t bytes = 0;      ///< size of the file
+    std::uint64_t lost = 0;      ///< packets missing in it, by whatever cause
+    std::int64_t freeBytes = 0;  ///< on its disk
+    QString error;               ///< why the last recording ended, empty if by request
+};
+
+struct SessionState {
+    // connection
+    LinkState link = LinkState::Disconnected;
+    QString linkReason;  ///< why not Live, with what to do
+    QString robotName;   ///< "Simulated UR5e", "Lab UR5e"
+    QString address;
+    int portOffset = 0;  ///< of all its ports
+    bool simulated = false;
+    SoftwareVersion version;
+    RobotModelId model = RobotModelId::UR5e;
+    bool modelKnown = false;  ///< the robot has reported it; until then `model` is assumed
+    DhParameters dh = robotModel(RobotModelId::UR5e).dh;  ///< the arm's own where it tells its calibration
+    control::JointLimits jointLimits =
+        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< its own where it reports them
+    /// What the arm could touch, itself included, with the distance that jogs and moves keep; null while disconnected.
+    std::shared_ptr<const collision::CollisionCheck> check;
+    LinkQuality quality;
+
+    // modes
+    RobotMode robotMode = RobotMode::Disconnected;
+    SafetyMode safetyMode = SafetyMode::Undefined;
+    SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined where the software has none
+    RuntimeState runtimeState = RuntimeState::Stopped;
+    bool remoteControl = false;
+    bool controlPlaceKnown = true;  ///< false where the software tells neither Local nor Remote
+    bool remoteNeeded = false;      ///< in Local, and known to take no commands there
+    dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< what power and programs go through
+    QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
+    QString loadedProgram;    ///< on the robot; empty: none
+    double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
+    ControlState control = ControlState::None;
+    QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
+    /// Control was ours when its connection fell silent, and has neither been taken nor given back since: Space and
+    /// Esc still stop the robot from everywhere.
+    bool controlInDoubt = false;
+    control::ControlLoss controlLoss = control::ControlLoss::NotTaken;  ///< how control ended last
+    bool monitorOnly = false;  ///< the session refuses every command but stop
+
+    // motion
+    bool moving = false;           ///< by the receiver's data, no older than 100 ms
+    bool motionActive = false;     ///< a motion of ours is commanded, whether or not the arm moves yet
+    bool jogActive = false;        ///< and it is a jog
+    bool freedriveActive = false;  ///< and it is freedrive: the hand moves the arm
+    double speedFraction = 1.0;    ///< speed slider 0..1
+    double speedScaling = 1.0;
+    JointPositions q;
+    JointVelocities qd;
+    Pose tcpPose;
+    Pose tcpOffset;
+    Twist tcpSpeed;
+    Wrench tcpForce;
+    double payloadMass = 0;     ///< as the robot was told [kg]
+    bool payloadKnown = false;  ///< false where the software does not tell mass and centre
+    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< as the robot was told, from the flange [m]
+    bool rawWrenchKnown = false;                 ///< false where the software does not tell rawWrench
+    Wrench rawWrench;                            ///< force sensor at the flange, with payload, not zeroed
+    Vector6 jointCurrent = Vector6::Zero();      ///< [A]
+    Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
+    control::StopMeasurement lastStop;
+    bool lastStopSeen = true;  ///< false: data ended while the arm moved, how it stopped nobody knows
+    control::Limiter limiter;  ///< what holds the asked-for speed down
+
+    // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
+    std::uint64_t digitalInputs = 0;
+    std::uint64_t digitalOutputs = 0;
+
+    // recording
+    RecordingState recording;
+
+    double robotTime = 0;        ///< the controller's time stamp [s]
+    std::uint64_t sequence = 0;  ///< of the sample shown; 0 = none yet
+
+    /// Its model, by its own calibration.
+    RobotModel arm() const {
+        RobotModel own = robotModel(model);
+        own.dh = dh;
+        return own;
+    }
+    /// True when a press on a jog key would move the arm.
+    bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
+    /// The safety value to show and to act on, of the two the controller sends.
+    SafetyStatus safety() const { return shownSafety(safetyMode, safetyStatus); }
+    /// A program that is not ours runs, or will in a moment: it may move the arm.
+    bool foreignProgramRuns() const {
+        return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
+               runtimeState != RuntimeState::Paused;
+    }
+    /// A program that is not ours runs or is paused: taking control would end it.
+    bool hasForeignProgram() const {
+        return foreignProgramRuns() ||
+               (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
+    }
+    bool hasData() const {
+        return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
+    }
+    /// The data are no older than 100 ms: what they say about modes, programs and motion holds now.
+    bool isFresh() const {
+        constexpr double kFreshMs = 100;
+        return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;
+    }
+    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
+    bool keysStop() const {
+        return control == ControlState::InControl || control == ControlState::Taking || controlInDoubt;
+    }
+};
+
+}  // namespace tiller
+
+Q_DECLARE_METATYPE(tiller::SessionState)
+Q_DECLARE_METATYPE(tiller::control::StopMeasurement)

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/route/action_step.h"
+
+#include <utility>
+
+#include "robot/station/route/action_words.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller {
+
+namespace {
+
+using ActionKind = project::WaypointAction::Kind;
+
+/// Data that are older say nothing of the robot any more [ms].
+constexpr double kOldest = 100;
+/// A gripper that needs longer has something wrong [s].
+constexpr double kLongestGrip = 15;
+/// What the robot takes to report an output, at most [s].
+constexpr double kLongestConfirmation = 3;
+
+bool isGrip(const project::WaypointAction& action) {
+    return action.kind == ActionKind::OpenGripper || action.kind == ActionKind::CloseGripper;
+}
+
+Error sentence(const QString& text) {
+    return {ErrorCode::Cancelled, text, {}};
+}
+
+}  // namespace
+
+ActionStep::ActionStep(const ActionPort& port, const SessionState& state, project::WaypointAction action)
+    : port_(port), state_(state), action_(std::move(action)) {}
+
+ActionStep::~ActionStep() {
+    giveUp();
+}
+
+QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
+    return isGrip(action) && gripper.kind == GripperChoice::Kind::None
+               ? tr("No gripper is configured for this robot. Select it in I/O, Gripper.")
+               : QString();
+}
+
+double ActionStep::longestOf(const project::WaypointAction& action) {
+    switch (action.kind) {
+        case ActionKind::SetOutput:
+            return kLongestConfirmation;
+        case ActionKind::PulseOutput:
+            return 2 * kLongestConfirmation + action.seconds;
+        case ActionKind::WaitForInput:
+            return action.seconds > 0 ? action.seconds : project::kLongestAction;
+        case ActionKind::WaitTime:
+            return action.seconds;
+        default:
+            return kLongestGrip;
+    }
+}
+
+std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uint32_t values) const {
+    auto order = std::make_shared<Order>();
+    OutputOrder asked;
+    asked.token = order->token;
+    asked.done = [order](const Result<void>& result) { order->result = result; };
+    if (action_.kind == ActionKind::PulseOutput) {
+        asked.pulse = {action_.seconds, [order] { return order->holds.load(); }};
+    }
+    port_.setOutputs(mask, values, tr("Go through"), asked);
+    return order;
+}
+
+bool ActionStep::mayGoOn() const {
+    return state_.canMove() && state_.link == LinkState::Live && state_.quality.ageMs <= kOldest;
+}
+
+Result<void> ActionStep::begin(std::uint64_t) {
+    if (!mayGoOn()) {
+        return Error{ErrorCode::Stopped, {}, {}};
+    }
+    const GripperChoice gripper = port_.gripper.choice();
+    if (const QString why = obstacle(action_, gripper); !why.isEmpty()) {
+        return sentence(why);
+    }
+    beganAt_ = state_.robotTime;
+    const bool close = action_.kind == ActionKind::CloseGripper;
+    if (action_.kind == ActionKind::SetOutput || action_.kind == ActionKind::PulseOutput) {
+        order_ = send(pin(), action_.value ? pin() : 0);
+    } else if (isGrip(action_) && gripper.usesOutputs()) {
+        order_ = send(gripper.outputs(), gripper.outputsTo(close));
+    } else if (isGrip(action_)) {
+        if (const QString why = port_.gripper.obstacle(); !why.isEmpty()) {
+            return sentence(why);
+        }
+        gripping_ = true;
+        port_.gripper.move(close, gripper_);
+    }
+    return {};
+}
+
+Result<SequenceStep::State> ActionStep::hold() {
+    if (!mayGoOn()) {
+        giveUp();
+        return State::Ended;
+    }
+    switch (action_.kind) {
+        case ActionKind::WaitTime:
+            return elapsed() >= action_.seconds ? State::Done : State::Going;
+        case ActionKind::WaitForInput:
+            return holdInput();
+        default:
+            return order_ ? holdOutput() : holdRobotiq();
+    }
+}
+
+Result<SequenceStep::State> ActionStep::holdInput() const {
+    const bool on = (state_.digitalInputs & pin()) != 0;
+    if (on == action_.value) {
+        return State::Done;
+    }
+    if (elapsed() < longestOf(action_)) {
+        return State::Going;
+    }
+    const QString seconds = QString::number(longestOf(action_), 'g', 6);
+    return sentence(
+        (action_.value ? tr("%1 did not switch on within %2 s. Check what it depends on, then press again.")
+                       : tr("%1 did not switch off within %2 s. Check what it depends on, then press again."))
+            .arg(ActionWords::terminal(action_), seconds));
+}
+
+Result<SequenceStep::State> ActionStep::holdOutput() {
+    ++order_->holds;
+    if (!order_->result) {
+        return State::Going;
+    }
+    if (!*order_->result) {
+        const Error& error = order_->result->error();
+        return sentence(
+            tr("%1 was not completed. %2").arg(ActionWords::of(action_), texts::errorText(error)));
+    }
+    return State::Done;
+}
+
+Result<SequenceStep::State> ActionStep::holdRobotiq() {
+    const std::optional<Result<void>> outcome =
+        port_.gripper.outcome(action_.kind == ActionKind::CloseGripper);
+    if (outcome) {
+        gripping_ = false;
+        return *outcome ? Result<State>(State::Done) : outcome->error();
+    }
+    if (elapsed() < kLongestGrip) {
+        return State::Going;
+    }
+    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kLongestGrip));
+}
+
+void ActionStep::end(control::StopCause) {
+    giveUp();
+}
+
+void ActionStep::giveUp() {
+    gripper_.cancel();
+    if (std::exchange(gripping_, false)) {
+        port_.gripper.stop();
+    }
+    if (order_) {
+        order_->token.cancel();
+    }
+}
+
+}  // namespace tiller

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/text/controller_codes.h"
+
+#include <QCoreApplication>
+#include <array>
+
+namespace tiller {
+namespace {
+
+struct ControllerCodes {
+    Q_DECLARE_TR_FUNCTIONS(ControllerCodes)
+
+public:
+    struct Row {
+        int code;
+        const char* title;
+        const char* meaning;
+        const char* action;
+    };
+    // Only numbers whose meaning is documented publicly. Source: the manufacturer's error code directory
+    static constexpr auto kRows = std::to_array<Row>({
+        {150, QT_TR_NOOP("Near a joint limit"), QT_TR_NOOP("A joint came close to the end of its range."),
+         QT_TR_NOOP("Jog the joint back, and plan the move away from the limit.")},
+        {151, QT_TR_NOOP("Near a tool orientation limit"),
+         QT_TR_NOOP("The tool turned close to the limit set in the safety configuration."),
+         QT_TR_NOOP("Turn the tool back, or change the waypoint.")},
+        {152, QT_TR_NOOP("Near a safety plane"), QT_TR_NOOP("The arm came close to a safety plane."),
+         QT_TR_NOOP("Jog away from the plane, or change the waypoint.")},
+        {153, QT_TR_NOOP("Position deviates from path"),
+         QT_TR_NOOP("The arm is not at the commanded position."),
+         QT_TR_NOOP(
+             "Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.")},
+        {154, QT_TR_NOOP("Singularity"),
+         QT_TR_NOOP("The linear move passes through a singularity of the arm."),
+         QT_TR_NOOP("Jog individual joints out of it; use MoveJ through this region.")},
+        {155, QT_TR_NOOP("Cannot hold its position"),
+         QT_TR_NOOP("The arm sagged or was pushed at standstill."),
+         QT_TR_NOOP("Check payload, centre of gravity and mounting.")},
+        {156, QT_TR_NOOP("Wrong payload or mounting"),
+         QT_TR_NOOP(
+             "The measured forces do not match the payload, or the arm was pushed when Freedrive started."),
+         QT_TR_NOOP("Correct payload and mounting, release the arm, and try again.")},
+        {157, QT_TR_NOOP("Collision detected by a joint"),
+         QT_TR_NOOP("A joint needed more torque than the motion requires."),
+         QT_TR_NOOP("Remove the obstacle; if there was none, check the payload.")},
+        {158, QT_TR_NOOP("Collision detected by the tool force"),
+         QT_TR_NOOP("The force at the tool exceeded its limit."),
+         QT_TR_NOOP("Remove the obstacle; if there was none, check the payload.")},
+        {159, QT_TR_NOOP("Position deviation"), QT_TR_NOOP("A joint left its commanded position."),
+         QT_TR_NOOP("Check for obstacles, and check payload and mounting.")},
+        {163, QT_TR_NOOP("Too many protective stops"),
+         QT_TR_NOOP("One joint had more than fifty protective stops in eight hours."),
+         QT_TR_NOOP("Find the cause of the stops before you continue; then restart the controller.")},
+        {203, QT_TR_NOOP("Sudden change of target position"),
+         QT_TR_NOOP("A program commanded a step in position."),
+         QT_TR_NOOP("Start the program at the current position of the arm, and keep its servo steps small.")},
+        {204, QT_TR_NOOP("Sudden change of target speed"), QT_TR_NOOP("A program commanded a step in speed."),
+         QT_TR_NOOP("Reduce the acceleration, or smooth the path.")},
+        {209, QT_TR_NOOP("Protective stop requested by a program"),
+         QT_TR_NOOP("The running program requested the stop."),
+         QT_TR_NOOP("See the messages of the program before this one.")},
+        {210, QT_TR_NOOP("Robot is in Local control"),
+         QT_TR_NOOP("A script was sent, but the robot accepts commands from its teach pendant only."),
+         QT_TR_NOOP("Switch to Remote control on the teach pendant.")},
+    });
+
+    static CodeWords words(int code) {
+        for (const Row& row : kRows) {
+            if (row.code == code) {
+                return {tr(row.title), tr(row.meaning), tr(row.action), true};
+            }
+        }
+        return {tr("Controller message C%1").arg(code), tr("The controller reported this number."),
+                tr("Look up C%1 in the manufacturer's error code directory.").arg(code), false};
+    }
+};
+
+}  // namespace
+
+CodeWords controllerCode(int code) {
+    return ControllerCodes::words(code);
+}
+
+}  // namespace tiller

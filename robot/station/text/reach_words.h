@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Why the arm cannot reach a waypoint, in a word and as a sentence.
+
+#include <QString>
+
+#include "robot/project/reachability.h"
+
+namespace tiller {
+
+/// "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line", "✕ arm".
+QString reachText(const project::Reach& reach);
+/// A sentence that ends with what to do; empty when the waypoint can be reached.
+QString reachAdvice(const project::Reach& reach);
+
+}  // namespace tiller

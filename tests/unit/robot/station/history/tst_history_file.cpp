@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A long recording behind the plots: what is drawn from summaries loses no spike, what is near is exact, and a value is that
+// of the file wherever somebody asks.
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tests/unit/robot/station/history/long_recording.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestHistoryFile : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Long> long_;
+
+private Q_SLOTS:
+    void initTestCase() { long_ = std::make_unique<Long>(); }
+
+    void aShortOneIsReadAsAWhole() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("short.mcap");
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
+        Opened opened(path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        QVERIFY(!opened.history().isInFile());
+    }
+
+    void extentsMayBeOfMoreThanABlock() {
+        struct Nothing : SampleFile {
+            void fill(std::int64_t) override {}
+        } nothing;
+        constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
+        constexpr std::int64_t kSamples = 5 * kBlock + 100;
+        SeriesBuffer history;
+        history.lieIn(nothing, kSamples, {{0, 0.0}, {kSamples - 1, 100.0}}, {});
+        const int column = history.outlineColumn(Precision::Single);
+        QVERIFY(history.minMax(column, 0, kSamples).isEmpty());
+        const std::vector<MinMax> extents{{-1, 1}, {-2, 2}, {-3, 3}};
+        history.setExtents(column, 0, 2 * kBlock, extents);
+        QVERIFY(history.minMax(column, 5, 6) == extents[0]);
+        QVERIFY(history.minMax(column, kBlock, 2 * kBlock) == extents[0]);
+        QVERIFY(history.minMax(column, 3 * kBlock, 3 * kBlock + 1) == extents[1]);
+        QVERIFY(history.minMax(column, 5 * kBlock, kSamples) == extents[2]);
+        QVERIFY(history.minMax(column, 0, kSamples) == extents[2]);
+        QCOMPARE(history.grainOf(column, 4), 2 * kBlock);
+        const std::vector<MinMax> halves{{0, 0.5}, {-1, 0}};
+        history.setExtents(column, kBlock, kBlock / 2, halves);
+        QVERIFY(history.minMax(column, kBlock, kBlock + 1) == halves[0]);
+        QVERIFY(history.minMax(column, 2 * kBlock - 1, 2 * kBlock) == halves[1]);
+        QVERIFY(history.minMax(column, 0, 1) == extents[0]);
+    }
+
+    void openingReadsNoRow() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal, opened.mode}));
+        const SeriesBuffer& history = opened.history();
+        QVERIFY(history.isInFile());
+        QCOMPARE(history.end(), static_cast<std::int64_t>(kRows));
+        QVERIFY(std::abs(history.firstTime() - kBegin) < 1e-6);
+        QVERIFY(std::abs(history.lastTime() - long_->timeOf(kRows - 1)) < 1e-3);
+        QVERIFY(!history.hasRows(opened.store.column(opened.signal), 0, 1));
+        const MinMax all = history.minMax(opened.store.column(opened.signal), 0, history.end());
+        QCOMPARE(all.min, -kSpike);
+        QCOMPARE(all.max, kSpike);
+        QVERIFY2(opened.store.memoryBytes() < kRows, "a byte a row would be too much");
+        QVERIFY(history.gapBefore(static_cast<std::int64_t>(kGap)));
+        QVERIFY(!history.gapBefore(static_cast<std::int64_t>(kGap) + 1));
+    }
+
+    void everyValueIsThatOfTheFile() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        std::mt19937 random(7);
+        std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
+        for (int i = 0; i < 200; ++i) {
+            const std::uint64_t row = i == 0 ? kGap : place(random);
+            const auto sample = static_cast<std::int64_t>(row);
+            QVERIFY(std::abs(opened.history().time(sample) - long_->timeOf(row)) < 1e-6);
+            QCOMPARE(static_cast<float>(opened.store.value(opened.signal, sample)), long_->force[row]);
+            QCOMPARE(opened.history().lowerBound(long_->timeOf(row) - kPeriod / 2), sample);
+            const auto value = opened.store.valueAt(opened.signal, long_->timeOf(row) + kPeriod / 4);
+            QVERIFY(value);
+            QCOMPARE(static_cast<float>(*value), long_->force[row]);
+        }
+        // In the gap there is none.
+        QVERIFY(!opened.store.valueAt(opened.signal, long_->timeOf(kGap) - 0.3));
+        const auto sample = opened.store.sampleAt(opened.name, long_->timeOf(5));
+        QCOMPARE(static_cast<float>(sample.values[*sample.layout->indexOfComponent("actual_TCP_force_2")]),
+                 long_->force[5]);
+    }
+
+    /// At once no spike is lost and none is wider than two columns and a bit; in the end each is where it is.
+    void noSpikeIsLostAtAnyZoom() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        SeriesBuffer plain(1, HistoryLimits{1e9, std::size_t{1} << 30});
+        for (std::uint64_t row = 0; row < kRows; ++row) {
+            QVERIFY(plain.append(long_->timeOf(row), std::span(&long_->force[row], 1), row == kGap));
+        }
+        const int column = opened.store.column(opened.signal);
+        std::mt19937 random(11);
+        constexpr int kColumns = 1000;
+        const double all = static_cast<double>(kRows) * kPeriod;
+        for (int i = 0; i < 40; ++i) {
+            const double span = all * std::pow(1 / all, i / 39.0);
+            const double start = kBegin + std::uniform_real_distribution<double>(0, all - span)(random);
+            const double width = span / kColumns;
+            ColumnGrid grid;
+            ColumnGrid raw;
+            opened.history().cut(start, width, kColumns, grid);
+            plain.cut(start, width, kColumns, raw);
+            bool more = true;
+            for (int turn = 0; more && turn < 1000; ++turn) {
+                more = opened.store.sharpen(
+                    opened.history(), grid.edges.front() - 1, grid.edges.back() + 1, kColumns,
+                    turn == 0 ? HistoryFile::Effort::Draft : HistoryFile::Effort::Turn);
+                opened.history().cut(start, width, kColumns, grid);
+                for (int c = 2; c + 2 < kColumns; ++c) {
+                    const auto at = static_cast<std::size_t>(c);
+                    MinMax near;  // of the columns around it, where times are rough
+                    for (std::size_t k = at - 2; k <= at + 2; ++k) {
+                        near.add(opened.history().minMax(column, grid.edges[k], grid.edges[k + 1]));
+                    }
+                    const MinMax wanted = plain.minMax(0, raw.edges[at], raw.edges[at + 1]);
+                    QVERIFY2(wanted.isEmpty() || (near.min <= wanted.min && near.max >= wanted.max),
+                             qPrintable(QStringLiteral("span %1, column %2").arg(span).arg(c)));
+                }
+            }
+            QVERIFY2(!more, "it comes to an end");
+            QVERIFY(!opened.store.sharpen(opened.history(), grid.edges.front() - 1, grid.edges.back() + 1,
+                                          kColumns, HistoryFile::Effort::Draft));
+            if (grid.edges.back() - grid.edges.front() <= 60'000) {
+                // Rows and all: exactly what they are in memory.
+                QVERIFY(grid.edges == raw.edges);
+                QVERIFY(opened.history().envelope(column, start, start + span, kColumns) ==
+                        plain.envelope(0, start, start + span, kColumns));
+            }
+        }
+    }
+
+    void whatACrashLeavesIsShownWhole() {
+        QFile whole(long_->path);
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        const QByteArray bytes = whole.readAll();
+        const QString path = long_->folder.filePath("cut.mcap");
+        for (const double part : {0.96, 0.5, 0.15}) {
+            QFile cut(path);
+            QVERIFY(cut.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            cut.write(bytes.left(static_cast<qsizetype>(static_cast<double>(bytes.size()) * part)));
+            cut.close();
+            Opened opened(path);
+            QVERIFY(opened.store.want(this, {opened.signal}));
+            QVERIFY(opened.history().isInFile());
+            const std::int64_t end = opened.history().end();
+            QVERIFY(static_cast<double>(end) > static_cast<double>(kRows) * part * 0.8);
+            const int column = opened.store.column(opened.signal);
+            for (const int pixels : {1000, 100'000}) {
+                while (opened.store.sharpen(opened.history(), 0, end, pixels, HistoryFile::Effort::Turn)) {
+                }
+                for (const std::uint64_t spike : long_->spikes) {
+                    const auto at = static_cast<std::int64_t>(spike);
+                    const MinMax extent = opened.history().minMax(column, at, std::min(at + 1, end));
+                    QVERIFY(at >= end || std::max(extent.max, -extent.min) == kSpike);
+                }
+            }
+            for (const std::int64_t row : {std::int64_t{0}, end / 2, end - 1}) {
+                QCOMPARE(static_cast<float>(opened.store.value(opened.signal, row)),
+                         long_->force[static_cast<std::size_t>(row)]);
+            }
+        }
+    }
+
+    void aColumnThatComesLaterIsThereToo() {
+        Opened opened(long_->path);
+        QVERIFY(opened.store.want(this, {opened.signal}));
+        QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
+        QVERIFY(opened.store.want(this, {opened.signal, opened.mode}));
+        QCOMPARE(opened.store.value(opened.mode, 1000), 7.0);
+        QCOMPARE(opened.store.value(opened.mode, static_cast<std::int64_t>(kRows) - 1), 5.0);
+        QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
+    }
+
+    /// What is computed from it is that of its rows: near, as a whole, and behind a look back over the edge of a block.
+    void whatIsComputedFromItIsThatOfItsRows() {
+        Opened opened(long_->path);
+        const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
+        const auto made = opened.store.derive(QStringLiteral("2|Fz| = 2 * norm(%1) + 1").arg(fz));
+        QVERIFY2(made.ok(), qPrintable(made ? QString() : made.error().toString()));
+        const auto slope = opened.store.derive(QStringLiteral("dF/dt [N/s] = deriv(%1, 0.1)").arg(fz));
+        QVERIFY(slope.ok());
+        QCOMPARE(opened.store.recordingOf(*made), opened.name);
+        QCOMPARE(opened.store.info(*made).group, opened.name);
+        QVERIFY(opened.store.want(this, {*made, *slope}));
+        // At once, wherever somebody looks.
+        const auto truth = [&](std::uint64_t row) {
+            return static_cast<float>(2 * std::abs(static_cast<double>(long_->force[row])) + 1);
+        };
+        for (const std::uint64_t row : {std::uint64_t{0}, std::uint64_t{4096}, kGap, kRows - 1}) {
+            QCOMPARE(static_cast<float>(opened.store.value(*made, static_cast<std::int64_t>(row))),
+                     truth(row));
+        }
+        constexpr std::uint64_t kBack = 50;  // rows
+        for (const std::uint64_t row : {std::uint64_t{4096}, std::uint64_t{8191}, std::uint64_t{8192}}) {
+            const double expected =
+                (static_cast<double>(long_->force[row]) - static_cast<double>(long_->force[row - kBack])) /
+                (kBack * kPeriod);
+            QVERIFY(std::abs(opened.store.value(*slope, static_cast<std::int64_t>(row)) - expected) < 1e-3);
+        }
+        QVERIFY2(std::isnan(opened.store.value(*slope, static_cast<std::int64_t>(kGap))),
+                 "nothing is computed across a gap");
+        // And as a whole, once all of it has been looked through.
+        QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*slope), 1.0, 60'000);
+        QCOMPARE(opened.store.computedPart(*made), 1.0);
+        const SeriesBuffer& history = *opened.store.buffer(*made);
+        const int column = opened.store.column(*made);
+        QCOMPARE(history.minMax(column, 0, history.end()).max, 2 * kSpike + 1);
+        for (const std::uint64_t spike : long_->spikes) {
+            const auto at = static_cast<std::int64_t>(spike);
+            QCOMPARE(history.minMax(column, at, at + 1).max, 2 * kSpike + 1);
+        }
+        std::mt19937 random(3);
+        for (int i = 0; i < 200; ++i) {
+            const auto begin = std::uniform_int_distribution<std::int64_t>(0, kRows - 40'000)(random);
+            const auto end = begin + std::uniform_int_distribution<std::int64_t>(1, 40'000)(random);
+            MinMax wanted;
+            for (std::int64_t row = begin; row < end; ++row) {
+                wanted.add(static_cast<double>(truth(static_cast<std::uint64_t>(row))));
+            }
+            const MinMax told = history.minMax(column, begin, end);
+            constexpr double kRounding = 1e-6;
+            QVERIFY(told.min <= wanted.min + kRounding && told.max >= wanted.max - kRounding);
+        }
+    }
+
+    void whoClosesItMeanwhileHearsNoMoreOfIt() {
+        Opened opened(long_->path);
+        const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
+        const auto made = opened.store.derive(QStringLiteral("twice = 2 * %1").arg(fz));
+        QVERIFY(made.ok());
+        int told = 0;
+        connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++told; });
+        connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
+        opened.store.closeRecordings();
+        // Another one's is computed behind it: by then all that was to come of the first has come.
+        auto file = recording::openRecording(long_->path);
+        const QString name = opened.store.open(std::move(file).value(), kBegin).value();
+        const auto next = opened.store.derive(
+            QStringLiteral("next = 3 * %1").arg(DerivedSignal::written(name + "/actual_TCP_force_2")));
+        QVERIFY(next.ok());
+        disconnect(&opened.store, nullptr, this, nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*next), 1.0, 60'000);
+        QCOMPARE(told, 0);
+        QCOMPARE(opened.store.buffer(*made), nullptr);
+    }
+
+    void aShortOneHasThemToo() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a {strange} = name, 2.mcap");
+        const QString plain = folder.filePath("run 1-2.mcap");
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
+        QVERIFY(test::writeFile(plain, test::madeFile(*recording::mcapFormat(), 2000)));
+        Opened opened(plain);
+        const QString q0 = DerivedSignal::written(opened.name + QStringLiteral("/actual_q_0"));
+        const auto made = opened.store.derive(QStringLiteral("twice [rad] = 2 * %1 + 0*%1").arg(q0));
+        QVERIFY2(made.ok(), qPrintable(made ? QString() : made.error().toString()));
+        QVERIFY(opened.store.want(this, {*made, opened.store.find(opened.name + "/actual_q_0")}));
+        for (const std::int64_t row : {0, 777, 1999}) {
+            QCOMPARE(static_cast<float>(opened.store.value(*made, row)),
+                     static_cast<float>(
+                         2 * opened.store.value(opened.store.find(opened.name + "/actual_q_0"), row)));
+        }
+        // Two files, or a file and what is live, do not come in the same packets.
+        QVERIFY(!opened.store.derive(QStringLiteral("x = %1 - actual_q_0").arg(q0)).ok());
+        // Whatever the file is called.
+        Opened strange(path);
+        const auto one = strange.store.derive(
+            QStringLiteral("x = %1").arg(DerivedSignal::written(strange.name + "/actual_q_0")));
+        QVERIFY2(one.ok(), qPrintable(one ? QString() : one.error().toString()));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHistoryFile)
+#include "tst_history_file.moc"

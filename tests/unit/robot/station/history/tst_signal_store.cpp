@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What can be shown of a robot, and which of it has to be asked for.
+#include <QSet>
+#include <QTest>
+#include <array>
+#include <limits>
+
+#include "robot/receive/receiver.h"
+#include "robot/station/history/signal_store.h"
+
+using namespace tiller;
+
+class TestSignalStore : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyNumberAndBitOfEveryFieldIsThereOnce() {
+        SignalStore store;
+        QSet<QString> keys;
+        for (int i = 0; i < store.count(); ++i) {
+            const SignalInfo& info = store.info(i);
+            QVERIFY2(!keys.contains(info.key), qPrintable(info.key));
+            keys.insert(info.key);
+            QCOMPARE(store.find(info.key), i);
+            QVERIFY2(!info.group.isEmpty() && !info.family.isEmpty() && !info.longLabel.isEmpty(),
+                     qPrintable(info.key));
+        }
+        for (const receive::FieldInfo& field : receive::fieldInfos()) {
+            for (int i = 0; i < field.components; ++i) {
+                const QString key = QString::fromStdString(field.componentName(i));
+                if (field.bits > 1) {
+                    for (int bit = 0; bit < field.bits; ++bit) {
+                        QVERIFY2(keys.contains(key + "." + QString::number(bit)), qPrintable(key));
+                    }
+                } else {
+                    QVERIFY2(keys.contains(key), qPrintable(key));
+                }
+            }
+        }
+        QCOMPARE(store.find("no such signal"), -1);
+    }
+
+    void whatComesAnywayNeedsNotBeAskedFor() {
+        SignalStore store;
+        QVERIFY(store.buffer(store.find("actual_q_3")) == &store.live());
+        QVERIFY(store.want(this, {store.find("actual_q_3"), store.find("robot_mode")}));
+        QVERIFY(store.extraFields().isEmpty());
+        const int window = store.find("actual_current_window_2");
+        QVERIFY(store.want(this, {window}));
+        QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
+        QVERIFY(store.buffer(window) != nullptr && store.buffer(window) != &store.live());
+        // Somebody else wants it too: it is asked for until both are gone.
+        const int other = 0;
+        QVERIFY(store.want(&other, {store.find("actual_current_window_5")}));
+        QVERIFY(store.want(this, {}));
+        QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
+        QVERIFY(store.want(&other, {}));
+        QVERIFY(store.extraFields().isEmpty());
+    }
+
+    void moreThanARobotTakesIsRefusedAndChangesNothing() {
+        SignalStore store;
+        QVERIFY(store.want(this, {store.find("tcp_force_scalar")}));
+        QSet<int> all;
+        for (int i = 0; i < store.count(); ++i) {
+            all.insert(i);
+        }
+        QVERIFY(!store.want(this, all));
+        QCOMPARE(store.extraFields(), QStringList("tcp_force_scalar"));
+    }
+
+    void integersAndBitsAreExactUnitsAreRight() {
+        SignalStore store;
+        for (const auto& [key, unit] : {std::pair{"actual_TCP_force_1", "N"},
+                                        {"actual_TCP_force_4", "Nm"},
+                                        {"actual_q_0", "rad"},
+                                        {"actual_TCP_pose_2", "m"},
+                                        {"actual_TCP_pose_5", "rad"},
+                                        {"joint_temperatures_0", "°C"},
+                                        {"actual_TCP_speed_0", "m/s"},
+                                        {"actual_TCP_speed_4", "rad/s"},
+                                        {"actual_current_0", "A"}}) {
+            QCOMPARE(store.info(store.find(key)).unit, QString::fromUtf8(unit));
+        }
+        const int inputs = store.find("actual_digital_input_bits.17");
+        QVERIFY(store.info(inputs).precision() == Precision::Exact);
+        const auto column = static_cast<std::size_t>(store.column(inputs));
+        const SeriesBuffer::Row row{1, false};
+        const double word = 9007199254740991.0 - 131072.0;  // all of 53 bits but the 17th
+        store.appendLive(std::span(&row, 1),
+                         [&](std::size_t c, std::size_t) { return c == column ? word : 0; });
+        QCOMPARE(store.value(inputs, 0), 0.0);
+        QCOMPARE(store.value(store.find("actual_digital_input_bits.16"), 0), 1.0);
+        QCOMPARE(store.live().value(static_cast<int>(column), 0), word);
+    }
+
+    void theValueAtAMomentIsTheLastBefore() {
+        SignalStore store;
+        const int force = store.find("actual_TCP_force_0");
+        const auto column = static_cast<std::size_t>(store.column(force));
+        const std::array<SeriesBuffer::Row, 4> rows = {
+            {{10, false}, {10.002, false}, {12, true}, {12.002, false}}};
+        store.appendLive(rows, [&](std::size_t c, std::size_t r) {
+            return c == column ? static_cast<double>(r + 1) : std::numeric_limits<double>::quiet_NaN();
+        });
+        QVERIFY(!store.valueAt(force, 9.999));
+        QCOMPARE(store.valueAt(force, 10).value(), 1.0);
+        QCOMPARE(store.valueAt(force, 10.0019).value(), 1.0);
+        QCOMPARE(store.valueAt(force, 10.002).value(), 2.0);
+        QVERIFY2(!store.valueAt(force, 11), "in a gap");
+        QCOMPARE(store.valueAt(force, 12.0015).value(), 3.0);
+        QCOMPARE(store.valueAt(force, 12.01).value(), 4.0);
+        QVERIFY(!store.valueAt(force, 13));
+        QVERIFY(!store.valueAt(store.find("actual_q_0"), 10));
+    }
+
+    void theBudgetHoldsForAll() {
+        SignalStore store(HistoryLimits{1e9, 8'000'000});
+        QVERIFY(store.want(this, {store.find("tcp_force_scalar")}));
+        for (int block = 0; block < 40; ++block) {
+            std::vector<SeriesBuffer::Row> rows;
+            for (int i = 0; i < 4096; ++i) {
+                rows.push_back({(block * 4096 + i) * 0.002, false});
+            }
+            store.appendLive(rows,
+                             [](std::size_t c, std::size_t r) { return static_cast<double>(r * c % 97); });
+            store.appendFurther(rows, [](std::size_t, std::size_t r) { return static_cast<double>(r); });
+        }
+        // At least a block is kept, whatever the budget.
+        QVERIFY(store.memoryBytes() <= 8'000'000);
+        QVERIFY(store.live().first() > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSignalStore)
+#include "tst_signal_store.moc"

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The trail and the way back along it, against doors that only write down what they are asked.
+#include <QTest>
+
+#include "robot/station/jog/retrace_path.h"
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+// An arm that goes where it is told for as long as it is held, in steps of 20 ms.
+struct Arm {
+    JointPositions q;
+    control::JogTarget target;
+    std::uint64_t running = 0;
+    std::uint64_t next = 0;
+    double speed = 0.35;
+    QList<StopCause> ends;
+    MotionPort port;
+    RetracePath track{port, [this](const JointPositions&, const JointPositions&) { return speed; }};
+    HoldMotion motion = track.motion();
+
+    Arm() {
+        port.beginJog = [this](const control::JogTarget& t) -> Result<RobotSession::MotionId> {
+            target = t;
+            return running = ++next;
+        };
+        port.holdWith = [this](RobotSession::MotionId id, const control::JogTarget& t) {
+            target = t;
+            return id == running;
+        };
+        port.endMotion = [this](RobotSession::MotionId, StopCause cause) {
+            running = 0;
+            ends << cause;
+        };
+    }
+    void comeTo(double base, double shoulder) {
+        // In small steps, as a session shows it.
+        const JointPositions to(base, shoulder, 0, 0, 0, 0);
+        const int steps = std::max(1, static_cast<int>((to.values - q.values).cwiseAbs().maxCoeff() / 0.005));
+        const JointPositions from = q;
+        for (int i = 1; i <= steps; ++i) {
+            q = JointPositions(Vector6(from.values + (to.values - from.values) * i / steps));
+            track.record(q);
+        }
+    }
+    /// Goes on for 20 ms. Returns  false when the motion has ended
+    bool go(std::uint64_t id) {
+        if (!motion.hold(id)) {
+            return false;
+        }
+        q.values += target.qd.values * 0.02;
+        track.record(q);
+        return true;
+    }
+};
+
+}  // namespace
+
+class TestRetracePath : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theWayBackIsTheWayThatWasGone_data() {
+        QTest::addColumn<double>("speed");
+        QTest::newRow("slow") << 0.02;
+        QTest::newRow("fast") << 0.52;
+    }
+    void theWayBackIsTheWayThatWasGone() {
+        QFETCH(double, speed);
+        Arm arm;
+        arm.speed = speed;
+        arm.track.record(arm.q);
+        arm.comeTo(0.5, 0);
+        arm.comeTo(0.5, 0.5);
+        const auto id = arm.motion.begin();
+        QVERIFY(id.ok());
+        QVERIFY2(arm.target.qd[1] < 0, "first back along the second half");
+        double corner = 1;
+        int turns = 0;
+        for (; turns < 5000 && arm.go(*id); ++turns) {
+            QVERIFY(arm.target.qd.values.cwiseAbs().maxCoeff() <= speed + 1e-9);
+            // Never off the way: it is one or the other of the two straight halves.
+            const double off = std::min(std::abs(arm.q[0] - 0.5), std::abs(arm.q[1]));
+            QVERIFY2(off < 0.045, qPrintable(QString::number(off)));
+            corner = std::min(corner, std::hypot(arm.q[0] - 0.5, arm.q[1]));
+        }
+        QVERIFY2(corner < 0.045, "it went round the corner");
+        QVERIFY2(std::abs(arm.q[0]) < 0.003 && std::abs(arm.q[1]) < 0.003,
+                 qPrintable(QString::number(arm.q[0])));
+        QCOMPARE(arm.ends, QList<StopCause>{StopCause::Completed});
+        QVERIFY(arm.track.isEmpty());
+        QVERIFY2(!arm.motion.begin().ok(), "the beginning is the end");
+    }
+
+    void aStopIsFinal() {
+        Arm arm;
+        arm.track.record(arm.q);
+        arm.comeTo(0.5, 0.5);
+        const auto id = arm.motion.begin();
+        QVERIFY(id.ok());
+        QVERIFY(arm.go(*id));
+        arm.running = 0;  // somebody pressed STOP
+        QVERIFY(!arm.go(*id));
+        QVERIFY(!arm.go(*id));
+        QCOMPARE(arm.next, 1U);
+    }
+
+    void lettingGoKeepsTheRestOfTheTrail() {
+        Arm arm;
+        arm.track.record(arm.q);
+        arm.comeTo(0.5, 0.5);
+        auto id = arm.motion.begin();
+        for (int i = 0; i < 30; ++i) {
+            QVERIFY(arm.go(*id));
+        }
+        arm.motion.end(*id, StopCause::Released);
+        QCOMPARE(arm.ends, QList<StopCause>{StopCause::Released});
+        QVERIFY(arm.q[0] > 0.1);
+        id = arm.motion.begin();
+        QVERIFY(id.ok());
+        while (arm.go(*id)) {
+        }
+        QVERIFY(std::abs(arm.q[0]) < 0.003);
+    }
+
+    void aJumpMeansThatTheWayIsNotKnown() {
+        Arm arm;
+        arm.track.record(arm.q);
+        arm.comeTo(0.5, 0.5);
+        QVERIFY(!arm.track.isEmpty());
+        arm.track.record({1.5, 0.5, 0, 0, 0, 0});
+        QVERIFY(arm.track.isEmpty());
+        QVERIFY(!arm.motion.begin().ok());
+    }
+
+    void standingStillLeavesNothingToUndo() {
+        Arm arm;
+        QVERIFY(arm.track.isEmpty());
+        arm.track.record({0.5, 0.5, 0, 0, 0, 0});
+        arm.track.record({0.501, 0.5, 0, 0, 0, 0});
+        QVERIFY(arm.track.isEmpty());
+        arm.track.record({0.6, 0.5, 0, 0, 0, 0});
+        QVERIFY(!arm.track.isEmpty());
+        arm.track.clear();
+        QVERIFY(arm.track.isEmpty());
+    }
+
+    void theTrailIsBounded() {
+        Arm arm;
+        for (int i = 0; i < 20'000; ++i) {
+            arm.track.record({0.05 * (i % 2), 0.02 * (i % 7), 0, 0, 0, 0});
+        }
+        QVERIFY(arm.track.size() <= RetracePath::kCapacity);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRetracePath)
+#include "tst_retrace_path.moc"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stops mean a program that is not ours, too.
+#include <QTest>
+#include <algorithm>
+
+#include "robot/station/link/detail/external_program_stopper.h"
+
+using namespace tiller;
+using control::StopCause;
+
+namespace {
+
+SessionState live(RuntimeState runtime, ControlState control = ControlState::None) {
+    SessionState state;
+    state.link = LinkState::Live;
+    state.sequence = 7;
+    state.runtimeState = runtime;
+    state.control = control;
+    return state;
+}
+
+constexpr StopCause kByKey[] = {StopCause::Escape, StopCause::Space};
+
+bool meansIt(const SessionState& state) {
+    return std::all_of(std::begin(kByKey), std::end(kByKey),
+                       [&](StopCause cause) { return ExternalProgramStopper::isMeant(cause, state); }) &&
+           ExternalProgramStopper::isMeant(StopCause::StopButton, state);
+}
+bool meansNothing(const SessionState& state) {
+    return std::none_of(std::begin(kByKey), std::end(kByKey),
+                        [&](StopCause cause) { return ExternalProgramStopper::isMeant(cause, state); }) &&
+           !ExternalProgramStopper::isMeant(StopCause::StopButton, state);
+}
+
+}  // namespace
+
+class TestExternalProgramStopper : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whateverMayMoveIsMeant() {
+        for (const RuntimeState state :
+             {RuntimeState::Playing, RuntimeState::Pausing, RuntimeState::Resuming, RuntimeState::Stopping}) {
+            QVERIFY(meansIt(live(state)));
+            QVERIFY(meansIt(live(state, ControlState::Refused)));
+        }
+    }
+    void whereNothingRunsNothingIsSent() {
+        QVERIFY(meansNothing(live(RuntimeState::Stopped)));
+        QVERIFY(meansNothing(live(RuntimeState::Stopped, ControlState::Refused)));
+    }
+    void ourOwnProgramIsNotMeant() {
+        QVERIFY(meansNothing(live(RuntimeState::Playing, ControlState::InControl)));
+    }
+    void whileControlIsTakenAnythingMayCome() {
+        QVERIFY(meansIt(live(RuntimeState::Playing, ControlState::Taking)));
+        QVERIFY(meansIt(live(RuntimeState::Stopped, ControlState::Taking)));
+    }
+    void aPausedProgramIsMeantByStopAlone() {
+        const SessionState paused = live(RuntimeState::Paused);
+        QVERIFY(ExternalProgramStopper::isMeant(StopCause::StopButton, paused));
+        QVERIFY(!ExternalProgramStopper::isMeant(StopCause::Escape, paused));
+        QVERIFY(!ExternalProgramStopper::isMeant(StopCause::Space, paused));
+    }
+    void whatIsNotKnownIsMeant() {
+        SessionState never = live(RuntimeState::Stopped);
+        never.link = LinkState::Lost;
+        never.sequence = 0;
+        QVERIFY(meansIt(never));
+        SessionState played = live(RuntimeState::Playing);
+        played.link = LinkState::Lost;
+        QVERIFY(meansIt(played));
+    }
+    // A program may have begun since. Esc and Space may mean something else in the window; STOP does not.
+    void oldDataConfirmNoStandstill() {
+        for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
+            SessionState stopped = live(RuntimeState::Stopped);
+            stopped.link = link;
+            stopped.quality.ageMs = 101;
+            QVERIFY(ExternalProgramStopper::isMeant(StopCause::StopButton, stopped));
+            SessionState played = live(RuntimeState::Playing);
+            played.link = link;
+            played.quality.ageMs = 101;
+            QVERIFY(meansIt(played));
+        }
+    }
+    // Then the window names Space and Esc as stop keys.
+    void everyStopKeyIsMeantWhileControlIsInDoubt() {
+        for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
+            SessionState stopped = live(RuntimeState::Stopped);
+            stopped.link = link;
+            stopped.quality.ageMs = 101;
+            stopped.controlInDoubt = true;
+            QVERIFY(stopped.keysStop());
+            QVERIFY(meansIt(stopped));
+        }
+    }
+    void anArmThatMovesWithoutAProgramIsMeant() {
+        SessionState moving = live(RuntimeState::Stopped);
+        moving.moving = true;
+        QVERIFY(meansIt(moving));
+    }
+    // It goes to our own program first; on all routes once nothing confirms it.
+    void noOtherStopIsMeant() {
+        for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
+            const auto which = static_cast<StopCause>(cause);
+            const bool byHand =
+                which == StopCause::Escape || which == StopCause::Space || which == StopCause::StopButton;
+            QCOMPARE(ExternalProgramStopper::isMeant(which, live(RuntimeState::Playing)), byHand);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestExternalProgramStopper)
+#include "tst_external_program_stopper.moc"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of recordings: what a pattern becomes, and that no recording is ever written over another.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "robot/station/link/recording_choice.h"
+
+using namespace tiller;
+
+namespace {
+
+const QDateTime kNow(QDate(2024, 9, 17), QTime(14, 2, 11));
+
+}  // namespace
+
+class TestRecordingChoice : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    QString name(const QString& pattern, const QString& robot = QStringLiteral("Lab UR5e")) {
+        return QFileInfo(recordingPath({.folder = folder_.path(), .pattern = pattern}, robot, kNow))
+            .fileName();
+    }
+
+private Q_SLOTS:
+    void aPatternIsFilledIn() {
+        QCOMPARE(name("{date}_{time}"), QString("2024-09-17_14-02-11.csv"));
+        QCOMPARE(name("{robot} {date}"), QString("Lab UR5e 2024-09-17.csv"));
+        QCOMPARE(name("gluing"), QString("gluing.csv"));
+        QCOMPARE(name(" gluing.CSV "), QString("gluing.csv"));
+        // A robot may be called what no file can be.
+        QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
+    }
+
+    void theFormatIsItsEnding() {
+        RecordingChoice choice{.folder = folder_.path(), .pattern = "weld.csv"};
+        choice.format = RecordingChoice::Format::Mcap;
+        QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
+        choice.pattern = "weld.MCAP";
+        QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
+        QVERIFY(formatByName(formatName(choice.format)) == choice.format);
+        QVERIFY(formatByName("of another time") == RecordingChoice::Format::Csv);
+        QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
+    }
+
+    void noNameIsHidden() {
+        QCOMPARE(name("{robot}", ""), QString("_.csv"));
+        QCOMPARE(name("{robot}", ".."), QString("_...csv"));
+        QCOMPARE(name("{robot} {number}", ".cell"), QString("_.cell 001.csv"));
+    }
+
+    void noFileIsWrittenOver() {
+        for (const char* expected : {"gluing.csv", "gluing_2.csv", "gluing_3.csv"}) {
+            QCOMPARE(name("gluing"), QString(expected));
+            QFile made(folder_.filePath(expected));
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+        for (const char* expected : {"run 001.csv", "run 002.csv"}) {
+            QCOMPARE(name("run {number}"), QString(expected));
+            QFile made(folder_.filePath(expected));
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+    }
+
+    void theFirstFreeNumberIsTaken() {
+        for (const char* there : {"lot 001.csv", "LOT 002.csv", "lot 003.csv", "lot 005.csv"}) {
+            QFile made(folder_.filePath(there));
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+        // A link to nowhere is in the way as well.
+        QVERIFY(QFile::link(folder_.filePath("no such file"), folder_.filePath("lot 004.csv")));
+        QCOMPARE(name("lot {number}"), QString("lot 006.csv"));
+    }
+
+    void whatCannotBeAFileNameIsSaid_data() {
+        QTest::addColumn<QString>("pattern");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("usual") << QString("{date}_{time}") << true;
+        QTest::newRow("words") << QString("gluing on line 2") << true;
+        QTest::newRow("empty") << QString("  ") << false;
+        QTest::newRow("ending only") << QString(".csv") << false;
+        QTest::newRow("hidden") << QString(".gluing") << false;
+        QTest::newRow("folder") << QString("a/b") << false;
+        QTest::newRow("backslash") << QString("a\\b") << false;
+        QTest::newRow("too long") << QString(200, 'x') << false;
+    }
+    void whatCannotBeAFileNameIsSaid() {
+        QFETCH(QString, pattern);
+        QFETCH(bool, good);
+        QCOMPARE(patternProblem(pattern).isEmpty(), good);
+        const RecordingChoice choice = RecordingChoice{.pattern = pattern}.sane();
+        QCOMPARE(choice.pattern, good ? pattern : RecordingChoice::defaultPattern());
+    }
+
+    void whatAFileSaysIsMadeSane() {
+        const QStringList all = recordableFields();
+        QVERIFY(all.contains("actual_q") && !all.contains("timestamp"));
+        const RecordingChoice choice =
+            RecordingChoice{.fields = {"actual_q", "no_such_field", "actual_q"}, .every = -3}.sane();
+        QCOMPARE(choice.fields, QStringList("actual_q"));
+        QCOMPARE(choice.every, 1);
+        QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMostSparse);
+        QVERIFY2(RecordingChoice{.fields = all}.sane().fields.isEmpty(), "all of them is no choice");
+        QVERIFY(!recordingFolder().isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecordingChoice)
+#include "tst_recording_choice.moc"
