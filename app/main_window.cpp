@@ -234,10 +234,12 @@ void MainWindow::buildDocks() {
     area->setWidget(stage_);
     // The bar of a docked panel is part of the gap above it.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
-    stage_->add(*new PanelDock(*scene_, "viewDock", tr("View")));
-    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"));
+    // Reparenting a panel applies the style sheet to all its children again, so containers get their parent first.
+    stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
+    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"), stage_);
     stage_->add(*tabsDock_);
-    plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"));
+    fillTabs();
+    plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"), stage_);
     stage_->add(*plotsDock_);
     perspectives_ =
         new Perspectives(*stage_, settings_,
@@ -277,23 +279,27 @@ Panel* MainWindow::buildTabs() {
     tabs_->setAccessibleName(tr("Waypoints, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    pages_ = new QStackedWidget;
-    for (const auto& [name, title, page] :
-         {std::tuple<QString, QString, QWidget*>{"waypoints", tr("Waypoints"), waypoints_},
-          {"frames", tr("Frames"), frames_},
-          {"tools", tr("Tools"), tools_},
-          {"io", tr("I/O"), ioPages_},
-          {"log", tr("Log"), log_}}) {
+    for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
+                                      {"frames", tr("Frames")},
+                                      {"tools", tr("Tools")},
+                                      {"io", tr("I/O")},
+                                      {"log", tr("Log")}}) {
         tabs_->setTabData(tabs_->addTab(title), name);
-        pages_->addWidget(page);
     }
+    pages_ = new QStackedWidget;
     panel->setHeaderWidget(tabs_);
     panel->setContent(pages_);
+    return panel;
+}
+
+void MainWindow::fillTabs() {
+    for (QWidget* page : std::initializer_list<QWidget*>{waypoints_, frames_, tools_, ioPages_, log_}) {
+        pages_->addWidget(page);
+    }
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
     });
-    return panel;
 }
 
 void MainWindow::connectParts() {

@@ -130,6 +130,7 @@ protected:
 private:
     void buildDocks();
     Panel* buildTabs();
+    void fillTabs();
     void buildActions();
     void addProjectActions();
     void addViewActions();

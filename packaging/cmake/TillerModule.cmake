@@ -127,7 +127,8 @@ function(tiller_test_surroundings name timeout)
     set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
     # Those that may take long begin first, so that the last minutes do not wait for one of them alone.
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${timeout}
+    math(EXPR cost "${timeout} / 10")
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS 4
         ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
 TSAN_OPTIONS=suppressions=${support}/tsan.supp die_after_fork=0;\
 LSAN_OPTIONS=suppressions=${support}/lsan.supp;${patience}${ARGN}")
@@ -158,24 +159,46 @@ function(tiller_test_moc name)
     endforeach()
 endfunction()
 
-# tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [TIMEOUT s])
+# tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [WAITS] [TIMEOUT s] [COST s]
+#             [PARTS n])
 # A Qt Test program, run by ctest under the name <last folder>/<tst_x>.
 # OFFSCREEN runs it on Qt's offscreen platform; SERIAL keeps other tests away from the machine while it runs.
+# ctest runs four jobs per processor. A test takes all four of them, unless it WAITS for real time most of its time.
+# COST is the measured time: tests with a large one begin first. Without it the timeout counts a tenth.
+# PARTS runs the functions and rows of the test as so many tests of ctest, side by side.
 function(tiller_test)
-    cmake_parse_arguments(ARG "OFFSCREEN;SERIAL" "NAME;TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "OFFSCREEN;SERIAL;WAITS" "NAME;TIMEOUT;COST;PARTS" "SOURCES;DEPENDS;LABELS" ${ARGN})
     add_executable(${ARG_NAME} ${ARG_SOURCES})
     target_link_libraries(${ARG_NAME} PRIVATE ${ARG_DEPENDS} Qt6::Test Qt6::Network tiller_options)
     tiller_precompile(${ARG_NAME})
     tiller_test_moc(${ARG_NAME} ${ARG_SOURCES})
     set_target_properties(${ARG_NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/tests)
     file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
-    add_test(NAME ${folder}/${ARG_NAME} COMMAND ${ARG_NAME})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 120)
     endif()
-    tiller_test_surroundings(${folder}/${ARG_NAME} ${ARG_TIMEOUT})
-    set_tests_properties(${folder}/${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}")
-    if(ARG_SERIAL)
-        set_tests_properties(${folder}/${ARG_NAME} PROPERTIES RUN_SERIAL ON)
+    set(names ${folder}/${ARG_NAME})
+    if(ARG_PARTS)
+        set(names "")
+        foreach(part RANGE 1 ${ARG_PARTS})
+            list(APPEND names ${folder}/${ARG_NAME}_${part}_of_${ARG_PARTS})
+            add_test(NAME ${folder}/${ARG_NAME}_${part}_of_${ARG_PARTS}
+                COMMAND tiller_test_part ${part} ${ARG_PARTS} $<TARGET_FILE:${ARG_NAME}>)
+        endforeach()
+    else()
+        add_test(NAME ${folder}/${ARG_NAME} COMMAND ${ARG_NAME})
     endif()
+    foreach(name ${names})
+        tiller_test_surroundings(${name} ${ARG_TIMEOUT})
+        set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}")
+        if(ARG_COST)
+            set_tests_properties(${name} PROPERTIES COST ${ARG_COST})
+        endif()
+        if(ARG_WAITS)
+            set_tests_properties(${name} PROPERTIES PROCESSORS 1)
+        endif()
+        if(ARG_SERIAL)
+            set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
+        endif()
+    endforeach()
 endfunction()

@@ -2,6 +2,7 @@
 #include "robot/kinematics/speed_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "robot/kinematics/arm_kinematics.h"
@@ -9,17 +10,19 @@
 namespace tiller::kinematics {
 namespace {
 
+constexpr int kSamples = 64;  ///< along a joint move
+
 Eigen::Vector3d elbowPosition(const DhParameters& dh, const JointPositions& q) {
     return linkFrames(dh, q)[2].translation();
 }
 
-Eigen::Vector3d elbowVelocity(const DhParameters& dh, const JointPositions& q, const Vector6& qd) {
-    const auto frames = linkFrames(dh, q);
-    const Eigen::Vector3d elbow = frames[2].translation();
+/// Velocity of a point that the first `joints` joints carry.
+Eigen::Vector3d velocityOf(const Eigen::Vector3d& point, const std::array<Eigen::Isometry3d, 7>& frames,
+                           int joints, const Vector6& qd) {
     Eigen::Vector3d v = Eigen::Vector3d::Zero();
-    for (int joint = 0; joint < 2; ++joint) {
+    for (int joint = 0; joint < joints; ++joint) {
         const Eigen::Isometry3d& axis = frames[static_cast<std::size_t>(joint)];
-        v += axis.linear().col(2).cross(elbow - axis.translation()) * qd[joint];
+        v += axis.linear().col(2).cross(point - axis.translation()) * qd[joint];
     }
     return v;
 }
@@ -37,11 +40,14 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
     const Vector6 qd = way / largest;
     double tcp = 0;
     double elbow = 0;
-    constexpr int kSamples = 64;
-    for (int i = 0; i <= kSamples; ++i) {
+    // A single joint carries both points on circles around its axis, at constant speeds.
+    const bool isSingleJoint = (way.array() != 0).count() == 1;
+    const int last = isSingleJoint ? 0 : kSamples;
+    for (int i = 0; i <= last; ++i) {
         const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kSamples)));
-        tcp = std::max(tcp, (jacobian(dh, q, tcpOffset).topRows<3>() * qd).norm());
-        elbow = std::max(elbow, elbowVelocity(dh, q, qd).norm());
+        const auto frames = linkFrames(dh, q);
+        tcp = std::max(tcp, velocityOf(frames[6] * tcpOffset.position, frames, kJointCount, qd).norm());
+        elbow = std::max(elbow, velocityOf(frames[2].translation(), frames, 2, qd).norm());
     }
     const double fastest = std::max(tcp, elbow);
     if (fastest < 1e-9) {

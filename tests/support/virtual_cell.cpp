@@ -3,7 +3,10 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QEvent>
+#include <QPointer>
 #include <thread>
+#include <utility>
 
 #include "robot/receive/receiver.h"
 
@@ -13,11 +16,51 @@ namespace {
 constexpr int kTickMs = 2;
 constexpr int kRefreshMs = 16;
 constexpr int kPumpMs = 20;
+/// Windows repaint in every fifth refresh, as on a slow machine: painting takes most of a test's processor time.
+constexpr int kRefreshesPerPaint = 5;
 /// How long a peer thread may take in real time before the test is given up: never reached on a machine that
 /// runs.
 constexpr std::chrono::seconds kPatience{20};
 
 }  // namespace
+
+/// Keeps back the repainting of windows while the cell's time advances.
+class VirtualCell::PaintDelay : public QObject {
+public:
+    PaintDelay() { QCoreApplication::instance()->installEventFilter(this); }
+
+    /// Events are handled now; windows repaint in every kRefreshesPerPaint-th call.
+    void processEvents() {
+        isDelaying_ = ++refreshes_ % kRefreshesPerPaint != 0;
+        if (!isDelaying_) {
+            release();
+        }
+        QCoreApplication::processEvents();
+        isDelaying_ = false;
+    }
+    /// Whatever processes events next may repaint.
+    void release() {
+        for (const QPointer<QObject>& window : std::exchange(waiting_, {})) {
+            if (window) {
+                QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
+            }
+        }
+    }
+
+protected:
+    bool eventFilter(QObject* window, QEvent* event) override {
+        if (!isDelaying_ || event->type() != QEvent::UpdateRequest) {
+            return false;
+        }
+        waiting_.append(window);
+        return true;
+    }
+
+private:
+    bool isDelaying_ = false;
+    int refreshes_ = 0;
+    QList<QPointer<QObject>> waiting_;
+};
 
 simulator::SimulatorOptions VirtualCell::options() {
     simulator::SimulatorOptions options;
@@ -31,7 +74,11 @@ simulator::SimulatorOptions VirtualCell::options() {
 }
 
 VirtualCell::VirtualCell(VirtualClock& c, RobotSession& s, const simulator::SimulatorOptions& r)
-    : clock(c), session(s), robot(r), portOffset_(r.portOffset) {}
+    : clock(c)
+    , session(s)
+    , robot(r)
+    , portOffset_(r.portOffset)
+    , paintDelay_(std::make_unique<PaintDelay>()) {}
 
 VirtualCell::~VirtualCell() {
     session.disconnectFromRobot();
@@ -145,7 +192,7 @@ void VirtualCell::interfaceTurn() {
     }
     if (sinceRefresh_ >= kRefreshMs) {
         sinceRefresh_ = 0;
-        QCoreApplication::processEvents();
+        paintDelay_->processEvents();
         session.refresh();
     }
 }
@@ -155,6 +202,7 @@ void VirtualCell::advanceMs(int ms) {
         tick();
         interfaceTurn();
     }
+    paintDelay_->release();
 }
 
 bool VirtualCell::advanceUntil(const std::function<bool()>& condition, int atMostMs) {
@@ -162,6 +210,7 @@ bool VirtualCell::advanceUntil(const std::function<bool()>& condition, int atMos
         tick();
         interfaceTurn();
     }
+    paintDelay_->release();
     return condition();
 }
 

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <functional>
+#include <memory>
 
 #include "robot/core/clock.h"
 #include "robot/receive/sample.h"
@@ -32,9 +33,9 @@ public:
     bool bringUp();
     QString what() const { return what_; }
 
-    /// Moves robot, clock and session on. Every control period the robot sends, receiver and controller
-    /// answer; every 16 ms the session refreshes; every 20 ms `everyRefresh` runs, for what a timer of the
-    /// interface would do.
+    /// Advances robot, clock and session. Every control period the robot sends, receiver and controller
+    /// answer; every 16 ms the session refreshes and events are processed; every 80 ms windows repaint; every
+    /// 20 ms `everyRefresh` runs, in place of a timer of the interface.
     void advanceMs(int ms);
     /// Until the condition holds, at most so long in virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
@@ -54,7 +55,10 @@ private:
     void awaitFirstAnswers(std::uint64_t inputs);
     void interfaceTurn();
 
+    class PaintDelay;
+
     int portOffset_;
+    std::unique_ptr<PaintDelay> paintDelay_;
     QString what_;
     int sinceRefresh_ = 0;
     int sincePump_ = 0;

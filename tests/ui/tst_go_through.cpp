@@ -12,6 +12,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/pictures.h"
+#include "tests/support/question_answer.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/undoable_document.h"
@@ -188,9 +189,13 @@ private:
             case End::WindowMinimised:
                 window().showMinimized();
                 break;
-            case End::WindowClosed:
-                window().close();
+            case End::WindowClosed: {
+                // The taught waypoints are not saved, so closing asks first. The stop does not wait for the answer.
+                const QuestionAnswer answer("unsavedCopy.drop");
+                QVERIFY(window().close());
+                QVERIFY(answer.wasAsked());
                 break;
+            }
             case End::Dialog: {
                 auto* dialog = new QDialog(&window());
                 dialog->setAttribute(Qt::WA_DeleteOnClose);

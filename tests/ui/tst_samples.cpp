@@ -18,6 +18,7 @@
 #include "app/sample_projects.h"
 #include "resources/resources.h"
 #include "tests/support/pictures.h"
+#include "tests/support/question_answer.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
@@ -54,33 +55,6 @@ struct Bench : WindowBench {
         window.document().changeWaypoint(0, point, "Rename");
     }
     const ProjectStore& store() { return window.files().store(); }
-};
-
-/// Presses this key of the question that comes up next.
-class Answer {
-public:
-    explicit Answer(const char* key) {
-        timer_.setInterval(20);
-        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, key] {
-            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (question == nullptr) {
-                return;
-            }
-            asked_ = true;
-            timer_.stop();
-            if (auto* button = question->findChild<QPushButton*>(QLatin1String(key))) {
-                QTest::mouseClick(button, Qt::LeftButton);
-            } else {
-                question->reject();
-            }
-        });
-        timer_.start();
-    }
-    bool wasAsked() const { return asked_; }
-
-private:
-    QTimer timer_;
-    bool asked_ = false;
 };
 
 }  // namespace
@@ -153,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(bench.store().path().isEmpty() && !bench.store().isModified());
         QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(), "a copy is no file to come back to");
         // Unchanged, it is left without a question.
-        const Answer answer("unsavedCopy.stay");
+        const QuestionAnswer answer("unsavedCopy.stay");
         QVERIFY(bench.window.close());
         QVERIFY(!answer.wasAsked());
     }
@@ -179,25 +153,25 @@ private Q_SLOTS:
         QVERIFY(bench.open("gluing"));
         bench.change();
         {
-            const Answer answer("unsavedCopy.stay");
+            const QuestionAnswer answer("unsavedCopy.stay");
             QVERIFY(!bench.window.close());
             QVERIFY(answer.wasAsked());
             QVERIFY(bench.window.isVisible());
         }
         {
-            const Answer answer("unsavedCopy.stay");
+            const QuestionAnswer answer("unsavedCopy.stay");
             QVERIFY(bench.open("pick-and-place"));
             QVERIFY(answer.wasAsked());
             QCOMPARE(bench.store().copyName(), QString("Gluing along a path"));
         }
         {
-            const Answer answer("unsavedCopy.drop");
+            const QuestionAnswer answer("unsavedCopy.drop");
             QVERIFY(bench.open("pick-and-place"));
             QVERIFY(answer.wasAsked());
             QCOMPARE(bench.store().copyName(), QString("Pick and place"));
         }
         bench.change();
-        const Answer answer("unsavedCopy.drop");
+        const QuestionAnswer answer("unsavedCopy.drop");
         QVERIFY(bench.window.close());
         QVERIFY(answer.wasAsked());
     }

@@ -14,7 +14,7 @@ namespace tiller {
 IoPages::IoPages(IoTab* signalsPage, GripperPanel* gripperPage, QWidget* parent)
     : QWidget(parent)
     , choice_(new SegmentedControl({tr("Signals"), tr("Gripper")}))
-    , pages_(new QStackedWidget) {
+    , pages_(new QStackedWidget(this)) {
     setObjectName(QStringLiteral("ioPages"));
     choice_->setNames(QStringLiteral("io.part"), tr("Part of I/O"));
     pages_->addWidget(signalsPage);

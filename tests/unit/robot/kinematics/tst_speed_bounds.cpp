@@ -54,6 +54,39 @@ private Q_SLOTS:
         QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
     }
 
+    // The speed of both points by their positions a little earlier and later, along the whole path.
+    void jointMovesStayBelowTheCap_data() {
+        QTest::addColumn<JointPositions>("to");
+        for (int joint = 0; joint < kJointCount; ++joint) {
+            JointPositions to = kStart;
+            to[joint] += joint % 2 == 0 ? 1.3 : -0.9;
+            QTest::addRow("joint %d", joint + 1) << to;
+        }
+        QTest::newRow("all joints") << JointPositions(-0.9, -1.1, -1.6, -1.4, 0.8, 1.0);
+    }
+    void jointMovesStayBelowTheCap() {
+        QFETCH(JointPositions, to);
+        constexpr double kCap = 0.25;
+        const Pose tool(0.2, 0.05, 0.1, 0, 0, 0);
+        const double speed = jointSpeedBound(dh(), kStart, to, tool, kCap).speed;
+        const double duration = (to.values - kStart.values).cwiseAbs().maxCoeff() / speed;
+        constexpr int kSteps = 2000;
+        const auto at = [&](int i) {
+            return JointPositions(Vector6(kStart.values + (to.values - kStart.values) * i / kSteps));
+        };
+        double fastest = 0;
+        for (int i = 0; i < kSteps; ++i) {
+            const double dt = duration / kSteps;
+            const double tcp =
+                (forwardTcp(dh(), at(i + 1), tool).position - forwardTcp(dh(), at(i), tool).position).norm();
+            const double elbow =
+                (linkFrames(dh(), at(i + 1))[2].translation() - linkFrames(dh(), at(i))[2].translation())
+                    .norm();
+            fastest = std::max({fastest, tcp / dt, elbow / dt});
+        }
+        QVERIFY2(fastest < 1.001 * kCap && fastest > 0.999 * kCap, qPrintable(QString::number(fastest)));
+    }
+
     // A turn about the tip of a long tool swings the arm, while the TCP itself stays.
     void aTurnOnTheSpotIsHeldByTheElbow() {
         const Pose longTool(0, 0, 0.6, 0, 0, 0);
