@@ -17,7 +17,7 @@ set(tiller_rooms core realtime rtde receive script dashboard control io kinemati
 # component is asked for and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
 # Folders that start the simulated arm or controller.
-set(tiller_simulating urscript arm simulator divergence)
+set(tiller_simulating urscript pendant arm simulator divergence)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)

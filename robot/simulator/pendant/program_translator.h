@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Turns the nodes of a pendant's program into URScript, as the pendant does when it plays them.
+
+#include <QByteArray>
+#include <QString>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/pendant/expressions.h"
+#include "robot/simulator/pendant/motion.h"
+#include "robot/simulator/pendant/pendant_program.h"
+#include "robot/simulator/pendant/translation.h"
+
+namespace tiller::simulator::pendant {
+
+/// For one program; translate() once.
+class ProgramTranslator {
+public:
+    /// All of them outlive this object.
+    ProgramTranslator(const PendantSource& source, const Installation& installation);
+
+    /// root  URProgram, outlives this object
+    /// Returns  a `def` of that name
+    /// Errors   FileCorrupt with line, node and reason: a program with a node that cannot be translated is refused
+    ///          as a whole, because half a program is not what its author taught
+    Result<PendantProgram> translate(const XmlElement& root, const QString& name);
+
+private:
+    struct SubProgram {
+        QString name;
+        const XmlElement* node;  ///< as the program names it
+        const XmlElement* body;  ///< its children are the nodes
+    };
+    struct Branch {
+        const XmlElement* node;
+        bool isContinuous;
+    };
+
+    // the beginning of a program
+    void writeInstallation();
+    void writeInitialValues(const XmlElement& element, bool suppressed);
+    void writeInitNode(const XmlElement& parts, const XmlElement& main);
+    void defineTimers();
+
+    // parts of a program
+    void writeBeforeStart(const XmlElement& parts);
+    void writeThreads(const XmlElement& parts);
+    void writeEvent(const XmlElement& event);
+    void writeRepeated(const XmlElement& part, const QString& label);
+    void writeSubPrograms();
+    const XmlElement* bodyOf(const XmlElement& subProgram);
+    const XmlElement* mainOfFile(const QString& name, const XmlElement& at);
+
+    // nodes
+    void writeBlock(const XmlElement& node);
+    void writeChildren(const XmlElement& node);
+    void writeNode(const XmlElement& node);
+    void writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first);
+    void writeWhileHolds(const XmlElement& node, const QString& condition);
+    void writeSwitch(const XmlElement& node);
+    void writeLoop(const XmlElement& node);
+    void writeAssignment(const XmlElement& node);
+    void writeTimer(const XmlElement& node);
+    void writeScript(const XmlElement& node);
+    void writeWait(const XmlElement& node);
+    void writeSet(const XmlElement& node);
+    void writeSetPayload(const XmlElement& node);
+    void writeToolSettings(const XmlElement& node);
+    void writePayload(const Payload& payload);
+    void writePopup(const XmlElement& node);
+    void writeCall(const XmlElement& node);
+    void writeUrcap(const XmlElement& node);
+    void waitUntil(const QString& condition);
+    void statement(const QString& line) { t_.out->line(line); }
+
+    const PendantSource& source_;
+    Translation t_;
+    Expressions x_;
+    Motion motion_;
+    std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other programs, by name
+    ScriptText head_{1};                                    ///< values and functions the program begins with
+    ScriptText functions_{1};                               ///< sub programs
+    ScriptText body_{1};
+    std::vector<QString> timers_;
+    std::set<const UrcapStandIn*> urcaps_;  ///< whose setup is written
+    std::vector<SubProgram> subPrograms_;
+    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< by its element, the index into the list
+};
+
+}  // namespace tiller::simulator::pendant
