@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Program files of the pendant, as anybody may put them into the programs folder: whatever they are, they
-// become URScript or a reason, and what becomes URScript compiles or is an error with its place.
+// Arbitrary program files of the pendant in the programs folder: the result is URScript or an error, and this
+// URScript compiles or causes an error with its position.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const QByteArray content(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
-    // Whatever a program refers to is this program again, or half of it as a script.
+    // All referenced files contain this program, or half of it as a script.
     const FileReader files = [&content](const QString& name) {
         return name.endsWith(QLatin1String(".urp")) ? std::optional(content)
                                                     : std::optional(content.left(content.size() / 2));
