@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the READMEs show is what the suite runs: each block of code stands word for word in one of the examples,
-// each block of CMake in the project that is built against the installed library.
+// The code in the READMEs is covered by tests: each code block is contained literally in one of the examples, each
+// CMake block in the project that is built with the installed library.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -40,7 +40,7 @@ QString indentOf(const QString& line) {
     return kSpaces.match(line).captured();
 }
 
-/// Line after line, indented by the same everywhere.
+/// Line by line, with constant additional indentation.
 bool standsIn(const QStringList& block, const QStringList& text) {
     for (qsizetype at = 0; at + block.size() <= text.size(); ++at) {
         const QString indent =
@@ -56,7 +56,7 @@ bool standsIn(const QStringList& block, const QStringList& text) {
     return false;
 }
 
-/// Where code of this language may come from.
+/// Source files for code of this language.
 QStringList sourcesOf(const QString& language) {
     if (language == "cmake") {
         return {QStringLiteral(TILLER_SOURCE_DIR "/tests/integration/package/example/CMakeLists.txt")};
