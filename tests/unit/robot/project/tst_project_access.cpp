@@ -208,7 +208,7 @@ private Q_SLOTS:
             CopyKeeper keeper(folder);
             QVERIFY(keeper.keep(withWaypoints({"a"}), "Sample", 1).ok());
             QVERIFY(keeper.keep(withWaypoints({"a", "b"}), "Sample", 2).ok());
-            QVERIFY(keeper.keep(withWaypoints({}), "Sample", 1).ok());  // an older one
+            QVERIFY(keeper.keep(withWaypoints({}), "Sample", 1).ok());  // an older state
             QVERIFY(keptCopies(folder).isEmpty());
         }
         const QList<KeptCopy> kept = keptCopies(folder);
