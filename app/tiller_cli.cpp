@@ -19,19 +19,19 @@ const QString kHelp = QStringLiteral(
     "Usage: tiller-cli COMMAND [options]\n"
     "\n"
     "Commands:\n"
-    "  simulate             run a simulated robot controller (see 'tiller-cli simulate --help')\n"
-    "  fault                make something go wrong there (see 'tiller-cli fault --help')\n"
-    "  doctor ADDRESS       say what stands between this PC and a robot that can be moved\n"
-    "  record ADDRESS       write what a robot sends to a file (see 'tiller-cli record --help')\n"
-    "  info FILE            say what is in a recording\n"
-    "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
-    "  serve ADDRESS        send on what a robot sends, to Foxglove or PlotJuggler\n"
-    "  episodes FILE...     recordings as demonstrations to learn from\n"
-    "  divergence FILE      say when the arm of a recording parted from its model\n"
+    "  simulate             runs a simulated robot controller (see 'tiller-cli simulate --help')\n"
+    "  fault                triggers a fault on it (see 'tiller-cli fault --help')\n"
+    "  doctor ADDRESS       checks whether this PC can control a robot\n"
+    "  record ADDRESS       records the data of a robot (see 'tiller-cli record --help')\n"
+    "  info FILE            describes the content of a recording\n"
+    "  export FILE          exports a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
+    "  serve ADDRESS        forwards live data of a robot to Foxglove or PlotJuggler\n"
+    "  episodes FILE...     cuts recordings into demonstrations for imitation learning\n"
+    "  divergence FILE      compares the motion of an arm with its model\n"
     "\n"
     "Options:\n"
-    "  --help               this text\n"
-    "  --version            the version of Tiller\n");
+    "  --help               shows this text\n"
+    "  --version            shows the version of Tiller\n");
 
 }  // namespace
 
