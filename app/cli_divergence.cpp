@@ -19,25 +19,24 @@ namespace {
 using divergence::Quantity;
 
 const QString kDivergenceHelp = QStringLiteral(
-    "tiller-cli divergence: when an arm parted from its model\n"
+    "tiller-cli divergence: compares the motion of an arm with its model\n"
     "\n"
     "Usage: tiller-cli divergence FILE [options]\n"
     "\n"
-    "  FILE                 a recording, .mcap, .h5 or .csv, as of an incident. Its targets are given to "
-    "the\n"
-    "                       arm of the simulated controller, and what that does is compared with what the\n"
-    "                       arm did. Nothing touches that arm, it carries what the controller was told of,\n"
-    "                       and it knows no friction\n"
-    "  --model MODEL        which arm it is, as ur5e; default: what the recording says\n"
-    "  --joint DEGREES      how far each joint may be from the model (default 0.5); 0: is not compared\n"
+    "  FILE                 recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the\n"
+    "                       simulated controller follows the targets of the recording, and its motion is\n"
+    "                       compared with that of the real arm. The simulated arm touches nothing, carries\n"
+    "                       the payload that the controller was given, and has no friction\n"
+    "  --model MODEL        robot model, such as ur5e (default: the model named in the recording)\n"
+    "  --joint DEGREES      largest permitted deviation of each joint (default 0.5); 0: not compared\n"
     "  --tcp MM             the same for the TCP (default 5)\n"
     "  --current A          the same for the current of each joint (default 2)\n"
     "  --force N            the same for the force at the TCP (default 30)\n"
-    "  --lasting SECONDS    what is farther for a shorter time is passed over (default 0.01)\n"
-    "  --from, --until SECONDS   a part of it\n"
-    "  --json               one JSON object instead of text\n"
-    "  --quiet              no progress on the terminal\n"
-    "  --help               this text\n"
+    "  --lasting SECONDS    shorter deviations are ignored (default 0.01)\n"
+    "  --from, --until SECONDS   compares only this part\n"
+    "  --json               prints one JSON object instead of text\n"
+    "  --quiet              shows no progress on the terminal\n"
+    "  --help               shows this text\n"
     "\n"
     "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
 
@@ -204,7 +203,7 @@ int divergence(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("divergence: one recording is needed"));
+        return wrongArguments(QStringLiteral("divergence: exactly one recording is required"));
     }
     divergence::Choice choice;
     if (parser.isSet(model)) {

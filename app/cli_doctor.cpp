@@ -11,16 +11,17 @@ namespace {
 constexpr std::chrono::seconds kAtMost{30};
 
 const QString kHelp = QStringLiteral(
-    "tiller-cli doctor: what stands between this PC and a robot that can be moved\n"
+    "tiller-cli doctor: checks whether this PC can control a robot\n"
     "\n"
     "Usage: tiller-cli doctor ADDRESS [options]\n"
     "\n"
     "  ADDRESS              address or host name of the robot\n"
-    "  --json               one JSON object instead of text\n"
+    "  --json               prints one JSON object instead of text\n"
     "  --port-offset N      added to every port number (default 0)\n"
-    "  --help               this text\n"
+    "  --help               shows this text\n"
     "\n"
-    "Asks only, changes nothing. Exit code: 0 nothing is bad, 1 something is, 2 wrong arguments.\n");
+    "Only reads; changes nothing on the robot or the PC. Exit code: 0 no check failed, 1 a check failed,\n"
+    "2 wrong arguments.\n");
 
 }  // namespace
 
@@ -39,7 +40,7 @@ int doctor(const QStringList& arguments) {
     }
     if (parser.positionalArguments().size() != 1) {
         return wrongArguments(
-            QStringLiteral("doctor: the address of one robot is needed, as in 192.168.0.10"));
+            QStringLiteral("doctor: the address of one robot is required, such as 192.168.0.10"));
     }
     bool ok = false;
     const int portOffset = parser.value(offset).toInt(&ok);

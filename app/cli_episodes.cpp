@@ -13,23 +13,23 @@ namespace tiller::app {
 namespace {
 
 const QString kEpisodesHelp = QStringLiteral(
-    "tiller-cli episodes: cuts recordings into demonstrations to learn from\n"
+    "tiller-cli episodes: cuts recordings into demonstrations for imitation learning\n"
     "\n"
     "Usage: tiller-cli episodes FILE... --out FILE.h5 [options]\n"
     "\n"
-    "  FILE...              recordings, .mcap, .h5 or .csv\n"
-    "  --out FILE           an HDF5 file in the layout of robomimic: /data/demo_0 with obs, next_obs,\n"
-    "                       actions, rewards and dones\n"
-    "  --cut HOW            program: from a start of a program to its stop (default); notes: from one\n"
-    "                       note of the operator to the next; whole: each recording is one\n"
-    "  --rate HZ            rows a second (default 20); 0: all there are\n"
-    "  --shortest SECONDS   shorter ones are left out (default 0.5)\n"
-    "  --observations A,B   fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)\n"
-    "  --action FIELD       what was commanded (default target_q)\n"
-    "  --force              replace a file that is there\n"
-    "  --help               this text\n"
+    "  FILE...              recordings (.mcap, .h5 or .csv)\n"
+    "  --out FILE           HDF5 file in the layout of robomimic: /data/demo_0 with obs, next_obs, actions,\n"
+    "                       rewards and dones\n"
+    "  --cut HOW            program: one episode from each start of a program to its stop (default); notes:\n"
+    "                       from each note of the operator to the next; whole: one episode per recording\n"
+    "  --rate HZ            rows per second (default 20); 0: all rows\n"
+    "  --shortest SECONDS   shorter episodes are omitted (default 0.5)\n"
+    "  --observations A,B   observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)\n"
+    "  --action FIELD       field with the commanded values (default target_q)\n"
+    "  --force              replaces an existing file\n"
+    "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 written, 1 not, or there is no episode in them, 2 wrong arguments.\n");
+    "Exit code: 0 file written, 1 file not written or no episode found, 2 wrong arguments.\n");
 
 }  // namespace
 
@@ -54,11 +54,10 @@ int episodes(const QStringList& arguments) {
     }
     const QString target = parser.value(outFile);
     if (parser.positionalArguments().isEmpty() || target.isEmpty()) {
-        return wrongArguments(QStringLiteral("episodes: recordings and --out FILE.h5 are needed"));
+        return wrongArguments(QStringLiteral("episodes: recordings and --out FILE.h5 are required"));
     }
     if (!parser.isSet(force) && QFileInfo::exists(target)) {
-        return wrongArguments(
-            QStringLiteral("episodes: %1 is there already; --force replaces it").arg(target));
+        return wrongArguments(QStringLiteral("episodes: %1 already exists; --force replaces it").arg(target));
     }
     recording::EpisodeChoice choice;
     const QString how = parser.value(cut);

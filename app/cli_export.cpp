@@ -14,25 +14,25 @@ namespace tiller::app {
 namespace {
 
 const QString kExportHelp = QStringLiteral(
-    "tiller-cli export: a recording, or a part of it, for other programs\n"
+    "tiller-cli export: exports a recording or a part of it for other programs\n"
     "\n"
     "Usage: tiller-cli export FILE --out FILE [options]\n"
     "\n"
-    "  FILE                 .mcap, .h5 or .csv; what it is, its content tells\n"
+    "  FILE                 recording (.mcap, .h5 or .csv); the format is detected from the content\n"
     "  --out FILE           FILE.csv, or FILE.h5 (also .hdf5) for h5py, MATLAB and Octave\n"
-    "  --columns A,B,...    only those; the name of a field stands for all its numbers\n"
-    "  --from SECONDS       from this moment on, counted from the first row\n"
-    "  --until SECONDS      up to this one\n"
-    "  --separator CHAR     between the cells of a .csv: , ; or tab (default ,)\n"
-    "  --decimal CHAR       . or , (default .)\n"
-    "  --units              a line of units under the heading of a .csv\n"
-    "  --force              replace a file that is there\n"
-    "  --quiet              no progress on the terminal\n"
-    "  --help               this text\n"
+    "  --columns A,B,...    exports only these columns; the name of a field selects all its columns\n"
+    "  --from SECONDS       start of the exported part, from the first row\n"
+    "  --until SECONDS      end of the exported part, from the first row\n"
+    "  --separator CHAR     column separator of a .csv file: , ; or tab (default ,)\n"
+    "  --decimal CHAR       decimal sign of a .csv file: . or , (default .)\n"
+    "  --units              adds a line of units below the header of a .csv file\n"
+    "  --force              replaces an existing file\n"
+    "  --quiet              shows no progress on the terminal\n"
+    "  --help               shows this text\n"
     "\n"
-    "Numbers are the shortest that read back exactly; what the robot did not send is an empty cell.\n"
-    "Exit code: 0 all was written, 1 it was not, or not all of the recording could be read, 2 wrong\n"
-    "arguments.\n");
+    "Numbers are written with the fewest digits that read back exactly; values that the robot did not send\n"
+    "are empty cells. Exit code: 0 everything was written, 1 it was not, or a part of the recording could\n"
+    "not be read, 2 wrong arguments.\n");
 
 }  // namespace
 
@@ -58,7 +58,7 @@ int exportRecording(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("export: one recording is needed"));
+        return wrongArguments(QStringLiteral("export: exactly one recording is required"));
     }
     const QString target = parser.value(outFile);
     const QString suffix = QFileInfo(target).suffix().toLower();
@@ -74,7 +74,7 @@ int exportRecording(const QStringList& arguments) {
         return wrongArguments(QStringLiteral("export: a recording cannot be exported onto itself"));
     }
     if (!parser.isSet(force) && QFileInfo::exists(target)) {
-        return wrongArguments(QStringLiteral("export: %1 is there already; --force replaces it").arg(target));
+        return wrongArguments(QStringLiteral("export: %1 already exists; --force replaces it").arg(target));
     }
     const auto first = numberIn(parser, from, -1e12, 1e12);
     const auto last = numberIn(parser, until, -1e12, 1e12);

@@ -13,14 +13,13 @@ namespace {
 constexpr int kPatienceMs = 5000;
 
 const QString kFaultHelp = QStringLiteral(
-    "tiller-cli fault: makes something go wrong at a simulated controller\n"
+    "tiller-cli fault: triggers a fault on a simulated controller\n"
     "\n"
     "Usage: tiller-cli fault ADDRESS[:PORT] WORDS...\n"
     "\n"
-    "ADDRESS is that of 'tiller-cli simulate' or of the application's simulator, PORT the one its 'ready'\n"
-    "line calls faults (default 29990). Anything that can open a TCP connection can do the same: one line "
-    "of\n"
-    "WORDS is answered with one line, 'ok' or 'error: ' and the reason.\n"
+    "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the application, PORT the port\n"
+    "that its 'ready' line lists as faults (default 29990). Any program that can open a TCP connection can\n"
+    "do the same: one line of WORDS is answered by one line, 'ok' or 'error: ' and the reason.\n"
     "\n"
     "WORDS is one of\n");
 

@@ -15,15 +15,15 @@ namespace tiller::app {
 namespace {
 
 const QString kInfoHelp = QStringLiteral(
-    "tiller-cli info: what is in a recording\n"
+    "tiller-cli info: describes the content of a recording\n"
     "\n"
     "Usage: tiller-cli info FILE [options]\n"
     "\n"
-    "  FILE                 .mcap, .h5 or .csv; what it is, its content tells\n"
-    "  --json               one JSON object instead of text\n"
-    "  --help               this text\n"
+    "  FILE                 recording (.mcap, .h5 or .csv); the format is detected from the content\n"
+    "  --json               prints one JSON object instead of text\n"
+    "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 all of it can be read, 1 it cannot, or not all of it, 2 wrong arguments.\n");
+    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 wrong arguments.\n");
 
 double lengthOf(const recording::Recording& file) {
     const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})
@@ -134,7 +134,7 @@ int info(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("info: one file is needed"));
+        return wrongArguments(QStringLiteral("info: exactly one file is required"));
     }
     auto opened = recording::openRecording(parser.positionalArguments().constFirst());
     if (!opened) {

@@ -31,39 +31,37 @@ constexpr milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kIdentityPatience{2};
 
 const QString kRecordHelp = QStringLiteral(
-    "tiller-cli record: writes what a robot sends to a file, every package of it\n"
+    "tiller-cli record: records every package that a robot sends\n"
     "\n"
     "Usage: tiller-cli record ADDRESS --out FILE [options]\n"
     "       tiller-cli record ADDRESS --out-folder FOLDER [options]\n"
     "\n"
-    "  ADDRESS              address or host name of the robot, or of a simulated one\n"
-    "  --out FILE           what to write: FILE.mcap or FILE.csv. A file that is there is replaced only\n"
-    "                       with --force\n"
-    "  --out-folder FOLDER  write a new .mcap file in this folder, named after the address and the time "
-    "(UTC)\n"
-    "  --fields A,B,...     RTDE outputs to record; the time stamp always is. Without it: into .mcap\n"
-    "                       all that the window shows, into .csv what ur_rtde records\n"
-    "  --duration SECONDS   end by itself, counted from the first package; without it: on Ctrl-C, or\n"
-    "                       SIGTERM\n"
-    "  --every N            every N-th package only (default 1)\n"
-    "  --trigger CONDITION  write only while it holds, into numbered files FILE_001, FILE_002...:\n"
-    "                       'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
+    "  ADDRESS              address or host name of the robot, or of a simulated robot\n"
+    "  --out FILE           FILE.mcap or FILE.csv. An existing file is replaced only with --force\n"
+    "  --out-folder FOLDER  writes a new .mcap file in this folder, named after the address and the time\n"
+    "                       (UTC)\n"
+    "  --fields A,B,...     RTDE outputs to record; the time stamp is always included. Default: for .mcap\n"
+    "                       everything that the window shows, for .csv the fields that ur_rtde records\n"
+    "  --duration SECONDS   stops this long after the first package; default: stops on Ctrl-C or SIGTERM\n"
+    "  --every N            records only every N-th package (default 1)\n"
+    "  --trigger CONDITION  records only while the condition is true, in numbered files FILE_001,\n"
+    "                       FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
     "                       'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'\n"
-    "  --before SECONDS     with a trigger: from so long before it (0 to 60, default 0)\n"
-    "  --after SECONDS      with a trigger: until so long after it (default 0)\n"
-    "  --files N            with a trigger: end after N files\n"
-    "  --attach FILE        keep a file inside the .mcap, as the project\n"
-    "  --no-ros             without joint state, wrench and transform for ROS tools in the .mcap\n"
-    "  --keep-free MB       end in order when less is free on the disk (default 200)\n"
-    "  --wait SECONDS       for the first package (default 10)\n"
-    "  --force              replace a file that is there\n"
-    "  --quiet              no progress on the terminal\n"
+    "  --before SECONDS     with a trigger: recorded time before it (0 to 60, default 0)\n"
+    "  --after SECONDS      with a trigger: recorded time after it (default 0)\n"
+    "  --files N            with a trigger: stops after N files\n"
+    "  --attach FILE        stores a file, such as the project, inside the .mcap file\n"
+    "  --no-ros             omits joint state, wrench and transform for ROS tools from the .mcap file\n"
+    "  --keep-free MB       stops and completes the file when the disk has less free space (default 200)\n"
+    "  --wait SECONDS       time to wait for the first package (default 10)\n"
+    "  --force              replaces an existing file\n"
+    "  --quiet              shows no progress on the terminal\n"
     "  --port-offset N      added to every port number (default 0)\n"
-    "  --help               this text\n"
+    "  --help               shows this text\n"
     "\n"
-    "When the link breaks, it comes back by itself, and the gap is in the file with its length. The file\n"
-    "is on the disk twice a second; a crash costs at most that. Exit code: 0 the file is whole, 1 it is\n"
-    "not, or there are no data, 2 wrong arguments.\n");
+    "If the connection is lost, it is restored automatically, and the file contains the gap with its\n"
+    "length. Data are saved twice a second; a crash loses no more than that. Exit code: 0 the file is\n"
+    "complete, 1 it is not, or there are no data, 2 wrong arguments.\n");
 
 struct RecordOptions {
     receive::ReceiverOptions receiver;
@@ -122,7 +120,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         return std::nullopt;
     }
     if (parser.positionalArguments().size() != 1) {
-        wrongArguments(QStringLiteral("record: the address of one robot is needed, as in 192.168.0.10"));
+        wrongArguments(QStringLiteral("record: the address of one robot is required, such as 192.168.0.10"));
         return std::nullopt;
     }
     const QString address = parser.positionalArguments().constFirst();
@@ -145,7 +143,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         return std::nullopt;
     }
     if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {
-        wrongArguments(QStringLiteral("record: %1 is there already; --force replaces it").arg(path));
+        wrongArguments(QStringLiteral("record: %1 already exists; --force replaces it").arg(path));
         return std::nullopt;
     }
     const auto seconds = numberIn(parser, duration, 0, 1e9);

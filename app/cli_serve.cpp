@@ -105,7 +105,7 @@ int serve(const QStringList& arguments) {
     }
     if (parser.positionalArguments().size() != 1) {
         return wrongArguments(
-            QStringLiteral("serve: the address of one robot is needed, as in 192.168.0.10"));
+            QStringLiteral("serve: the address of one robot is required, such as 192.168.0.10"));
     }
     const auto serverPort = numberIn(parser, port, 0, 65535);
     const auto patience = numberIn(parser, wait, 0, 1e6);
@@ -129,8 +129,7 @@ int serve(const QStringList& arguments) {
                                       .arg(parser.value(udp)));
         }
     } else if (options.listenAddress.isEmpty()) {
-        return wrongArguments(
-            QStringLiteral("serve: with --no-server and without --udp there is nothing to do"));
+        return wrongArguments(QStringLiteral("serve: --no-server requires --udp"));
     }
     holdTerminationSignals();
     receive::ReceiverOptions wanted;

@@ -16,34 +16,34 @@ namespace tiller::app {
 namespace {
 
 const QString kSimulateHelp = QStringLiteral(
-    "tiller-cli simulate: a robot controller with a simulated arm, on the standard ports\n"
+    "tiller-cli simulate: runs a robot controller with a simulated arm on the standard ports\n"
     "\n"
     "Usage: tiller-cli simulate [options]\n"
     "\n"
-    "  --listen ADDRESS     address to listen on (default 127.0.0.1). Several controllers run side by\n"
-    "                       side on 127.0.0.2, 127.0.0.3... Nothing beyond this machine can connect\n"
-    "                       unless ADDRESS is one of the network's, or 0.0.0.0.\n"
+    "  --listen ADDRESS     address to listen on (default 127.0.0.1). Several controllers can run at the\n"
+    "                       same time on 127.0.0.2, 127.0.0.3... Other machines can connect only if ADDRESS\n"
+    "                       is a network address of this machine or 0.0.0.0\n"
     "  --port-offset N      added to every port number (default 0)\n"
     "  --model MODEL        ur3, ur3e, ur5, ur5e, ur10, ur10e, ur16e, ur20, ur30... (default ur5e)\n"
-    "  --software VERSION   controller software to be: 3.15 for a CB3 model; 5.11, 5.22, 5.25 or any\n"
-    "                       other of series 5; 10.12 for PolyScope X (default 5.22, CB3 models 3.15)\n"
-    "  --headless           start with the brakes released and in remote control, ready to move\n"
-    "  --local              start in local control, and refuse what a robot refuses then\n"
-    "  --programs FOLDER    where programs are loaded from: .urp as the pendant saves them, .urpx, or\n"
-    "                       URScript text\n"
-    "  --fault WORDS        something to go wrong from the start; repeat for more. See\n"
-    "                       'tiller-cli fault --help': the same words work while it runs;\n"
+    "  --software VERSION   version of the controller software: 3.15 for a CB3 model; 5.11, 5.22, 5.25 or\n"
+    "                       another 5.x; 10.12 for PolyScope X (default 5.22, CB3 models 3.15)\n"
+    "  --headless           starts with the brakes released and in remote control, ready to move\n"
+    "  --local              starts in local control and refuses the commands that a robot refuses then\n"
+    "  --programs FOLDER    folder of the programs: .urp files as saved by the pendant, .urpx, or URScript\n"
+    "                       text\n"
+    "  --fault WORDS        fault that is present from the start; can be given several times. See\n"
+    "                       'tiller-cli fault --help': the same words work while the simulator runs;\n"
     "                       '--fault help' lists them\n"
-    "  --assume NAME=VALUE  behave so where it is not known how a real controller does; repeat for\n"
-    "                       more. '--assume help' lists all names and values\n"
-    "  --boot-time SECONDS  take so long to start, as a real controller does (default: none)\n"
-    "  --calibration SIZE   an arm that differs from its model by up to SIZE mm and mrad (at most 5),\n"
-    "                       and tells it as real arms do\n"
-    "  --seed N             of measurement noise and of everything else that is random (default 1)\n"
-    "  --priority N         run at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
-    "  --help               this text\n"
+    "  --assume NAME=VALUE  behaviour where that of a real controller is not known; can be given several\n"
+    "                       times. '--assume help' lists all names and values\n"
+    "  --boot-time SECONDS  duration of the start, as on a real controller (default: none)\n"
+    "  --calibration SIZE   uses an arm that deviates from its model by up to SIZE mm and mrad (at most 5)\n"
+    "                       and reports its calibration as real arms do\n"
+    "  --seed N             seed of the measurement noise and of all other random values (default 1)\n"
+    "  --priority N         runs at SCHED_FIFO priority N, 1 to 99, if the system permits\n"
+    "  --help               shows this text\n"
     "\n"
-    "Prints one line beginning with 'ready' once all ports accept. Ends on Ctrl-C or SIGTERM.\n");
+    "Prints a line beginning with 'ready' when all ports accept connections. Ends on Ctrl-C or SIGTERM.\n");
 
 QString modelNames() {
     QStringList names;
@@ -134,12 +134,13 @@ int simulate(const QStringList& arguments) {
         }
     }
     if (parser.values(assumed).contains(QLatin1String("help"))) {
-        out() << QStringLiteral("What is not known of a real controller; the first value is the default.\n\n")
+        out() << QStringLiteral("Unknown properties of real controllers; the first value is the default.\n\n")
               << simulator::assumptionHelp();
         return kSuccess;
     }
     if (!parser.positionalArguments().isEmpty()) {
-        return wrongArguments(QStringLiteral("'%1' is too much").arg(parser.positionalArguments().first()));
+        return wrongArguments(
+            QStringLiteral("unexpected argument '%1'").arg(parser.positionalArguments().first()));
     }
 
     simulator::SimulatorOptions options;
@@ -156,8 +157,8 @@ int simulate(const QStringList& arguments) {
     }
     const auto id = robotModelByName(parser.value(model));
     if (!id) {
-        return wrongArguments(
-            QStringLiteral("--model '%1' is not known; there are %2").arg(parser.value(model), modelNames()));
+        return wrongArguments(QStringLiteral("--model '%1' is not known; the models are %2")
+                                  .arg(parser.value(model), modelNames()));
     }
     options.model = *id;
     options.software = simulator::defaultSoftware(*id);
@@ -172,7 +173,7 @@ int simulate(const QStringList& arguments) {
         return wrongArguments(fits.error().context);
     }
     if (parser.isSet(headless) && parser.isSet(local)) {
-        return wrongArguments(QStringLiteral("--headless means remote control: it does not go with --local"));
+        return wrongArguments(QStringLiteral("--headless and --local exclude each other"));
     }
     for (const QString& words : parser.values(assumed)) {
         if (const auto taken = simulator::assume(options.assumptions, words); !taken) {
@@ -187,8 +188,7 @@ int simulate(const QStringList& arguments) {
         return kWrongArguments;
     }
     if (*boot > 0 && parser.isSet(headless)) {
-        return wrongArguments(
-            QStringLiteral("--headless means ready to move: it does not go with --boot-time"));
+        return wrongArguments(QStringLiteral("--headless and --boot-time exclude each other"));
     }
     options.bootTime = *boot;
     options.calibration = *deviation;

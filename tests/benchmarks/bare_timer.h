@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A thread that does nothing but wake up every 2 ms. Put beside what is measured, at its priority or above:
-// what this finds, any program on the machine finds.
+// A thread that only wakes up every 2 ms, as a reference next to the measured code, with the same or a higher
+// priority: any program on this machine has at least its delays.
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace tiller::benchmark {
 
-/// Threads  one of its own, from construction to stop()
+/// Threads  one, from construction to stop()
 class BareTimer {
 public:
     explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
@@ -28,7 +28,7 @@ public:
             thread_.join();
         }
     }
-    /// After stop(): how late it woke, and the times from one waking to the next [ns].
+    /// After stop(): delays and intervals of the wake-ups [ns].
     const realtime::Histogram& lateness() const { return lateness_; }
     const realtime::Histogram& cycles() const { return cycles_; }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What one frame costs the GUI thread: the plots with a short and with a long history, zoomed in and out, and
-// the scene. Prints percentiles and the ratios that must stay below 1.2; times depend on the machine, ratios
-// do not.
+// Cost of one frame in the GUI thread: the plots with a short and a long history, zoomed in and out, and the scene.
+// Prints percentiles and the ratios that must be below 1.2; times depend on the machine, ratios do not.
 //
 // frame_cost [--frames N]
 
@@ -50,15 +49,16 @@ Percentiles percentiles(std::vector<double> values) {
     return {at(0.5), at(0.9), at(0.99), values.back()};
 }
 
-/// Processor time, not time on the wall: what else the machine does is not our cost.
+/// Processor time instead of wall time, so that other processes have no effect.
 double seconds(const std::function<void()>& work) {
     const std::clock_t from = std::clock();
     work();
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
 }
 
-/// A signal as a robot's are: slow movement with noise on it.
-/// stretch  how much slower the movement is: a history so many times as long then looks the same
+/// A signal like a robot's: slow movement with noise.
+/// stretch  factor for the duration of the movement, so that a history with this factor in length has the same
+///          appearance
 float signalAt(std::int64_t sample, int signal, double stretch) {
     const double t = static_cast<double>(sample) * kPeriod / stretch;
     const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
@@ -80,7 +80,7 @@ void grow(SeriesBuffer& history, double length, double stretch = 1) {
     }
 }
 
-/// One case: twelve curves over the newest `span` seconds of a history.
+/// One case: twelve curves over the last `span` seconds of a history.
 struct CurveCase {
     const char* name;
     SeriesBuffer& history;
@@ -90,10 +90,10 @@ struct CurveCase {
     ColumnGrid grid = {};
     std::vector<double> times = {};
     double end = 0;
-    bool zooming = false;  ///< the raster changes with every frame, so that no column is known from before
+    bool zooming = false;  ///< the raster changes with every frame, so that no columns are reused
 
     void frame(QImage& image) {
-        // The picture moves by a frame's worth of samples each time, as it does live.
+        // The curves move by the samples of one frame, as in live mode.
         end = end == 0 ? history.lastTime() - 20 : end + 0.0166;
         if (end > history.lastTime()) {
             end = history.lastTime() - 20;
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
 
     SeriesBuffer shortHistory(kCurves);
     SeriesBuffer longHistory(kCurves);
-    grow(shortHistory, 60);  // 30 s shown, and some to move through
+    grow(shortHistory, 60);  // 30 s displayed, and some to move through
     grow(longHistory, 30 * 60 + 30);
     SeriesBuffer slowHistory(kCurves);
     grow(slowHistory, 30 * 60 + 30, 1790.0 / 30.0);
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
         c.sheet = std::make_unique<CurveSheet>(c.curves, nullptr);
     }
     QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
-    // Case by case in turn, so that whatever else the machine does falls on all of them alike.
+    // The cases alternate, so that load of the machine affects all of them.
     for (int i = 0; i < frames; ++i) {
         for (CurveCase& c : cases) {
             c.frame(image);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the hand to the wire: how long after a press on a jog key the first motion packet leaves, and how long
-// after letting go the packet that stops. The whole window with plots and 3D view runs meanwhile, with a load
-// on the other core if asked. A relay between the program and the simulated controller stamps the packets, so
-// what the relay itself costs counts too. Prints a table; asserts nothing.
+// Latency of jogging: from a press on a jog button to the first motion packet, and from the release to the stop
+// packet, with the whole window including plots and 3D view, and optional load on the other core. A relay between
+// the program and the simulated controller adds time stamps; its own delay is included. Prints a table; asserts
+// nothing.
 //
 //   jog_latency [--presses 200] [--no-load] [--json]
 
@@ -46,8 +46,7 @@ namespace {
 constexpr auto kRobot = "127.0.7.3";
 constexpr auto kRelay = "127.0.7.4";
 
-/// Hands everything on between the program and one port of the robot, and reads what the program sends on
-/// RTDE.
+/// Forwards data between the program and one port of the robot, and reads the RTDE packages of the program.
 class Relay {
 public:
     explicit Relay(std::uint16_t port) : port_(port) {
@@ -66,7 +65,7 @@ public:
         thread_.join();
         ::close(listener_);
     }
-    /// When the newest command that moves, or that does not, was first seen after the one before [steady ns].
+    /// Time of the first newest command with motion, or without [steady ns].
     std::atomic<std::int64_t> beganNs{0};
     std::atomic<std::int64_t> endedNs{0};
 
@@ -180,7 +179,7 @@ double percentile(std::vector<double> values, double percent) {
     return values[static_cast<std::size_t>(std::lround(at))];
 }
 
-/// The event loop for so long, or until something holds.
+/// Runs the event loop for this time, or until the condition is true.
 template <class Condition>
 bool spin(int ms, Condition condition) {
     QElapsedTimer time;
@@ -197,7 +196,7 @@ bool spin(int ms, Condition condition) {
 void mouse(QWidget& key, QEvent::Type type) {
     const QPointF at = QRectF(key.rect()).center();
     const bool down = type == QEvent::MouseButtonPress;
-    // Posted, as the window system does it: it waits its turn behind whatever is painted.
+    // Posted, as by the window system: it waits for pending paint events.
     QCoreApplication::postEvent(
         &key, new QMouseEvent(type, at, key.mapToGlobal(at), Qt::LeftButton,
                               down ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton, Qt::NoModifier));
@@ -259,7 +258,7 @@ int main(int argc, char* argv[]) {
             }
         });
     }
-    // The plots have a history to draw.
+    // The plots have some history to draw.
     spin(3000, [] { return false; });
 
     std::vector<double> pressMs;
@@ -276,7 +275,7 @@ int main(int argc, char* argv[]) {
         const std::int64_t pressed = now();
         mouse(*key, QEvent::MouseButtonPress);
         const bool began = spin(500, [&] { return rtde.beganNs > pressed; });
-        // Different places within a frame and within a control period.
+        // Different phases within a frame and within a control period.
         spin(120 + i * 7 % 31, [] { return false; });
         const std::int64_t released = now();
         mouse(*key, QEvent::MouseButtonRelease);

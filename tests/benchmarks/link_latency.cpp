@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How regularly packages arrive, and how long the arm takes from the stop to standstill, over real sockets
-// against the simulated controller on this machine. Prints a table and, with --json, one JSON object; asserts
-// nothing.
+// Regularity of packages, and the time from a stop to standstill, with real sockets and the simulated controller on
+// this machine. Prints a table and, with --json, one JSON object; asserts nothing.
 //
 //   link_latency [--seconds 10] [--jogs 20] [--record FILE] [--json]
 
@@ -41,7 +40,7 @@ struct JogTimes {
     std::vector<double> distanceMm;
 };
 
-/// One hold and release at 100 mm/s; the motion is refreshed every 20 ms as a held key does.
+/// One hold and release at 100 mm/s; the motion is refreshed every 20 ms, as by a button.
 void jogOnce(control::Controller& controller, double direction, JogTimes& times) {
     control::JogTarget target;
     target.twist.linear.x() = 0.1 * direction;
@@ -112,7 +111,7 @@ int main(int argc, char* argv[]) {
     }
     std::this_thread::sleep_for(500ms);
     receiver.resetCounters();
-    std::this_thread::sleep_for(10ms);  // taken over with the next package
+    std::this_thread::sleep_for(10ms);  // takes effect with the next package
     recording::Recorder recorder;
     if (parser.isSet("record")) {
         recording::RecorderOptions recorderOptions;

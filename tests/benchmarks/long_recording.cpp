@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How soon a long recording is there to look at: the first whole picture of 24 curves of a file of 150 numbers a packet, and
-// then any place of it, near and far. The file is made first, as the recorder would make it, and deleted afterwards. Times
-// are given as processor time and on the wall. Asserts nothing.
+// Time to open a long recording: the first complete image of 24 curves from a file with 150 numbers per packet, and
+// then any range of it. The file is created in the format of the recorder, and deleted afterwards. Prints processor
+// time and wall time; asserts nothing.
 //
 // long_recording [--hours H] [--folder F] [--zooms N] [--keep]
-//   --hours   of the recording; 0.5 otherwise. Eight hours take 10 GB of the folder's disk, and minutes to be made
-//   --folder  where it lies; one with a long.mcap of that length is taken as it is
+//   --hours   of the recording; default 0.5. Eight hours need 10 GB of disk space, and minutes to create
+//   --folder  of the file; an existing long.mcap of this length is reused
 
 #include <QApplication>
 #include <QDir>
@@ -53,7 +53,7 @@ Time timeOf(const std::function<void()>& work) {
             static_cast<double>(wall.nsecsElapsed()) * 1e-9};
 }
 
-/// Fields with kNumbers numbers or a few more.
+/// Fields with kNumbers numbers or slightly more.
 std::vector<std::string> someFields() {
     std::vector<std::string> fields;
     std::size_t numbers = 0;
@@ -66,7 +66,7 @@ std::vector<std::string> someFields() {
     return fields;
 }
 
-/// A thousand packets again and again, with noise as sensors have it, the clock going on, and a spike now and then.
+/// Repeats a thousand packets with increasing time, sensor-like noise and occasional spikes.
 bool make(const QString& path, std::uint64_t rows) {
     const std::vector<std::string> fields = someFields();
     test::MadeSamples made(fields);
@@ -217,7 +217,7 @@ int main(int argc, char** argv) {
         std::vector<Time> pictures;
         std::vector<Time> sharp;
         for (int i = 0; i < zooms && status == 0; ++i) {
-            // Of any length, from all of it to a second, and at any place.
+            // Any length, from one second to everything, at any position.
             const double span = all * std::pow(1 / all, static_cast<double>(i) / (zooms - 1));
             const double start = std::uniform_real_distribution<double>(0, std::max(0.0, all - span))(random);
             pictures.push_back(timeOf([&] {

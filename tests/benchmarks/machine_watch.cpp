@@ -12,10 +12,10 @@ namespace tiller::benchmark {
 namespace {
 
 constexpr int kAboveAll = 99;
-// Not oftener: on a virtual machine each waking takes the hypervisor's time, and the watch would disturb more
-// than it sees. And no part of a control period: it would meet the same moment of every one, or never.
+// Not more often: on a virtual machine each wake-up costs time of the hypervisor, so that the watch would be a
+// disturbance itself. Not a fraction of a control period, which would always sample the same phase.
 constexpr auto kPeriod = std::chrono::microseconds(263);
-constexpr std::int64_t kLongestNs = 350'000;  ///< from one waking to the next, on a processor that is there
+constexpr std::int64_t kLongestNs = 350'000;  ///< maximum interval of wake-ups on an available CPU
 constexpr std::size_t kMost = 1'000'000;
 
 std::int64_t nowNs() {
@@ -30,7 +30,7 @@ MachineWatch::MachineWatch() {
         Processor& processor = *processors_.emplace_back(std::make_unique<Processor>());
         processor.absences.resize(kMost);
         processor.thread = std::thread([this, &processor, i] { watch(processor, i); });
-        // Not all at once: who is disturbed on one processor finds another one free.
+        // Staggered: a thread disturbed on one CPU can use another one.
         std::this_thread::sleep_for(kPeriod / count);
     }
 }

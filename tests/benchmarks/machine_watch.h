@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tells what the machine did from what the program did. On each processor a thread above every priority that
-// is measured does nothing but wake up: when even that comes late, the processor was not there (a hypervisor
-// took it, or the kernel did not let go of it), and no program on it could have been in time.
+// Distinguishes delays of the machine from delays of the program. On each CPU, a thread above all measured
+// priorities only wakes up: if it is late, the CPU was not available (used by a hypervisor or the kernel), and no
+// program on it could have been in time.
 
 #include <atomic>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tiller::benchmark {
 
-/// Needs SCHED_FIFO (root, or a line in limits.d) to be worth anything: see isWatching().
-/// Threads  one that asks, after stop() or while it runs
+/// Requires SCHED_FIFO (root, or a line in limits.d): see isWatching().
+/// Threads  one caller, after stop() or while it is running
 class MachineWatch {
 public:
     MachineWatch();
@@ -23,9 +23,9 @@ public:
     MachineWatch& operator=(const MachineWatch&) = delete;
 
     bool isWatching() const;
-    /// Whether a processor was away between these times of the steady clock [ns].
+    /// Whether a CPU was unavailable between these times of the steady clock [ns].
     bool wasAway(std::int64_t fromNs, std::int64_t toNs) const;
-    /// How often, and for how long in all [s], processors were away.
+    /// Number and total duration [s] of unavailable periods.
     std::uint64_t count() const;
     double seconds() const;
 
@@ -34,7 +34,7 @@ private:
         std::int64_t fromNs;
         std::int64_t toNs;
     };
-    /// Filled by its thread alone; `count` says how many are complete.
+    /// Written by its thread only; `count` is the number of complete entries.
     struct Processor {
         std::vector<Absence> absences;
         std::atomic<std::size_t> count{0};

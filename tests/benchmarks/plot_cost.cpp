@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the plots cost with an hour of history: writing every packet into it, and drawing 24 curves, 1920 px wide,
-// while the view follows, pans and zooms. Times are given as processor time and on the wall: the first is ours, the
-// second also tells what else the machine does.
+// Cost of the plots with an hour of history: adding every packet, and drawing 24 curves, 1920 px wide, while the
+// view follows, pans and zooms. Prints processor time and wall time; the latter includes effects of other
+// processes.
 //
-// Behind each time stands what it consists of: the look-up of what 24 curves cover in the pixel columns, the painting of
-// those columns and the scales (ours), and Qt's drawing of the scene: axes, labels, legends, and the copying of pictures.
+// Each time is followed by its parts: the look-up of 24 curves in the pixel columns, the painting of these columns
+// and the scales (Tiller's code), and Qt's drawing of the scene: axes, labels, legends, and copying of images.
 //
 // plot_cost [--frames N] [--hours H] [--only WORD]
 
@@ -63,11 +63,11 @@ struct Times {
     }
 };
 
-/// What a frame consists of [ms of processor time].
+/// Parts of a frame [ms of processor time].
 struct Parts {
-    Times lookUp;  // fetched once more beside the view, by curves of their own
-    Times show;    // the view's own part: look-up, painting of columns, scales
-    Times draw;    // Qt's
+    Times lookUp;  // repeated outside of the view with separate curves
+    Times show;    // the view's part: look-up, painting of columns, scales
+    Times draw;    // Qt's part
 };
 
 struct Row {
@@ -93,7 +93,7 @@ void print(const Row& row) {
                 percentile(row.parts.draw.cpu, 0.99), row.limit, p99 <= row.limit ? "holds" : "EXCEEDED");
 }
 
-/// Slow movement with noise on it, as a robot's signals are.
+/// Slow movement with noise, like the signals of a robot.
 double signalAt(std::int64_t sample, std::size_t column) {
     const double t = static_cast<double>(sample) * kPeriod;
     const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
@@ -117,7 +117,7 @@ PageLayout fourPlots() {
     return page;
 }
 
-/// Every packet, all of its fields, frame by frame.
+/// Every packet with all fields, frame by frame.
 Times append(std::int64_t packets) {
     SignalStore store(HistoryLimits{7200, std::size_t{4} << 30});
     const std::size_t columns = store.liveColumns().size();
@@ -248,7 +248,7 @@ int main(int argc, char** argv) {
         table.push_back(std::move(row));
     };
     const double all = hours * 3600;
-    // Whatever is painted is painted anew.
+    // Everything is painted again.
     add("redraw of the whole hour", 8, [&](int i) { view.showRange(0, all - (i % 2) * 1e-3); });
     view.showRange(0, all - 60);
     add("pan, whole hour but a minute", 16, [&](int i) { view.scrollBy(i % 2 == 0 ? -11.3 : 17.9); });

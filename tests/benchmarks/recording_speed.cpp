@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How fast recordings are written, opened and exported, per second of processor time, from memory and to a folder that is
-// given (or a temporary one). Prints a table; nothing is asserted.
+// Speed of writing, opening and exporting recordings per second of processor time, from memory to a folder
+// (default: a temporary one). Prints a table; asserts nothing.
 //   recording_speed [minutes] [folder]
 
 #include <QCoreApplication>
@@ -22,7 +22,7 @@ using namespace tiller::recording;
 
 namespace {
 
-/// Processor time, which is what one core is asked for: another's work beside it does not count.
+/// Processor time, so that other processes have no effect.
 double secondsOf(const std::function<void()>& work) {
     const std::clock_t begin = std::clock();
     work();
@@ -34,7 +34,7 @@ void print(const char* what, double bytes, double seconds) {
     std::fflush(stdout);
 }
 
-/// The same samples again and again, so that making them costs nothing; noise as a robot's sensors have it.
+/// Repeats the same samples, so that generating them costs no time, with sensor-like noise.
 std::vector<receive::Sample> someSamples(test::MadeSamples& made) {
     std::vector<receive::Sample> samples;
     std::uint64_t state = 1;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the backend and the plots grow with robots and with fields: so many simulated controllers, each a process of its
-// own, and here for each of them a receiver, a history and a recorder (MCAP), as for the one robot of the window; then
-// a page with four curves a robot. Until the machine ends: what was lost is counted, and the processor time is told
-// thread by thread. Prints a table; asserts nothing.
+// Scaling of backend and plots with the number of robots and fields: simulated controllers, each in a separate
+// process, and for each of them a receiver, a history and a recorder (MCAP), as in the window; then a page with
+// four curves per robot. Counts lost packets, and prints the processor time by thread. Prints a table; asserts
+// nothing.
 //
 //   scale [--seconds 5] [--robots 1,8,32] [--fields 20,100] [--json]
 //
-// robots, fields  one row for each pair; fields are the first so many of the controller's outputs. The names of all that
-//                 is asked for fit into 2048 bytes, which is about 110 of them
-// receive         processor time of a receiving thread [us a packet]
-// history         of taking a packet out of the ring and into the history [us a packet]
-// recorder        of writing a packet into the file [us a packet]; its file [MB a minute and robot]
-// frame           of drawing a page of 1920 x 900 with 4 curves a robot, 30 s of history [ms]
-// memory          what half an hour of history takes [MB a robot]
-// lost            packets that a receiver did not get, of all that were due [%]
-// all             what this program, and what the controllers took [% of a core]
+// robots, fields  one row per pair; fields are the first ones of the controller's outputs. Their names must fit
+//                 into 2048 bytes, which is about 110 fields
+// receive         processor time of a receive thread [us per packet]
+// history         moving a packet from the ring to the history [us per packet]
+// recorder        writing a packet to the file [us per packet]; its file [MB per minute and robot]
+// frame           drawing a page of 1920 x 900 with 4 curves per robot, 30 s of history [ms]
+// memory          memory of half an hour of history [MB per robot]
+// lost            packets that a receiver did not get [%]
+// all             CPU load of this program, and of the controllers [% of a core]
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -55,7 +55,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr double kRate = 500;          // packets a second
+constexpr double kRate = 500;          // packets per second
 constexpr double kHalfHour = 30 * 60;  // [s]
 constexpr auto kFrame = 16ms;
 
@@ -65,7 +65,7 @@ double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Processor time that the threads of a process have taken, by their name [s].
+/// Processor time of the threads of a process by name [s].
 std::map<std::string, double> threadSeconds(const std::string& process) {
     std::map<std::string, double> byName;
     std::error_code problem;
@@ -87,7 +87,7 @@ double sum(const std::map<std::string, double>& byName) {
     return all;
 }
 
-/// One robot: a controller in a process of its own, and what Tiller has of it.
+/// One robot: a controller in a separate process, and Tiller's objects for it.
 struct Robot {
     Robot(int number, const std::vector<std::string>& fields, const QString& folder) {
         receive::ReceiverOptions options;
@@ -119,7 +119,7 @@ struct Robot {
         return static_cast<bool>(recorder.start(file, *receiver));
     }
 
-    /// What has come since the frame before goes into the history.
+    /// Moves the packets since the last frame to the history.
     void drain() {
         std::size_t count = 0;
         for (;; ++count) {
@@ -152,15 +152,15 @@ struct Robot {
 
 struct Figures {
     int robots = 0, fields = 0, numbers = 0;
-    double receive = 0, history = 0, recorder = 0;  ///< [us a packet]
-    double fileMb = 0;                              ///< [MB a minute and robot]
-    double memoryMb = 0;                            ///< [MB a robot]
+    double receive = 0, history = 0, recorder = 0;  ///< [us per packet]
+    double fileMb = 0;                              ///< [MB per minute and robot]
+    double memoryMb = 0;                            ///< [MB per robot]
     double lost = 0;                                ///< [%]
     double program = 0, controllers = 0;            ///< [% of a core]
     double frameMs = 0;
 };
 
-/// What half an hour of so many numbers takes in a history, from two minutes of it [MB].
+/// Memory of half an hour of history with this number of values, extrapolated from two minutes [MB].
 double memoryOf(int numbers) {
     constexpr std::size_t kRows = 65'536;
     SeriesBuffer history(numbers, HistoryLimits{kHalfHour, std::size_t{8} << 30});
@@ -175,7 +175,7 @@ double memoryOf(int numbers) {
     return (static_cast<double>(history.memoryBytes()) - empty) * kHalfHour * kRate / kRows / 1e6;
 }
 
-/// Of one frame of a page with so many curves, following [ms].
+/// Cost of one frame of a page with this number of curves, following [ms].
 double frameOf(int curves) {
     SignalStore store;
     const auto columns = static_cast<int>(store.liveColumns().size());
@@ -223,7 +223,7 @@ double frameOf(int curves) {
     return spent * 1e3 / kFrames;
 }
 
-/// Nothing when a controller did not come up.
+/// Empty if a controller did not start.
 std::optional<Figures> measure(int robots, int fields, double duration) {
     std::vector<std::string> names;
     for (const rtde::Field& field : rtde::outputFields()) {
@@ -260,7 +260,7 @@ std::optional<Figures> measure(int robots, int fields, double duration) {
         }
     };
     double history = 0;
-    rest(1, history);  // until all rooms are as large as they will be
+    rest(1, history);  // until all buffers have their final size
     const double begun = seconds(CLOCK_MONOTONIC);
     const auto threads = threadSeconds("self");
     const double controllers = controllerSeconds();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the view costs the GUI thread at 1200 x 700 while the arm is jogged: with and without a ghost, with a cell
-// around it, while the operator turns the picture; and how long it takes from a selection until its ghost is drawn.
-// Times are of the processor, not of the wall: what else the machine does is not our cost.
+// Cost of the view in the GUI thread at 1200 x 700 while the arm is jogged: with and without a ghost, with a cell,
+// and while the view is rotated; and the time from a selection until its ghost is drawn. Processor time, so that
+// other processes have no effect.
 //
 // scene_cost [--frames N]
 

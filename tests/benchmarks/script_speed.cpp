@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How fast the URScript interpreter is: simple statements a second in each of some threads, and what a
-// control loop at 500 Hz costs. Neither has an arm behind it: the interpreter alone is measured, on a host
-// that answers at once.
+// Speed of the URScript interpreter: simple statements per second in one or more threads, and the cost of a control
+// loop at 500 Hz. Only the interpreter is measured, with a host that responds immediately.
 //
 //     script_speed [seconds for each row, 1 by default]
 //
-// Rates are of processor time, percentiles of wall time. Wanted: 10 million simple statements a second and
+// Rates are based on processor time, percentiles on wall time. Target: 10 million simple statements per second and
 // thread; a control loop below 5 % of one core.
 
 #include <algorithm>
@@ -25,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of this program: what others do on the machine does not count.
+/// Of this program only, so that other processes have no effect.
 double processorSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -34,7 +33,7 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// `body` is `statements` simple statements; each of `threads` threads runs it over and over.
+/// `body` consists of `statements` simple statements; each of `threads` threads repeats it.
 struct Load {
     const char* name;
     int statements;
@@ -57,8 +56,7 @@ constexpr Load kLoads[] = {
     {"call of a builtin", 4, "x = sin(0.5) y = cos(0.5) x = sqrt(2.0) y = norm(3.0)"},
 };
 
-/// Statements a second of all threads together. The count of a run is read from the program, so that nothing
-/// is taken for granted.
+/// Total statements per second of all threads. The number of iterations is read from the program.
 double statementRate(const Load& load, int threads, double seconds) {
     std::string text =
         "def m():\nglobal rounds = [0,0,0,0,0,0,0,0]\ndef f(v):\nreturn v\nend\nthread t():\nlocal me = "
@@ -102,12 +100,12 @@ double statementRate(const Load& load, int threads, double seconds) {
         std::fprintf(stderr, "%s\n", interpreter.error() ? interpreter.error()->text.c_str() : "ended");
         std::exit(1);
     }
-    // Two statements of the loop itself (condition and count) are not counted.
+    // The two statements of the loop itself (condition and count) are excluded.
     return (rounds() - before) * 100 * load.statements / elapsed;
 }
 
-// A script as remote control programs are: a main loop that reads registers and dispatches a command, a
-// thread that servos, a watchdog, echoed status; and the spline of a trajectory worked out every frame.
+// A typical remote control program: a main loop that reads registers and executes commands, a servo thread, a
+// watchdog, status output, and a trajectory spline evaluated in every frame.
 const char* const kControlLoop = R"(
 def control():
   global target = [0.1,-1.2,1.3,-1.4,-1.5,0.6]
@@ -162,7 +160,7 @@ struct Percentiles {
     double median, p99, p999, mean;
 };
 
-/// [us] a frame of the control loop takes.
+/// [us] per frame of the control loop.
 Percentiles controlLoopCost(double seconds) {
     const CompileOutcome outcome = compile(kControlLoop);
     if (!outcome) {
@@ -189,7 +187,7 @@ Percentiles controlLoopCost(double seconds) {
     const auto at = [&](double share) {
         return costs[static_cast<std::size_t>(share * double(costs.size() - 1))];
     };
-    // The mean is of processor time, clocks and bookkeeping included: an upper bound.
+    // The mean is based on processor time including the measurement itself: an upper bound.
     return {at(0.5), at(0.99), at(0.999), 1e6 * spent / double(costs.size())};
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What a simulated controller costs and how regularly it ticks, in real time over real sockets: three RTDE
-// clients with the receiver's whole recipe at full rate, a primary client and a running 500 Hz script, first
-// one controller, then several side by side. Beside them a thread of the same priority does nothing but wake
-// up every 2 ms: what it finds is the machine's own doing. Last, both second by second: on a machine that is
-// shared with others there are seconds in which it is theirs, and the middle one tells what is usual. Prints
-// tables and, with --json, one JSON object; asserts nothing.
+// Cost and regularity of a simulated controller in real time with real sockets: three RTDE clients with the full
+// recipe of the receiver at full rate, a primary client and a 500 Hz script; first one controller, then several in
+// parallel. As a reference, a thread of the same priority only wakes up every 2 ms. Finally both are evaluated
+// second by second: on a shared machine some seconds are disturbed, and the median is representative. Prints tables
+// and, with --json, one JSON object; asserts nothing.
 //
 //   simulator_cost [--seconds 20] [--controllers 8] [--clients 3] [--priority 95] [--json]
 
@@ -35,7 +34,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A control loop as clients upload them: registers in, a servo target, registers out.
+/// A typical control loop of clients: reads registers, sends a servo target, writes registers.
 const char* const kScript =
     "def loop():\n"
     "  q0 = get_actual_joint_positions()\n"
@@ -84,7 +83,7 @@ struct Cell {
         if (upload.waitForConnected(5000)) {
             upload.write(kScript);
             upload.waitForBytesWritten(5000);
-            upload.waitForDisconnected(200);  // gives it time to be read
+            upload.waitForDisconnected(200);  // time for reading it
         }
     }
 
@@ -138,7 +137,7 @@ QString load() {
     return text.empty() ? QStringLiteral("unknown") : QString::fromStdString(text);
 }
 
-/// Runs so many controllers for a while; what each of them found, and last what a bare timer did.
+/// Runs this number of controllers for a while; results of each, and finally of a bare timer.
 std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients, int priority, int seconds) {
     std::vector<std::unique_ptr<Cell>> cells;
     for (int i = 1; i <= controllers; ++i) {
@@ -166,8 +165,8 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
     return all;
 }
 
-/// One controller and a bare timer, second by second: the seconds in which the machine kept away from both
-/// tell what the controller adds.
+/// One controller and a bare timer, second by second: the seconds without disturbances of the machine show the cost
+/// of the controller.
 std::optional<QJsonObject> measureBySeconds(QTextStream& out, int priority, int seconds) {
     Cell cell(1, priority, 3);
     if (!cell.error.isEmpty()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How fast the simulated controller is where nobody waits for real time to pass: how much faster than real time a
-// moving UR5e with a running program goes in virtual time, and how long it takes to create one, start it, move it
-// for 10 ms and destroy it. Prints both and, with --json, one JSON object; asserts nothing.
+// Speed of the simulated controller without real time: ratio of virtual to real time for a moving UR5e with a
+// running program, and the time to create one, start it, move it for 10 ms and destroy it. Prints both and, with
+// --json, one JSON object; asserts nothing.
 //
 //   simulator_speed [--seconds 60] [--lives 1000] [--json]
 
@@ -24,7 +24,7 @@ using Steady = std::chrono::steady_clock;
 
 namespace {
 
-/// Joint and straight moves, one after the other, and an output that tells where it is.
+/// Joint and linear moves one after the other, and an output with the progress.
 const char* const kProgram =
     "def tour():\n"
     "  home = get_actual_joint_positions()\n"
@@ -63,7 +63,7 @@ simulator::SimulatorOptions virtualRobot() {
     return options;
 }
 
-/// Returns  whether the program runs
+/// Returns  whether the program is running
 bool play(simulator::Simulator& robot, const char* program) {
     QTcpSocket upload;
     upload.connectToHost(robot.listenAddress(), robot.ports().secondary);
@@ -71,7 +71,7 @@ bool play(simulator::Simulator& robot, const char* program) {
         return false;
     }
     upload.flush();
-    constexpr int kMost = 20'000;  // looks
+    constexpr int kMost = 20'000;  // attempts
     for (int i = 0; i < kMost && robot.truth().runtimeState != RuntimeState::Playing; ++i) {
         robot.step();
     }
@@ -81,7 +81,7 @@ bool play(simulator::Simulator& robot, const char* program) {
 struct Speed {
     double passed = 0;     ///< real time [s]
     double processor = 0;  ///< [s]
-    double path = 0;       ///< of the TCP [m]: that it moves
+    double path = 0;       ///< of the TCP [m], to verify that it moves
     bool good = false;
 };
 

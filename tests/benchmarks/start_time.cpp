@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long until there is something to see: from the start of the process to the window's first frame, and to the
-// first frame that shows a live value of the simulated controller; and to the first line of tiller-cli. Each start is
-// a process of its own, begun anew every time; wall time and processor time of each, the median of several. The
-// window's process does what app/main.cpp does, and says what it has reached; QT_QPA_PLATFORM=xcb measures on an X
-// server. Prints a table; asserts nothing.
+// Start-up time: from the start of the process to the first frame of the window, and to the first frame with a live
+// value of the simulated controller; and to the first line of tiller-cli. Each start is a separate process; prints
+// wall time and processor time, median of several runs. The window's process performs the steps of app/main.cpp and
+// prints its progress; QT_QPA_PLATFORM=xcb measures on an X server. Prints a table; asserts nothing.
 //
 //   start_time [--runs 7] [--json]
 
@@ -41,13 +40,13 @@ double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Prints each moment once: its name, wall time since the process was asked for, and processor time so far [ms].
+/// Prints each event once: name, wall time since the start of the process, and processor time so far [ms].
 void tell(const char* moment, double begun) {
     QTextStream(stdout) << moment << ' ' << (seconds(CLOCK_MONOTONIC) - begun) * 1e3 << ' '
                         << seconds(CLOCK_PROCESS_CPUTIME_ID) * 1e3 << '\n';
 }
 
-/// Waits for the first frame that is painted after something has come true.
+/// Waits for the first frame painted after a condition has become true.
 class FirstFrame : public QObject {
 public:
     FirstFrame(QWidget& window, double begun) : window_(window), begun_(begun) {
@@ -58,7 +57,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::UpdateRequest && watched == &window_) {
-            // Behind this event the frame is on the screen.
+            // After this event the frame is on the screen.
             const bool live = live_;
             QMetaObject::invokeMethod(
                 this, [this, live] { shown(live); }, Qt::QueuedConnection);
@@ -159,7 +158,7 @@ bool startWindow(std::map<QString, Moment>& moments) {
     return true;
 }
 
-/// One start of tiller-cli until its first line.
+/// One start of tiller-cli up to its first line.
 bool startCli(const QStringList& arguments, const QString& name, std::map<QString, Moment>& moments) {
     const double cpuBefore = childrenCpuMs();
     QProcess child;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How punctually three loops of 2 ms wake up, and what they cost: one that spins all the time, one that only sleeps,
-// and Tiller's, which stays awake for as long as this machine's wake-ups are late. Each in turn, round after round,
-// so that what else the machine does meets all three.
+// Accuracy and cost of the wake-ups of three 2 ms loops: one that only waits actively, one that only sleeps, and
+// Tiller's, which waits actively for the measured delay of wake-ups. They alternate, so that load of the machine
+// affects all of them.
 //
 //     wake_up [seconds a loop and round, 3 by default] [rounds, 3 by default] [priority, 0 by default]
 //
-// With the machine as it is, then with every CPU but one kept busy by threads of the normal scheduler. Late: more
-// than 2.5 ms since the wake-up before. Wanted: no more late ones than the spinning loop at under half its cost.
+// First without load, then with all CPUs but one kept busy by threads of the normal scheduler. Late: more than 2.5
+// ms after the previous wake-up. Target: not more late wake-ups than the active loop at less than half its cost.
 
 #include <atomic>
 #include <chrono>
@@ -37,7 +37,7 @@ struct Figures {
     double seconds = 0;
 };
 
-/// A loop of its own thread; its figures are added.
+/// A loop in a separate thread; adds its results.
 void runLoop(Kind kind, double seconds, int priority, Figures& figures) {
     std::thread([&] {
         (void)requestThreadPriority(priority);
@@ -66,7 +66,7 @@ void runLoop(Kind kind, double seconds, int priority, Figures& figures) {
     }).join();
 }
 
-/// Threads of the normal scheduler that never stop working.
+/// Threads of the normal scheduler that are permanently busy.
 class Load {
 public:
     explicit Load(unsigned threads) {

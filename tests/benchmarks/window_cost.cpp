@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window costs while it is only looked at: processor time of the program, of its GUI thread, and how
-// long a frame takes, at rest with the plots running, while the arm is jogged, and minimised. The simulated
-// controller runs in a process of its own, so that its cost does not count. Run it on the offscreen platform
-// (as it does by itself) and, with QT_QPA_PLATFORM=xcb, on an X server. Prints a table; asserts nothing.
+// CPU load of the window without user input: processor time of the program and of its GUI thread, and the duration
+// of a frame, at rest with running plots, while the arm is jogged, and minimized. The simulated controller runs in
+// a separate process, so that its cost is excluded. Uses the offscreen platform by default and, with
+// QT_QPA_PLATFORM=xcb, an X server. Prints a table; asserts nothing.
 //
 //   window_cost [--seconds 5] [--size 1920x1080 ...] [--no-jog] [--paints] [--json]
 
@@ -42,7 +42,7 @@ double cpuSeconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Times what paints: the requests to update a whole window.
+/// Measures paint events: the requests to update a whole window.
 class TimedApplication : public QApplication {
 public:
     using QApplication::QApplication;
@@ -72,7 +72,7 @@ public:
 
     std::vector<double> frameMs;
 
-    /// Who paints: asked for only where somebody looks for what costs so much.
+    /// Lists the painting widgets; only on request, to find the cause of a cost.
     struct Paints {
         int count = 0;
         double ms = 0;
@@ -151,7 +151,7 @@ Figures atRest(TimedApplication& application, int ms) {
     return meter.read();
 }
 
-/// To and fro, half a second each way, so that the arm stays where it is.
+/// Back and forth, half a second in each direction, so that the arm stays at its position.
 Figures jogging(TimedApplication& application, app::MainWindow& window, int ms) {
     const Meter meter(application);
     for (int way = 0; way * 500 < ms; ++way) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever a dashboard server says, line by line, in answer to every command of the client: a value or an
-// error, never a crash, never a hang. The bytes go through a real socket.
+// Arbitrary replies of a dashboard server, line by line, to every command of the client: the result is a value or
+// an error, not a crash or a hang. The bytes are sent through a real socket.
 
 #include <QCoreApplication>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace {
 std::mutex mutex;
 QByteArray replies;
 
-/// Says everything at once: each command then finds its reply waiting.
+/// Sends everything at once: each command then finds its reply.
 void serve(test::RawPeer::Link& link) {
     QByteArray all;
     {

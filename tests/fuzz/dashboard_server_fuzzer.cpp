@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any lines said to the dashboard and to the gripper of one robot, which takes a control period now and then;
-// Every command gets one line, and nothing crashes.
+// Arbitrary lines sent to the dashboard and to the gripper of a robot, with control periods in between; the same
+// bytes as a program file of the pendant. Every command gets one line, and nothing crashes.
 
 #include <algorithm>
 #include <cstddef>

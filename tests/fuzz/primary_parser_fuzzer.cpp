@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes on the primary interface, cut in any way: understood or refused, never a crash, and never more
-// memory than a package may take.
+// Arbitrary bytes on the primary interface with arbitrary segmentation: parsed or refused, without a crash and with
+// limited memory.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) {
         return 0;
     }
-    // The first byte decides how the rest is cut.
+    // The first byte selects the segmentation.
     const std::size_t step = 1 + data[0];
     std::span<const std::uint8_t> rest(data + 1, size - 1);
     PrimaryParser parser;
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             messages += message.text.size() >= 0 && message.codeName().size() >= 0 ? 1U : 0U;
         }
     }
-    // A message takes its header at least.
+    // A message has at least a header.
     if (messages > size) {
         __builtin_trap();
     }

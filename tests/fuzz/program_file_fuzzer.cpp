@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Program files of the pendant, as anybody may put them into the programs folder: whatever they are, they
-// become URScript or a reason, and what becomes URScript compiles or is an error with its place.
+// Arbitrary program files of the pendant in the programs folder: the result is URScript or an error, and this
+// URScript compiles or causes an error with its position.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a recording: MCAP behind its first eight bytes, or text. Whatever they are, opening them, reading all
-// that is said to be there and comparing it with the model of an arm ends, and soon. HDF5 is left to libhdf5.
+// Arbitrary bytes as a recording: MCAP after its first eight bytes, or text. Opening, reading the declared content,
+// and comparing it with the model of an arm must end in a short time. HDF5 is left to libhdf5.
 
 #include <QFile>
 #include <QTemporaryDir>

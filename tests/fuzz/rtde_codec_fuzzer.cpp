@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever bytes come from the network: the splitter, every reader, the data codec and the client's session
-// take them without reading out of bounds, without hanging, and agree with what they write themselves.
+// Arbitrary bytes from the network: the splitter, all readers, the data codec and the client session process them
+// without reading out of bounds or hanging, and are consistent with the writers.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -22,7 +22,7 @@ void require(bool condition) {
     }
 }
 
-/// Takes numbers from the front of the input.
+/// Takes numbers from the start of the input.
 class Input {
 public:
     explicit Input(ByteView bytes) : bytes_(bytes) {}
@@ -45,7 +45,7 @@ private:
     ByteView bytes_;
 };
 
-/// What a writer makes of a value must be read as the same value.
+/// A written value must be read as the same value.
 template <class Write, class Read>
 void comesBack(Write write, Read read) {
     Bytes out;
@@ -93,7 +93,7 @@ void readEverything(const PackageView& package) {
     (void)readInputData(payload);
 }
 
-/// The stream in pieces of any size, against the same stream in one piece.
+/// The stream in pieces of any size, compared with the same stream in one piece.
 void splitAnyhow(Input input) {
     const std::size_t limit = 3 + input.byte() * 16U;
     const std::size_t step = 1 + input.byte() % 40U;
@@ -129,7 +129,7 @@ void splitAnyhow(Input input) {
     require(packages * kHeaderSize <= taken);
 }
 
-/// Decoding any bytes by any layout, and back.
+/// Decodes arbitrary bytes with arbitrary layouts, and encodes them again.
 void codeValues(Input input) {
     std::vector<DataType> types;
     for (int i = input.byte() % 12; i > 0; --i) {
@@ -146,7 +146,7 @@ void codeValues(Input input) {
     require(encodeValues(layout, values, again));
     std::vector<double> once(layout.components());
     require(decodeValues(layout, again, once));
-    // Bytes may differ (BOOL 7 becomes 1, UINT64 above 2^53 is rounded), numbers may not; NaN is no number.
+    // Bytes may differ (BOOL 7 becomes 1, UINT64 above 2^53 is rounded), numbers may not; NaN is excluded.
     require(std::equal(values.begin(), values.end(), once.begin(),
                        [](double a, double b) { return a == b || (a != a && b != b); }));
 }
@@ -173,7 +173,7 @@ void talkToSession(Input input) {
         } else if (what == 0xFF) {
             session.start(out);
         } else {
-            // A package framed for it, so that the fuzzer need not find out about sizes.
+            // A framed package, so that the fuzzer does not have to find valid sizes.
             const ByteView payload = input.take(input.byte());
             static constexpr char kTypes[] = "VvMUOISP";
             session.handle({static_cast<PackageType>(what < 0xF0 ? kTypes[what % 8] : what), payload}, out);
@@ -189,7 +189,7 @@ void talkToSession(Input input) {
         }
         (void)session.awaited();
     }
-    // What it sent is itself a stream of whole packages.
+    // Its output is a stream of complete packages.
     for (ByteView rest(out); !rest.empty();) {
         const std::size_t count = splitter.feed(rest);
         rest = rest.subspan(count);

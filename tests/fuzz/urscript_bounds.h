@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A robot made of memory for any program, with bounds so low that a fuzzer comes to them.
+// An in-memory robot for any program, with limits low enough for a fuzzer.
 
 #include "robot/simulator/urscript/interpreter.h"
 #include "tests/unit/robot/simulator/urscript/fake_host.h"
@@ -18,13 +18,13 @@ inline Limits lowLimits() {
     return limits;
 }
 
-/// Moves take two frames, popups are answered at once.
+/// Moves take two frames, popups are answered immediately.
 inline void hurry(FakeHost& host) {
     host.moveFrames = 2;
     host.popupAnswered = true;
 }
 
-/// What a frame left is forgotten: it would grow without bound.
+/// Discards the results of a frame, which would grow without limit.
 inline void forget(FakeHost& host) {
     host.messages.clear();
     host.motions.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any lines to a program in interpreter mode, with commands and frames in between: whatever they define,
-// call, clear and skip, nothing may crash, hang or read what is no longer there.
+// Arbitrary lines for a program in interpreter mode, with commands and frames in between: definitions, calls,
+// clears and skips must not cause a crash, a hang or an access to freed memory.
 
 #include <algorithm>
 #include <cstddef>
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::size_t newline = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, newline);
         text.remove_prefix(std::min(newline + 1, text.size()));
-        // A line of one byte is something else than a statement.
+        // A line with one byte is not a statement.
         if (line == "s") {
             mode.skip();
         } else if (line == "a") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Any text: compiled, and when that succeeds run for some frames on a robot made of memory. Nothing may
-// crash, hang or grow without bound. The stream splitter sees the same bytes in two pieces, the reader of
-// XML-RPC replies takes them for one.
+// Arbitrary text: compiled and, if successful, run for some frames on an in-memory robot. Nothing may crash, hang
+// or grow without limit. The same bytes are passed to the stream splitter in two pieces, and to the reader of
+// XML-RPC replies.
 
 #include <cstddef>
 #include <cstdint>

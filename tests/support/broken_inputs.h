@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Input for the services of a robot as no proper client sends it: words of each protocol in any order, cut
-// off, doubled, with foreign bytes in between. The same seed gives the same input.
+// Invalid input for the services of a robot: commands of each protocol in random order, truncated, duplicated, with
+// random bytes in between. The same seed generates the same input.
 
 #include <QByteArray>
 #include <QList>
@@ -13,7 +13,7 @@
 
 namespace tiller::test {
 
-/// Where the chances come from.
+/// Pseudo-random numbers.
 class Chances {
 public:
     explicit Chances(quint64 number) : random_(number) {}
@@ -26,7 +26,7 @@ public:
         }
         return out;
     }
-    /// Words in any order, now and then damaged.
+    /// Words in random order, occasionally damaged.
     QByteArray soup(const QList<QByteArray>& words, int most) {
         QByteArray out;
         for (int i = upTo(most); i >= 0; --i) {
@@ -58,7 +58,7 @@ private:
     std::mt19937_64 random_;
 };
 
-/// A service, and one broken input for it.
+/// A service with one invalid input.
 struct AttackedService {
     const char* name;
     std::uint16_t simulator::Ports::*port;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the tests of ur_rtde's control interface share: for each test function a simulated robot, and an
-// interface that controls it.
+// Common parts of the tests of ur_rtde's control interface: for each test function a simulated robot, and an
+// interface in control.
 
 #include <ur_rtde/rtde_control_interface.h>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Everything with which a hand can hold a motion, in front of an arm that only keeps time: the jog column,
-// the armed keyboard, a stick, "Go to", all under one set of terms with a witness that knows what is really
-// down. In virtual time.
+// All inputs that can hold a motion, with an arm that only measures time: the jog column, the armed keyboard, a
+// stick, "Go to", with common hold rules and a key-state check that knows the real key states. In virtual time.
 
 #include <QLineEdit>
 #include <QPointingDevice>
@@ -24,7 +23,7 @@
 
 namespace tiller::test {
 
-/// A display server: what is down, and whether it answers.
+/// A display server: pressed keys, and whether it responds.
 class FakeWitness : public HoldWitness {
 public:
     explicit FakeWitness(const Clock& clock) : clock_(clock) {}
@@ -33,7 +32,7 @@ public:
     bool leftDown = false;
     QSet<KeyCode> keysDown;
 
-    /// From now on no question is answered.
+    /// From now on no query is answered.
     void freeze(bool frozen) {
         look();
         frozenNs_ = frozen ? clock_.nowNs() : 0;
@@ -72,7 +71,8 @@ private:
     mutable QHash<KeyCode, std::int64_t> keys_;
 };
 
-/// An arm by the contract: one slot; a motion ends 100 ms after its last refresh, a move when it has arrived.
+/// An arm that follows the contract: one command slot; a motion ends 100 ms after its last refresh, a move at its
+/// target.
 struct TimedArm {
     explicit TimedArm(const Clock& clock_) : clock(clock_) {}
 
@@ -81,11 +81,11 @@ struct TimedArm {
     std::uint64_t running = 0;
     std::int64_t refreshedNs = 0;
     std::int64_t arrivesNs = 0;
-    std::int64_t moveNs = 3600 * kNsPerSecond;  ///< how long a move takes
-    std::int64_t movedNs = 0;                   ///< the last moment at which it moved
+    std::int64_t moveNs = 3600 * kNsPerSecond;  ///< duration of a move
+    std::int64_t movedNs = 0;                   ///< time of the last motion
     QList<control::StopCause> ends;
     QSet<std::uint64_t> over;
-    bool broken = false;  ///< a motion that was over was taken for alive
+    bool broken = false;  ///< an ended motion was treated as active
 
     bool moves() const {
         return running != 0 && clock.nowNs() - refreshedNs <= 100 * kNsPerMs && clock.nowNs() < arrivesNs;
@@ -235,7 +235,7 @@ struct Hands {
         }
         return nullptr;
     }
-    /// Time goes on as timers would have it: every 10 ms devices are read, every 20 ms motions refreshed.
+    /// Advances time and runs the timers: every 10 ms devices are read, every 20 ms motions are refreshed.
     void advance(int ms) {
         for (int t = 0; t < ms; t += 10) {
             clock.advanceNs(10 * kNsPerMs);
@@ -262,7 +262,7 @@ struct Hands {
                std::any_of(all.begin(), all.end(), [](const HoldButton* key) { return key->isHolding(); });
     }
 
-    // Each of these does what a hand does: the display server knows of it, and the window hears of it.
+    // Each function simulates a user action: the display server knows it, and the window receives the event.
     void mouse(QWidget& on, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton, bool heard = true) {
         if (button == Qt::LeftButton && type != QEvent::MouseMove) {
             witness.leftDown = type != QEvent::MouseButtonRelease;

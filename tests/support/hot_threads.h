@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Counts what the receive and the control loop must not do: allocate, and take a lock. A program that links
-// hot_threads.cpp gets its own operator new and pthread_mutex_lock, which look at the name of the thread.
+// Counts allocations and locks in the receive and control loops. A program that links hot_threads.cpp has
+// replacements of operator new and pthread_mutex_lock, which check the name of the thread.
 
 #include <cstdint>
 
@@ -13,12 +13,12 @@ struct HotCounts {
     std::uint64_t locks = 0;
 };
 
-/// From now on (or not any more) the threads named "control" and "tiller-receive" are counted.
+/// Starts or ends counting for the threads named "control" and "tiller-receive".
 void countHotThreads(bool on);
-/// Counts the thread that calls this too.
+/// Also counts the calling thread.
 void watchThisThread();
 HotCounts hotCounts();
-/// How many threads of these names there have been: a test that counts none proves nothing.
+/// Number of threads with these names so far: a test without such threads proves nothing.
 int hotThreads();
 
 }  // namespace tiller::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The jog column with real mouse events against doors that only write down what they are asked.
+// The jog column with real mouse events and with ports that only record the calls.
 
 #include <QTest>
 #include <numbers>
@@ -12,7 +12,7 @@
 
 namespace tiller::test {
 
-/// The doors of a session: they only write down what they are asked.
+/// The ports of a session, which only record the calls.
 struct FakeSession {
     std::uint64_t next = 0;
     std::uint64_t running = 0;
@@ -63,7 +63,7 @@ inline SessionState readyState() {
     return state;
 }
 
-/// The column in an active window, its keys on a clock of their own.
+/// The column in an active window, with its own clock.
 struct JogScene {
     FakeSession session;
     VirtualClock clock;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the tests of the ways of jogging share: for each test function the real window in control of a
-// simulated robot, its keys, its keyboard and a stick.
+// Common parts of the tests of jogging: for each test function the real window in control of a simulated robot, its
+// buttons, its keyboard and a stick.
 
 #include <QTest>
 #include <memory>
@@ -18,11 +18,11 @@ class JogWindowTest : public QObject {
     Q_OBJECT
 
 protected:
-    /// What the jog contract promises.
+    /// Bounds of the jog contract.
     static constexpr int kReleaseToStandstillMs = 100;
 
     struct Bench : WindowBench {
-        // What a gamepad says while it is held; nothing while there is none.
+        // Input of a gamepad while it is held; empty without a gamepad.
         std::optional<Deflection> device;
     };
     std::unique_ptr<Bench> bench_;
@@ -32,7 +32,7 @@ protected:
     HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
     KeyboardJog& keyboard() { return *window().findChild<KeyboardJog*>(); }
 
-    /// A stick held upwards.
+    /// A stick pushed upwards.
     static Deflection tilted() {
         Deflection stick;
         stick.deadMan = true;

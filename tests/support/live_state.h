@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a session tells of a UR5e that stands ready, for widgets that are tried without a robot.
+// Session states of a UR5e that is ready to move, for widget tests without a robot.
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/station/link/session_state.h"
@@ -22,14 +22,14 @@ inline SessionState liveState(const JointPositions& q = kReadyJoints) {
     return state;
 }
 
-/// The same with the TCP elsewhere: for what looks at the pose alone.
+/// The same with another TCP position, for code that only reads the pose.
 inline SessionState liveAt(const Pose& tcpPose) {
     SessionState state = liveState();
     state.tcpPose = tcpPose;
     return state;
 }
 
-/// The ready joints with one of them turned [rad].
+/// The ready joint positions with one joint rotated [rad].
 inline JointPositions moved(int joint, double by) {
     JointPositions q = kReadyJoints;
     q[joint] += by;

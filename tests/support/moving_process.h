@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For tests that take away the process that moves the arm: that process, and the arm as others see it. All
-// times are the robot's own, so that a slow machine does not look like a slow stop.
+// For tests that end the process that moves the arm: this process, and the arm as observed by another client. All
+// times are robot time, so that a slow machine does not look like a slow stop.
 
 #include <QProcess>
 #include <QTest>
@@ -18,10 +18,10 @@
 
 namespace tiller::test {
 
-/// What the robot tells everybody, package by package.
+/// RTDE data of the robot, package by package.
 class ArmWatcher {
 public:
-    /// registers  which of them the moving process commands the arm with
+    /// registers  used by the moving process
     ArmWatcher(const simulator::Simulator& robot, control::RegisterRange registers) {
         rtde::ConnectionOptions options;
         options.host = robot.listenAddress();
@@ -38,7 +38,7 @@ public:
         values_.resize(connection_->outputs().size());
     }
 
-    /// The next package. False: none came.
+    /// Reads the next package. False: none arrived.
     bool look() {
         if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
             return false;
@@ -57,7 +57,7 @@ public:
         }
         return true;
     }
-    /// Looks on until then [s].
+    /// Reads packages until this time [s].
     bool lookUntil(double end) {
         while (time < end) {
             if (!look()) {
@@ -67,14 +67,14 @@ public:
         return true;
     }
 
-    double time = 0;                                     ///< of the robot [s]
+    double time = 0;                                     ///< robot time [s]
     double speed = 0;                                    ///< of the TCP [m/s]
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP [m]
     bool stands = true;
     double lastMoved = 0;  ///< [s]
-    double heardAt = 0;    ///< when the control program last heard of its client [s]
+    double heardAt = 0;    ///< time of the last heartbeat received by the control program [s]
     control::ScriptState state = control::ScriptState::Ready;
-    control::ScriptState heardIn = control::ScriptState::Ready;  ///< the state at that time
+    control::ScriptState heardIn = control::ScriptState::Ready;  ///< the state at this time
 
 private:
     static constexpr std::chrono::seconds kPatience{20};
@@ -83,8 +83,8 @@ private:
     double heard_ = 0;
 };
 
-/// Where nobody hears anything any more the robot itself is asked, until then [s]: for how long it was seen
-/// moving after `since`, or after it last heard of anybody [s].
+/// For use without any data connection: queries the robot itself until this time [s].
+/// Returns  duration of the observed motion after `since`, or after the last heartbeat [s]
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
@@ -100,7 +100,7 @@ inline double movesOn(const simulator::Simulator& robot, double since, double un
     return std::max(moved - since, 0.0);
 }
 
-/// A program that moves the arm. It is killed at the latest when this goes.
+/// A program that moves the arm. It is killed by the destructor at the latest.
 class MovingProcess {
 public:
     MovingProcess(const QString& program, const QStringList& arguments) {
@@ -112,18 +112,18 @@ public:
     }
     ~MovingProcess() { kill(); }
 
-    /// One line to its standard input. Time may have to go on until it is obeyed.
+    /// Sends one line to its standard input. Time may have to advance before it has an effect.
     void tell(const char* line) {
         process_.write(QByteArray(line) + "\n");
         process_.waitForBytesWritten(kPatienceMs);
     }
-    /// Whether it has said this since it was last asked.
+    /// Whether it has printed this since the last call.
     bool hasSaid(const QByteArray& words) {
-        process_.waitForReadyRead(0);  // who asks goes on watching, or the robot would drop the watcher
+        process_.waitForReadyRead(0);  // keep reading, or the robot would disconnect the observer
         return process_.readAll().contains(words);
     }
     void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }
-    /// SIGKILL, also where it was held by SIGSTOP.
+    /// SIGKILL, also after SIGSTOP.
     void kill() {
         process_.kill();
         process_.waitForFinished(kPatienceMs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Pictures of the widgets under test, for people to look at.
+// Screenshots of the tested widgets, for review.
 
 #include <QDir>
 #include <QString>
@@ -10,7 +10,7 @@
 
 namespace tiller::test {
 
-/// Keeps a picture as TILLER_SCREENSHOTS/<name>.png; without that variable it does nothing.
+/// Saves a screenshot as TILLER_SCREENSHOTS/<name>.png; no effect without this variable.
 inline void keepPicture(QWidget& widget, const QString& name) {
     const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
     if (!folder.isEmpty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a simulated robot says on its primary interface, sorted by kind.
+// Messages of a simulated robot on its primary interface, sorted by type.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace tiller::test {
 
-/// Of robot messages.
+/// Types of robot messages.
 enum MessageKind {
     kText = 0,
     kPopup = 2,
@@ -30,7 +30,7 @@ inline QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
     return keys;
 }
 
-/// Everything a test may want to know of a stretch of the primary stream.
+/// The relevant content of a section of the primary stream.
 struct Heard {
     QByteArrayList keys, texts;
     std::vector<QByteArray> errors, exceptions, safetyModes;
@@ -71,7 +71,7 @@ struct Heard {
     }
 };
 
-/// Sends a script and steps until nothing more is to be expected.
+/// Sends a script and steps until no more messages are expected.
 inline Heard run(VirtualRobot& robot, RawPrimary& primary, const QByteArray& script, double seconds) {
     primary.takeAll();
     primary.send(script);

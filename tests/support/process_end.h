@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The ways in which a program that moves the arm can end without a signal from outside. Standard library only:
-// the programs for ur_rtde use it too.
+// The ways in which a program that moves the arm can end without an external signal. Uses the standard library
+// only, because the programs for ur_rtde include it.
 
 #include <unistd.h>
 
@@ -13,7 +13,7 @@
 
 namespace tiller::test {
 
-/// Does not return for the ways it knows; "fork" leaves a child behind that holds all connections.
+/// Does not return for known names; "fork" leaves a child process with all connections.
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
         throw std::runtime_error("the end that the test asked for");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A language nobody speaks: every text of ours can still be read, has letters with accents, and is about 40 % longer.
-// What is not in it never went through tr(); what has no room in it has none in some real language either.
+// A pseudo language: all texts remain legible, have accented letters, and are about 40 % longer. Unchanged texts
+// are not passed to tr(); texts that do not fit would not fit in some real language.
 
 #include <QHash>
 #include <QTranslator>
@@ -46,7 +46,7 @@ public:
     bool isEmpty() const override { return false; }
     QString translate(const char* context, const char* source, const char* /*comment*/,
                       int /*n*/) const override {
-        // Qt's own stay as they are.
+        // Texts of Qt are unchanged.
         return context == nullptr || context[0] == 'Q' ? QString() : pseudoText(QString::fromUtf8(source));
     }
 };

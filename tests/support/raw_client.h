@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clients that speak bytes, written from the protocol documents alone: they share no code with the backend,
-// so that a misreading in one is not confirmed by the other.
+// Clients at byte level, written from the protocol documents only: they share no code with the backend, so that a
+// misreading in one is not confirmed by the other.
 
 #include <QByteArray>
 #include <QElapsedTimer>
@@ -16,7 +16,7 @@
 
 namespace tiller::test {
 
-/// Longer than any answer takes on a machine that works; a test that waits so long has failed.
+/// Longer than any reply on a working machine: reaching this limit is a failure.
 inline constexpr int kPatienceMs = 20'000;
 
 template <class Number>
@@ -50,7 +50,7 @@ public:
     RawClient(const QString& host, quint16 port) {
         socket_.connectToHost(host, port);
         socket_.waitForConnected(kPatienceMs);
-        // Otherwise a second small package waits for the first one's acknowledgement.
+        // Otherwise a second small package waits for the acknowledgement of the first one.
         socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     }
     virtual ~RawClient() = default;
@@ -61,7 +61,7 @@ public:
         while (socket_.bytesToWrite() > 0 && socket_.waitForBytesWritten(kPatienceMs)) {
         }
     }
-    /// Waits for so many bytes; fewer come back only when the peer is gone or patience is over.
+    /// Waits for this number of bytes; returns fewer only if the connection ended or timed out.
     QByteArray take(qsizetype count) {
         while (buffer_.size() < count && receive(kPatienceMs)) {
         }
@@ -77,13 +77,13 @@ public:
         buffer_.remove(0, end);
         return taken;
     }
-    /// What is here now, without waiting for more than what is on its way within this machine.
+    /// Returns the available bytes, including data in transit on this machine.
     QByteArray takeAll() {
         while (receive(20)) {
         }
         return std::exchange(buffer_, {});
     }
-    /// Reads on until the peer ends the connection.
+    /// Reads until the peer closes the connection.
     bool waitClosed() {
         QElapsedTimer timer;
         timer.start();
@@ -127,7 +127,7 @@ public:
     }
     void sendPackage(char type, const QByteArray& payload = {}) { send(package(type, payload)); }
 
-    /// The next package; type 0 when none comes.
+    /// The next package; type 0 if there is none.
     Package next() {
         const QByteArray head = take(3);
         if (head.size() < 3) {
@@ -139,7 +139,7 @@ public:
         sendPackage(type, payload);
         return next();
     }
-    /// Every package that is here now.
+    /// All available packages.
     std::vector<Package> packages() {
         QByteArray bytes = takeAll();
         std::vector<Package> all;
@@ -166,12 +166,12 @@ class RawPrimary : public RawClient {
 public:
     using RawClient::RawClient;
 
-    /// The next package, length field included.
+    /// The next package, including the length field.
     QByteArray next() {
         const QByteArray head = take(4);
         return head.size() < 4 ? QByteArray() : head + take(intAt(head, 0) - 4);
     }
-    /// Every package that is here now.
+    /// All available packages.
     std::vector<QByteArray> packages() {
         QByteArray bytes = takeAll();
         std::vector<QByteArray> all;
@@ -182,7 +182,7 @@ public:
         buffer_ = bytes;
         return all;
     }
-    /// Robot messages of one kind among those that are here now, from behind the message type on.
+    /// Robot messages of one type among the available ones, starting after the message type.
     std::vector<QByteArray> messages(int kind) {
         std::vector<QByteArray> found;
         for (const QByteArray& package : packages()) {
@@ -204,7 +204,7 @@ public:
     const QByteArray greeting;
 };
 
-/// A controller in virtual time on free ports, powered and quick.
+/// A controller in virtual time on free ports, powered and running.
 struct VirtualRobot {
     static simulator::SimulatorOptions options() {
         simulator::SimulatorOptions options;
@@ -226,7 +226,7 @@ struct VirtualRobot {
     RawPrimary primary() const { return RawPrimary(host(), controller.ports().primary); }
     RawDashboard dashboard() const { return RawDashboard(host(), controller.ports().dashboard); }
 
-    /// Steps until the condition holds, at most so long in virtual time.
+    /// Steps until the condition is true, for at most this virtual time.
     template <class Condition>
     bool stepUntil(Condition condition, double atMostSeconds = 10) {
         const int ticks = static_cast<int>(atMostSeconds / controller.stepTime());
@@ -235,7 +235,7 @@ struct VirtualRobot {
         }
         return condition();
     }
-    /// Steps until the dashboard tells this mode, five seconds at most.
+    /// Steps until the dashboard reports this mode, for five seconds at most.
     bool untilMode(RawDashboard& dashboard, const QByteArray& robotMode) {
         return stepUntil([&] { return dashboard.ask("robotmode") == "Robotmode: " + robotMode + '\n'; }, 5);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The other end of a connection for the text and byte protocols: a thread that does with each client what the
-// test says.
+// The server side of a connection for text and byte protocols: a thread that runs the script of the test for each
+// client.
 
 #include <QByteArray>
 #include <QHostAddress>
@@ -35,7 +35,7 @@ public:
         Link& operator=(const Link&) = delete;
 
         bool isOver() const { return over_ || closed_; }
-        /// The client has ended the connection, and in good order: not cut it.
+        /// The client has closed the connection in an orderly way, without a reset.
         bool endedInOrder() const { return inOrder_; }
         void send(const QByteArray& bytes) {
             std::span<const std::uint8_t> left(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
@@ -49,7 +49,7 @@ public:
                 }
             }
         }
-        /// The next line without its end; null when the client is gone or the test over.
+        /// The next line without its end; null if the client has disconnected or the test is over.
         QByteArray readLine() {
             while (!received_.contains('\n')) {
                 if (isOver()) {
@@ -62,19 +62,19 @@ public:
             received_.remove(0, end + 1);
             return line;
         }
-        /// Everything until the client hangs up or the test is over.
+        /// Reads everything until the client disconnects or the test is over.
         QByteArray readAll() {
             while (!isOver()) {
                 read();
             }
             return received_;
         }
-        /// The connection stays open, and nobody reads it: half open. The caller closes the descriptor.
+        /// Keeps the connection open without a reader: half open. The caller closes the descriptor.
         native_socket::Descriptor forget() {
             closed_ = true;
             return std::exchange(socket_, -1);
         }
-        /// Says nothing until then.
+        /// Sends nothing until then.
         void beMute() { readAll(); }
 
     private:
@@ -128,7 +128,7 @@ public:
     int port() const { return port_; }
     int clients() const { return clients_; }
 
-    /// A port on which nothing listens.
+    /// A port without a listener.
     static int deadPort() {
         QTcpServer server;
         server.listen(QHostAddress::LocalHost);

@@ -135,7 +135,7 @@ struct RtdePeer::Conversation {
                 take(package.payload);
                 break;
             case PackageType::TextMessage:
-            case PackageType::ReadProperties:  // no client of ours asks
+            case PackageType::ReadProperties:  // not sent by our clients
                 break;
         }
         link.send(out);

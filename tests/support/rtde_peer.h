@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A robot that speaks RTDE and nothing else: enough of the controller's side to test clients against, with
-// the behaviour a test wants. It has no arm; the test says what the next package holds.
+// A minimal RTDE server: enough of the controller's side to test clients, with configurable behaviour. It has no
+// arm; the test defines the content of the packages.
 
 #include <map>
 #include <mutex>
@@ -18,8 +18,8 @@ namespace tiller::test {
 struct RtdePeerOptions {
     int highestProtocol = 2;
     SoftwareVersion version{5, 22, 1, 0};
-    std::set<std::string> missing;  ///< outputs and inputs this robot does not have
-    std::set<std::string> inUse;    ///< inputs somebody else owns
+    std::set<std::string> missing;  ///< outputs and inputs that this robot does not have
+    std::set<std::string> inUse;    ///< inputs used by other clients
     bool textBeforeEveryReply = false;
     bool acceptStart = true;
     std::uint16_t port = 0;
@@ -34,18 +34,18 @@ public:
     int connections() const { return peer_->connections(); }
     bool isStarted() const { return started_; }
 
-    /// What the packages hold from now on; 0 for anything not set.
+    /// Sets a value of all later packages; 0 for values that are not set.
     void set(const std::string& field, std::vector<double> values);
-    /// Sends one package with this time stamp as soon as the client has started.
+    /// Sends one package with this time stamp when the client has started.
     void send(double timestamp);
-    /// Hangs up.
+    /// Closes the connection.
     void closeConnection() { closeWanted_ = true; }
-    /// Garbage in place of a package.
+    /// Sends arbitrary bytes instead of a package.
     void sendRaw(rtde::Bytes bytes);
 
-    /// Names and frequency of the last setup of outputs.
+    /// Names and frequency of the last output setup.
     rtde::SetupOutputsRequest outputs() const;
-    /// The last values received for an input; empty when there was none.
+    /// The last values received for an input; empty if there were none.
     std::vector<double> input(const std::string& field) const;
     int inputPackages() const { return inputPackages_; }
 
@@ -63,7 +63,7 @@ private:
     std::atomic<bool> started_{false};
     std::atomic<bool> closeWanted_{false};
     std::atomic<int> inputPackages_{0};
-    std::unique_ptr<ScriptedPeer> peer_;  // last: its thread uses all of the above
+    std::unique_ptr<ScriptedPeer> peer_;  // last member: its thread uses all others
 };
 
 }  // namespace tiller::test

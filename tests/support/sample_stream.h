@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Samples as a receiver would have them, made by a test: as many as it likes, handed over frame by frame.
+// Samples like those of a receiver, created by a test and passed on frame by frame.
 
 #include <cstdint>
 #include <limits>
@@ -21,7 +21,8 @@ struct SampleStream {
     std::vector<receive::Sample> samples;
     std::uint64_t lost = 0;
 
-    /// time  the controller's time stamp [s]; sequence  counts packets from 1
+    /// time      time stamp of the controller [s]
+    /// sequence  packet number, from 1
     receive::Sample& add(double time, std::uint64_t sequence) {
         receive::Sample& sample = samples.emplace_back(layout);
         sample.sequence = sequence;
@@ -29,11 +30,11 @@ struct SampleStream {
         set(sample, "timestamp", time);
         return sample;
     }
-    /// component  by the name recordings use: "actual_current_0"
+    /// component  name as in recordings, e.g. "actual_current_0"
     void set(receive::Sample& sample, const char* component, double value) const {
         sample.values.at(layout->indexOfComponent(component).value()) = value;
     }
-    /// What was added since the last frame goes to `take`, and is gone.
+    /// Passes the samples since the last frame to `take`, and discards them.
     template <class Take>
     auto frame(Take take) {
         const std::vector<receive::Sample> gone = std::exchange(samples, {});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A small file system of its own that a test can fill up to the last byte. Mounting needs rights that not every machine
-// gives: tests skip with problem() then.
+// A small file system that a test can fill to the last byte. Mounting requires privileges: without them, tests skip
+// with problem().
 
 #include <QDir>
 #include <QFile>
@@ -22,7 +22,7 @@ class SmallDisk {
 public:
     enum class Kind { Tmpfs, Ext4 };
 
-    /// The mount is visible to this thread, and to those and the processes it starts afterwards.
+    /// The mount is visible to this thread, and to threads and processes started by it afterwards.
     SmallDisk(Kind kind, int kilobytes) {
 #ifdef __linux__
         mountPoint_ = directory_.filePath("disk");
@@ -78,7 +78,7 @@ public:
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;
 
-    /// Why there is none; empty when there is one.
+    /// The reason for a failure; empty on success.
     const QString& problem() const {
         return problem_;
     }
@@ -86,7 +86,7 @@ public:
         return QDir(mountPoint_).filePath(name);
     }
 
-    /// Fills the disk and leaves so many blocks of 4096 bytes.
+    /// Fills the disk except for this number of blocks of 4096 bytes.
     bool fill(int freeBlocks = 0) const {
 #ifdef __linux__
         const int file = ::open(ballast().constData(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);

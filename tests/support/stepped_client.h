@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client in virtual time: whatever it waits for, it waits for by moving the controller on.
+// A client in virtual time: each wait advances the controller.
 
 #include <array>
 
@@ -16,9 +16,9 @@ public:
     explicit SteppedClient(VirtualRobot& robot) : robot_(robot) {}
     virtual ~SteppedClient() = default;
 
-    /// Moves on so many control periods, and takes in what the robot says in each.
+    /// Advances by control periods and reads the robot's data in each.
     virtual void step(int ticks = 1) = 0;
-    /// Steps until the condition holds, at most so long in virtual time.
+    /// Steps until the condition is true, for at most this virtual time.
     template <class Condition>
     bool until(Condition condition, double seconds) {
         for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {
@@ -30,7 +30,7 @@ public:
         return condition();
     }
 
-    QByteArray trouble;  ///< the step that went wrong
+    QByteArray trouble;  ///< the failed step
 
 protected:
     bool fail(const char* step) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What ur_rtde 1.5.8 asks RTDE for when it connects, each list of names ending with a comma.
-// Source: what ur_rtde 1.5.8 sends on the wire
+// The RTDE recipes of ur_rtde 1.5.8, each list of names with a trailing comma.
+// Source: the network traffic of ur_rtde 1.5.8
 
 #include <QByteArray>
 #include <vector>

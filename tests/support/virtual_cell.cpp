@@ -64,7 +64,7 @@ private:
 
 simulator::SimulatorOptions VirtualCell::options() {
     simulator::SimulatorOptions options;
-    // Its own loopback address, so that tests may run side by side.
+    // A separate loopback address, so that tests can run in parallel.
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + pid % 200).arg((pid / 200) % 250);
     options.time = simulator::Time::Virtual;
@@ -143,7 +143,7 @@ void VirtualCell::tick() {
         receiver->latest(newest_);
         sequence = newest_.sequence;
     }
-    // In all the places where it can be seen: one is written after the other.
+    // Checked in all places where it is visible, because they are written one after the other.
     const auto isTakenIn = [&] {
         receiver->latest(newest_);
         return ring.pending() > 0 && newest_.sequence != sequence && receiver->counters().packets != packets;
@@ -158,7 +158,7 @@ void VirtualCell::tick() {
         std::this_thread::yield();
     }
     awaitFirstAnswers(inputs);
-    // The controller answers each data package with one input package, unless it lost control meanwhile.
+    // The controller answers each data package with one input package, unless it has lost control.
     while (session.state().control == ControlState::InControl && stillPatient()) {
         if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
             break;
@@ -167,9 +167,9 @@ void VirtualCell::tick() {
     }
 }
 
-// The program's watchdog counts the robot's time: of that no more may pass than the thread which answers has had
-// its turns for, also before the session knows that it is in control.
-// inputs  packages from the client until the robot's last step
+// The program's watchdog uses robot time, which must not advance faster than the answering thread runs, even before
+// the session knows that it is in control.
+// inputs  packages from the client up to the robot's last step
 void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
     if (session.state().control != ControlState::Taking) {
         inputsBeforeTaking_ = inputs;
@@ -177,7 +177,7 @@ void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
     }
     const bool answers = inputs > inputsBeforeTaking_;
     if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
-        inputsBeforeTaking_ = inputs;  // it has ended: nothing to wait for until it begins anew
+        inputsBeforeTaking_ = inputs;  // it has ended: there is nothing to wait for until it starts again
     }
 }
 

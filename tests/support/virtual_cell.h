@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A robot and a session that share one virtual clock: real sockets, real threads, no real time. Robot and
-// session advance in lock-step, so a test gives the same result on a fast and on a slow machine.
+// A robot and a session with a common virtual clock: real sockets, real threads, no real time. Robot and session
+// advance in lock-step, so that the result of a test does not depend on the speed of the machine.
 
 #include <QObject>
 #include <functional>
@@ -17,8 +17,8 @@ namespace tiller::test {
 
 class VirtualCell {
 public:
-    /// Both must outlive the cell; the session must have been made with the clock.
-    /// robot  what it shall be like; options() with whatever is to be different
+    /// Both arguments must outlive the cell; the session must have been created with the clock.
+    /// robot  its options, based on options()
     VirtualCell(VirtualClock& clock, RobotSession& session,
                 const simulator::SimulatorOptions& robot = options());
     /// A UR5e, powered, brakes released, in virtual time, at a loopback address of this process.
@@ -26,20 +26,19 @@ public:
     ~VirtualCell();
 
     /// Starts the robot and connects to it.
-    /// Returns  false when there were no data; what() says why
+    /// Returns  false without data; what() contains the reason
     bool connect();
-    /// The same, and takes control.
-    /// Returns  false when any of it did not happen; what() says which
+    /// As connect(), and takes control.
+    /// Returns  false on failure; what() contains the failed step
     bool bringUp();
     QString what() const { return what_; }
 
-    /// Advances robot, clock and session. Every control period the robot sends, receiver and controller
-    /// answer; every 16 ms the session refreshes and events are processed; every 80 ms windows repaint; every
-    /// 20 ms `everyRefresh` runs, in place of a timer of the interface.
+    /// Advances robot, clock and session. Every control period the robot sends, receiver and controller answer;
+    /// every 16 ms the session refreshes; every 20 ms `everyRefresh` runs, like a timer of the user interface.
     void advanceMs(int ms);
-    /// Until the condition holds, at most so long in virtual time.
+    /// Advances until the condition is true, for at most this virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
-    /// As advanceMs, but the interface does nothing meanwhile: a window that hangs.
+    /// As advanceMs(), without the user interface, like a window that hangs.
     void advanceWithFrozenInterface(int ms);
 
     std::function<void()> everyRefresh;
@@ -66,7 +65,7 @@ private:
     receive::Sample newest_;
 };
 
-/// Path the TCP went between two poses, in a straight line [mm].
+/// Distance of the TCP between two poses [mm].
 double distanceMm(const Pose& a, const Pose& b);
 
 }  // namespace tiller::test

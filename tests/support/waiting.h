@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For calls that wait: how long a test lets them, and what they say when they fail.
+// Deadlines and failure messages for waiting calls in tests.
 
 #include <QByteArray>
 #include <chrono>
@@ -10,12 +10,12 @@
 
 namespace tiller::test {
 
-/// Longer than anything takes on a machine that works: a test that waits so long has failed.
+/// Longer than any operation on a working machine: reaching this limit is a failure.
 inline Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
-/// Of a result that is an error.
+/// For a result with an error.
 template <class Result>
 QByteArray why(const Result& result) {
     return result.error().toString().toUtf8();

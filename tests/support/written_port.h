@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A way to the arm that only writes down what it is asked: one jog at a time, each with a number of its own.
+// A motion port that only records the calls: one jog at a time, each with a unique number.
 
 #include <QList>
 #include <cstdint>
@@ -11,9 +11,9 @@
 namespace tiller::test {
 
 struct WrittenPort {
-    std::uint64_t running = 0;  ///< 0: nothing moves
+    std::uint64_t running = 0;  ///< 0: no motion
     std::uint64_t next = 0;
-    QList<control::JogTarget> targets;  ///< of the begin and of every refresh
+    QList<control::JogTarget> targets;  ///< of the start and of every refresh
     QList<control::StopCause> ends;
     MotionPort port{
         .beginJog = [this](const control::JogTarget& target) -> Result<MotionPort::Id> {

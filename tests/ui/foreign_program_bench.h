@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The real window in virtual time, beside another client whose program moves the arm.
+// The real window in virtual time, together with another client whose program moves the arm.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -21,7 +21,7 @@
 
 namespace tiller::test {
 
-/// Robot time in which the robot has read the stop and does it; the rest is braking [ms].
+/// Robot time until the robot has read the stop and starts to decelerate; the rest is deceleration [ms].
 inline constexpr int kAtOnceMs = 20;
 inline constexpr int kBrakingMs = 1000;
 inline constexpr int kForeignPatienceMs = 20'000;
@@ -52,7 +52,7 @@ inline constexpr const char* kWays[] = {"STOP", "Esc", "Space", "device"};
 
 struct ForeignProgramBench : WindowBench {
     DeviceReading pad;
-    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();  ///< the window outlives us
+    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();  ///< the window outlives this object
     QStringList& errors = *said;
     std::unique_ptr<script::ScriptClient> pendant;
 
@@ -71,7 +71,7 @@ struct ForeignProgramBench : WindowBench {
     const SessionState& state() { return window.session().state(); }
     bool runs() const { return cell.truth().runtimeState == RuntimeState::Playing; }
 
-    /// What others start: the base goes to and fro.
+    /// Starts a program of another client: the base rotates back and forth.
     bool startProgram(const char* body =
                           "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                           "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n") {
@@ -91,7 +91,7 @@ struct ForeignProgramBench : WindowBench {
                           window.session().services().stopsForeignProgramsAtOnce();
                });
     }
-    /// Robot and window go on together until the condition holds; in real time, because others take part.
+    /// Advances robot and window together until the condition is true; in real time, because of other clients.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -100,7 +100,7 @@ struct ForeignProgramBench : WindowBench {
         }
         return condition();
     }
-    /// The word is on its way when the key comes up; the robot reads it with its next periods.
+    /// The command is sent on release; the robot reads it in its next periods.
     bool stopsAtOnce() {
         for (int ms = 0; ms < kAtOnceMs && runs(); ms += 2) {
             cell.robot.drainSockets();

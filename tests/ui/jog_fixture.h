@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the jog tests share: keys of the real widgets, driven in virtual time.
+// Common parts of the jog tests: buttons of the real widgets, driven in virtual time.
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -14,8 +14,9 @@
 
 namespace tiller::test {
 
-/// Lets the hold keys live on the cell's clock: their refresh comes with virtual time, not with real time.
-/// devices  what jogs without a key on the screen, if anything does
+/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of real
+/// time.
+/// devices  for jogging without a button on the screen, may be null
 inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys, AxisJog* devices = nullptr) {
     for (HoldButton* key : keys) {
         key->guard().setClock(cell.clock);
@@ -53,7 +54,7 @@ inline void release(QWidget& key) {
     sendMouse(key, QEvent::MouseButtonRelease);
 }
 
-/// Speed of the TCP now [m/s].
+/// Current speed of the TCP [m/s].
 inline double tcpSpeed(const VirtualCell& cell) {
     return cell.truth().tcpSpeed.linear.norm();
 }
@@ -63,7 +64,7 @@ inline bool standsStill(const VirtualCell& cell) {
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 
-/// Virtual time until the arm stands [ms], or -1 when it does not within a second.
+/// Virtual time until standstill [ms], or -1 if there is none within a second.
 inline int timeToStandstill(VirtualCell& cell) {
     for (int ms = 0; ms <= 1000; ms += 2) {
         if (standsStill(cell)) {

@@ -25,11 +25,11 @@ struct ShapingKey {
 };
 constexpr ShapingKey kShapingKeys[] = {
     {"jogDetail", "jogColumn"},            // pose or joints, in small windows
-    {"settings.density", "settingsPage"},  // the size of all keys and rows
-    {"frame.fromTcp", "frames"},           // the list gives way to the guide
+    {"settings.density", "settingsPage"},  // the size of all buttons and rows
+    {"frame.fromTcp", "frames"},           // the list is replaced by the guide
     {"frame.threePoints", "frames"},       //
     {"frame.touchUp", "frames"},           //
-    {"frame.teacher.make", "frames"},      // and comes back
+    {"frame.teacher.make", "frames"},      // and shown again
     {"frame.teacher.cancel", "frames"},    //
 };
 
@@ -75,7 +75,7 @@ QString nameOf(const QWidget& widget) {
 
 namespace {
 
-/// Chips that open a menu or the recovery; the others are only read.
+/// Chips that open a menu or the recovery; the others are read-only.
 bool isPressed(const StateChip* chip) {
     return chip != nullptr &&
            (chip->focusPolicy() != Qt::NoFocus || chip->objectName() == QLatin1String("safetyChip"));
@@ -84,7 +84,7 @@ bool isPressed(const StateChip* chip) {
 }  // namespace
 
 bool PlacesWatch::isControl(const QWidget& widget) {
-    // The parts of Qt's own controls are no controls of their own.
+    // Internal parts of Qt's controls do not count separately.
     if (widget.objectName().startsWith(QLatin1String("qt_")) ||
         qobject_cast<const QScrollBar*>(&widget) != nullptr) {
         return false;
@@ -105,7 +105,7 @@ const QWidget* PlacesWatch::containerOf(const QWidget& clicked) {
     }
     for (const QWidget* at = &clicked; at != nullptr && !at->isWindow(); at = at->parentWidget()) {
         if (qobject_cast<const QScrollBar*>(at) != nullptr) {
-            // A scroll bar lies in a box of its own inside the area that it scrolls.
+            // A scroll bar is inside a container within its scroll area.
             const QWidget* area = at->parentWidget();
             while (area != nullptr && qobject_cast<const QAbstractScrollArea*>(area) == nullptr) {
                 area = area->parentWidget();
@@ -115,7 +115,7 @@ const QWidget* PlacesWatch::containerOf(const QWidget& clicked) {
         const QWidget* parent = at->parentWidget();
         if (qobject_cast<const QAbstractButton*>(at) != nullptr &&
             qobject_cast<const QLineEdit*>(parent) != nullptr) {
-            return parent->parentWidget();  // the key that clears a search: all its rows come back
+            return parent->parentWidget();  // the button that clears a search: all rows appear again
         }
     }
     return nullptr;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Nothing slides under the pointer: for half a second after a click, no control at the pointer moves and none
-// comes there from elsewhere. A second click must never land on something else.
+// Checks that nothing moves under the pointer: for half a second after a click, no control near the pointer moves
+// and none moves there. A second click must not hit another control.
 //
-// The rule, as it is judged here:
-// - Looked at are all controls (buttons, fields, sliders, boxes, chips) of the window that was clicked, which
-//   were visible and enabled just before the press.
-// - A control has moved when its place or size in the window is another one than before the press.
-// - It counts when its old place was within 40 px of the pointer and to be seen there, or when its new one
-//   is. What has gone, or is new, has not moved.
-// - Excused is what the click itself opened, closed or switched: the watch ends when the window that was
-//   clicked closes, or a dialog or a menu opens or closes. A click on a key that folds or scrolls its
-//   surroundings, or filters or resizes them, excuses that part of the window and no other; containerOf() has
-//   the list. A tab is not in it: what is on another page is new, and all else keeps its place.
-// - Whoever acts in another way (keys, wheel, drag, another size of the window) ends the watch with end(). A
-//   moved pointer, a cut link and whatever the robot does go on under it.
+// The rule in detail:
+// - All controls (buttons, fields, sliders, boxes, chips) of the clicked window are checked that were visible and
+//   enabled just before the press.
+// - A control has moved if its position or size in the window differs from before the press.
+// - It counts if its old position was visible within 40 px of the pointer, or if its new one is. Controls that
+//   disappear or appear have not moved.
+// - Effects of the click itself are allowed: the watch ends when the clicked window closes, or when a dialog or
+//   menu opens or closes. A click on a button that folds, scrolls, filters or resizes its surroundings allows
+//   changes in this part of the window only; see the list in containerOf(). Tabs are not in the list: the content
+//   of another page is new, and everything else must not move.
+// - Other actions (keys, mouse wheel, dragging, resizing the window) end the watch by end(). A moved pointer, a
+//   lost connection and any behaviour of the robot do not.
 
 #include <QElapsedTimer>
 #include <QList>
@@ -28,41 +28,39 @@
 
 namespace tiller::test {
 
-/// "jog.X+ (JogKey)"; where it has no name, whose child it is.
+/// e.g. "jog.X+ (JogKey)"; the parent's name if it has none.
 QString nameOf(const QWidget& widget);
 
 class PlacesWatch {
 public:
-    /// How far from the pointer places count, sideways and up or down: a hand is not steadier [px].
+    /// Radius around the pointer that counts, horizontally and vertically: the accuracy of a hand [px].
     static constexpr int kReach = 4;
-    /// What moves or grows by less is still under the same finger: a segment that is chosen, or a scroll bar that
-    /// comes, takes that much [px].
+    /// Smaller movements and changes are permitted, e.g. a selected segment or an appearing scroll bar [px].
     static constexpr int kUnnoticed = 12;
-    /// The contract says 500 ms. Timers of the window that keep its places may be 5 % early.
+    /// The contract requires 500 ms. Timers of the window for this purpose may be 5 % early.
     static constexpr int kKeepMs = 470;
 
-    /// True for what a hand can press, turn or write in.
+    /// True for widgets that a user can press, turn or edit.
     static bool isControl(const QWidget& widget);
-    /// The part of the window that a click on this widget opens, closes, scrolls or gives another shape;
-    /// null: none, everything keeps its place.
+    /// The part of the window that a click on this widget opens, closes, scrolls or changes; null: none.
     static const QWidget* containerOf(const QWidget& clicked);
 
-    /// Just before the press.
+    /// Call just before the press.
     /// at  in the window [px]
     void begin(const QWidget& window, QPoint at);
     void end() { places_.clear(); }
-    /// Under way, and neither over nor ended by what the click opened or closed.
+    /// True while the watch is active.
     bool isOn();
-    /// What has moved so far, in words; empty: nothing.
+    /// The moved controls so far, as text; empty: none.
     QStringList moved() const;
-    /// Controls whose places count at the pointer: a watch without any sees nothing.
+    /// Number of controls near the pointer: a watch without any checks nothing.
     int controlsAtPointer() const;
 
 private:
     struct Place {
         QPointer<const QWidget> control;
-        QRect rect;         ///< in the window
-        bool seen = false;  ///< at the pointer
+        QRect rect;         ///< in window coordinates
+        bool seen = false;  ///< near the pointer
     };
 
     bool isNear(const QRect& rect) const;
@@ -73,7 +71,7 @@ private:
     bool hadModal_ = false;
     bool hadPopup_ = false;
     QPoint at_;
-    QSize size_;  ///< of the window when the watch began: with another one everything may move
+    QSize size_;  ///< of the window at the start: after a change everything may move
     QList<Place> places_;
     QElapsedTimer sincePress_;
 };

@@ -26,16 +26,16 @@ namespace tiller::test {
 namespace {
 
 constexpr int kQuietEvery = 40;  // steps
-/// In percent of the clicks: the hand stays for the whole time in which nothing may move, or for a moment.
+/// In percent of the clicks: the pointer stays for the whole time in which nothing may move, or briefly.
 constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
-/// Of each hundred steps so many are painted: painting is most of what a step costs.
+/// Steps per hundred that are painted: painting is most of the cost of a step.
 constexpr int kPaintedOfHundred = 10;
-/// From letting go to standstill [ms]; the contract's own bounds are tested in virtual time.
+/// From release to standstill [ms]; the contract's bounds are tested in virtual time.
 constexpr int kStandstillMs = 1000;
-/// What an arm that stands may seem to move, by the noise of its encoders [rad].
+/// Apparent motion of an arm at standstill due to the noise of its encoders [rad].
 constexpr double kRestTolerance = 0.0015;
-/// Until a robot is there that has been asked for [ms].
+/// Time until a requested robot is connected [ms].
 constexpr double kConnectMs = 30'000;
 constexpr qint64 kHopelessMs = 90'000;
 
@@ -44,7 +44,7 @@ constexpr QSize kLargest{1920, 1080};
 
 struct Fault {
     const char* words;
-    const char* cure;  ///< empty: it ends by itself, or is an operator's to end
+    const char* cure;  ///< empty: it ends by itself, or must be ended by the operator
     int weight;
     bool link = false;
 };
@@ -127,7 +127,7 @@ const KeyStroke kStrokes[] = {
     {Qt::Key_Control, {}, ""},
 };
 
-/// What the armed keyboard moves by, and modifiers.
+/// Keys of the armed keyboard, and modifiers.
 const KeyStroke kHeldStrokes[] = {
     {Qt::Key_Left, {}, ""},
     {Qt::Key_Right, {}, ""},
@@ -183,7 +183,7 @@ QString buttonName(Qt::MouseButton button) {
 
 }  // namespace
 
-// ---- patience -----------------------------------------------------------------------------------------------
+// ---- waiting ------------------------------------------------------------------------------------------------
 
 Patience::Patience(const simulator::Simulator& robot) : robot_(robot), began_(robot.truth().timestamp) {
     real_.start();
@@ -195,7 +195,7 @@ void Patience::wait() {
 }
 
 double Patience::ms() const {
-    constexpr double kTurnMs = 10;  // a turn that takes longer had to share the processor
+    constexpr double kTurnMs = 10;  // in a longer iteration the CPU was shared with other processes
     const double robot = (robot_.truth().timestamp - began_) * 1000;
     return std::min({static_cast<double>(real_.elapsed()), robot, turns_ * kTurnMs});
 }
@@ -204,7 +204,7 @@ bool Patience::isHopeless() const {
     return real_.elapsed() > kHopelessMs;
 }
 
-// ---- begin and end ------------------------------------------------------------------------------------------
+// ---- start and end ------------------------------------------------------------------------------------------
 
 RandomUser::RandomUser(quint32 seed, int place)
     : random_(seed)
@@ -213,7 +213,7 @@ RandomUser::RandomUser(quint32 seed, int place)
     , hand_(window_)
     , truth_(window_) {
     window_.installEventFilter(this);
-    // A dock that glides to its place would go on to move in the next steps.
+    // An animated dock would still move in the next steps.
     window_.setAnimated(false);
     connect(&visitor_, &QTimer::timeout, this, &RandomUser::visit);
 }
@@ -230,7 +230,7 @@ bool RandomUser::begin() {
         fail(started.error().toString());
         return false;
     }
-    // A second simulated robot would be another truth.
+    // A second simulated robot would be unknown to the checks.
     if (QAction* another = window_.actions().find(QStringLiteral("robot.simulator"))) {
         another->setEnabled(false);
     }
@@ -315,7 +315,7 @@ void RandomUser::fail(const QString& what) {
     }
 }
 
-/// The random user never ends the program.
+/// The random user does not quit the program.
 bool RandomUser::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &window_ && event->type() == QEvent::Close) {
         event->ignore();
@@ -411,7 +411,7 @@ void RandomUser::bringWindowBack() {
     if (!window_.isVisible()) {
         window_.show();
     }
-    // As a window manager does when the window that had the keyboard is gone.
+    // As a window manager after the active window was closed.
     if (QApplication::activeWindow() == nullptr && QApplication::activePopupWidget() == nullptr) {
         QWidget* modal = QApplication::activeModalWidget();
         (modal != nullptr ? modal : &window_)->activateWindow();
@@ -419,7 +419,7 @@ void RandomUser::bringWindowBack() {
     }
 }
 
-// ---- choices ------------------------------------------------------------------------------------------------
+// ---- selection ----------------------------------------------------------------------------------------------
 
 QList<QWidget*> RandomUser::windowsInReach() const {
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -429,7 +429,7 @@ QList<QWidget*> RandomUser::windowsInReach() const {
     QList<QWidget*> found;
     for (QWidget* top : QApplication::topLevelWidgets()) {
         const bool stop = top->objectName() == QLatin1String("stopAboveDialog");
-        // In a file dialog files could be deleted; see endFileDialog().
+        // Files could be deleted in a file dialog; see endFileDialog().
         if (!top->isVisible() || top->windowHandle() == nullptr ||
             qobject_cast<QFileDialog*>(top) != nullptr || (top->windowType() == Qt::ToolTip && !stop) ||
             (modal != nullptr && top != modal && !stop)) {
@@ -452,7 +452,7 @@ std::optional<RandomUser::Target> RandomUser::someControl() {
     }
     QList<QWidget*> controls;
     for (QWidget* widget : window->findChildren<QWidget*>()) {
-        // "startSimulator" would connect to a robot whose truth is not known here.
+        // "startSimulator" would connect to a robot whose state is not known here.
         if (PlacesWatch::isControl(*widget) && widget->isVisible() && widget->window() == window &&
             widget->objectName() != QLatin1String("startSimulator")) {
             controls.append(widget);
@@ -500,7 +500,7 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     return Target{&window_, key->mapTo(&window_, key->rect().center()), nameOf(*key)};
 }
 
-// ---- what a user does ---------------------------------------------------------------------------------------
+// ---- user actions -------------------------------------------------------------------------------------------
 
 void RandomUser::click(const Target& target) {
     if (!target.window) {
@@ -534,7 +534,7 @@ void RandomUser::clickPixel() {
     }
 }
 
-/// The impatient second click, where the first one was.
+/// A second click at the same position.
 void RandomUser::clickAgain() {
     if (last_ && last_->window && windowsInReach().contains(last_->window.data())) {
         Target again = *last_;
@@ -635,7 +635,7 @@ void RandomUser::typeText() {
     const QWidget* field = QApplication::focusWidget();
     QStringList choice = texts();
     if (field != nullptr && field->objectName() == QLatin1String("robotHost")) {
-        // No strangers: what is asked for by name is asked for in the network.
+        // Only known robots: a name would be looked up in the network.
         choice = {robot_.listenAddress(), QStringLiteral("127.0.0.254"), QStringLiteral("my robot")};
         hand_.keyClick(Qt::Key_A, Qt::ControlModifier);
     } else if (chance(40)) {
@@ -682,7 +682,7 @@ void RandomUser::wait() {
     watchOn(5 + below(40));
 }
 
-// ---- what happens to the robot ------------------------------------------------------------------------------
+// ---- events of the robot ------------------------------------------------------------------------------------
 
 void RandomUser::inject(const QString& words) {
     note(QStringLiteral("robot: ") + words);
@@ -728,8 +728,7 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// A colleague puts right the first thing that is wrong, by other ways than the window's where he stands at
-/// the robot.
+/// Corrects the first problem, as a person at the robot would, without the window.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
@@ -811,8 +810,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Not in the timer's own turn: a timer does not run again while it runs, and what is done may open the next
-/// dialog with a loop of its own.
+/// Not inside the timer event: a timer does not fire recursively, and the action may open the next dialog with its
+/// own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;
@@ -821,8 +820,7 @@ void RandomUser::visit() {
     QMetaObject::invokeMethod(this, &RandomUser::endNestedLoop, Qt::QueuedConnection);
 }
 
-/// What waits in an event loop of its own (file dialog, some menus, dragging a row) keeps the step from going
-/// on: a timer ends it from inside.
+/// Nested event loops (file dialog, some menus, dragging a row) block the step: a timer ends them from inside.
 void RandomUser::endNestedLoop() {
     if (QThread::currentThread()->loopLevel() == 0) {
         return;  // it has ended meanwhile
@@ -879,7 +877,7 @@ void RandomUser::endFileDialog() {
     }
 }
 
-// ---- the judges ---------------------------------------------------------------------------------------------
+// ---- checks -------------------------------------------------------------------------------------------------
 
 void RandomUser::judgePlaces() {
     if (!places_.isOn()) {
@@ -917,7 +915,7 @@ bool RandomUser::comesToRest() {
     const JogSelection selection = window_.jogColumn().selection();
     if ((stepRuns || window_.jogColumn().isHolding()) &&
         (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
-        // A short step is no hold: it runs to its end, or until it is stopped.
+        // A short step is not held: it runs to its end, or until it is stopped.
         note(QStringLiteral("ends a short step by Esc"));
         hand_.keyClick(Qt::Key_Escape, {}, QStringLiteral("\x1b"));
     }
@@ -943,7 +941,7 @@ void RandomUser::judgeTruth() {
     Patience patience(robot_);
     while (isFine()) {
         const simulator::Truth truth = robot_.truth();
-        // Another robot's window has nothing to say of ours.
+        // The window of another robot is not checked.
         const SessionState& state = window_.session().state();
         if (state.link != LinkState::Disconnected && state.address != robot_.listenAddress()) {
             return;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Somebody who knows nothing and tries everything: clicks, keys, wheel, drags, other sizes of the window, while
-// cables are pulled and stops are pressed on the simulated robot. A colleague, the "care", now and then puts
-// right what has been put wrong, so that there is a robot to play with. All in real time, from one seed.
+// A random user: clicks, keys, mouse wheel, dragging, resizing of the window, while connections are cut and stops
+// are triggered on the simulated robot. Occasionally a "care" function corrects problems, so that a usable robot
+// exists. Everything in real time, from one seed.
 //
-// Judged are, all the time or after each quiet moment:
+// Checks, permanently or after each quiet moment:
 // - places: nothing moves under the pointer after a click (PlacesWatch);
-// - truth: what the window says is so, or is marked as unknown (TruthCheck);
-// - rest: once the hand holds nothing the arm comes to stand, and stands until the next press.
+// - truth: the displayed state is correct, or marked as unknown (TruthCheck);
+// - rest: without operator input the arm stops, and remains stopped until the next press.
 
 #include <QObject>
 #include <QRandomGenerator>
@@ -26,43 +26,42 @@
 
 namespace tiller::test {
 
-/// Time as a window has it on a machine that gives it time: neither a processor that is busy elsewhere nor a
-/// robot whose time stands still count against it.
+/// Time available to the window: neither a busy CPU nor stopped robot time count.
 class Patience {
 public:
     explicit Patience(const simulator::Simulator& robot);
-    /// Lets events run for a moment.
+    /// Processes events for a moment.
     void wait();
     double ms() const;  ///< so far
-    /// Nobody waits that long: something stands still for good.
+    /// True if the time is so long that something must hang.
     bool isHopeless() const;
 
 private:
     const simulator::Simulator& robot_;
-    double began_;  ///< the robot's time [s]
+    double began_;  ///< robot time [s]
     QElapsedTimer real_;
     int turns_ = 0;
 };
 
 class RandomUser : public QObject {
 public:
-    /// place  of the robot among those of one process: each has an address of its own
+    /// place  index of the robot in this process, for a separate address
     RandomUser(quint32 seed, int place);
     ~RandomUser() override;
 
     /// Opens the window and takes control of the robot.
-    /// Returns  false when it did not happen; failure() says why
+    /// Returns  false on failure; failure() contains the reason
     bool begin();
-    /// So many steps, or until something is wrong.
+    /// Performs this number of steps, or fewer if a check fails.
     void play(int steps);
-    /// Puts everything right and looks whether the window is as good as new.
+    /// Corrects all problems and checks whether the window works normally.
     void finish();
 
-    /// What was wrong; empty: nothing.
+    /// The failed check; empty: none.
     QString failure() const { return failure_; }
     int steps() const { return number_; }
 
-    // What was really tried: a user who never moves an arm finds nothing.
+    // Statistics of the actions: a user who never moves an arm finds nothing.
     int stepsInMotion() const { return stepsInMotion_; }
     int watchedClicks() const { return watchedClicks_; }
     int comparedValues() const { return truth_.compared(); }
@@ -80,8 +79,8 @@ private:
         int weight;
         void (RandomUser::*run)();
         bool whileHeld = false;   ///< also while a mouse button is down
-        bool keepsWatch = false;  ///< nothing that could excuse a control for moving
-        bool mayMoveArm = true;   ///< what rested may move from now on
+        bool keepsWatch = false;  ///< does not permit controls to move
+        bool mayMoveArm = true;   ///< an arm at rest may move from now on
     };
     static const QList<Act>& acts();
 
@@ -90,7 +89,7 @@ private:
     void fail(const QString& what);
     bool isFine() const { return failure_.isEmpty(); }
 
-    // Random choices.
+    // Pseudo-random numbers.
     int below(qsizetype count);
     bool chance(int percent) { return below(100) < percent; }
     const Act& drawAct(bool held);
@@ -100,7 +99,7 @@ private:
     std::optional<Target> somePixel();
     std::optional<Target> someHoldKey();
 
-    // What a user does.
+    // Actions of the user.
     void clickControl();
     void clickPixel();
     void clickAgain();
@@ -119,14 +118,14 @@ private:
     void wait();
     void click(const Target& target);
 
-    // What happens to the robot.
+    // Events of the robot.
     void faultOrCure();
     void care();
     void inject(const QString& words);
     void cureAll();
     void tellPendant(const QByteArray& line);
 
-    // Around the steps.
+    // Before and after the steps.
     void bringWindowBack();
     void endOldDialogs();
     void closeAllDialogs();
@@ -134,7 +133,7 @@ private:
     void endNestedLoop();
     void endFileDialog();
 
-    // The judges.
+    // The checks.
     void judgePlaces();
     void judgeRest();
     void watchOn(int ms);
@@ -156,13 +155,13 @@ private:
     int number_ = 0;
     int stepsInMotion_ = 0;
     int watchedClicks_ = 0;
-    int dialogAge_ = 0;  ///< steps since a dialog stands before the window
+    int dialogAge_ = 0;  ///< steps since a dialog is open
     int stuck_ = 0;      ///< ticks in an event loop inside a step
     std::optional<Target> last_;
-    QStringList cures_;  ///< what ends the faults under way
+    QStringList cures_;  ///< commands that end the active faults
     bool linkTouched_ = false;
     QElapsedTimer sinceLinkTouched_;
-    std::optional<JointPositions> resting_;  ///< where the arm stands since the hand has let go
+    std::optional<JointPositions> resting_;  ///< position of the arm after the release
 };
 
 }  // namespace tiller::test

@@ -16,10 +16,10 @@
 namespace tiller::test {
 namespace {
 
-/// Half of the last digit where there is one digit, and the encoders' noise [deg].
+/// Half of the last digit with one decimal, plus the noise of the encoders [deg].
 constexpr double kJointTolerance = 0.07;
 
-/// What is written in a joint's row [deg]; nothing for "–".
+/// The angle displayed in a joint row [deg]; empty for "–".
 std::optional<double> angleIn(QString text) {
     text.replace(QChar(0x2212), QLatin1Char('-'));
     QString figure;
@@ -115,7 +115,7 @@ void TruthCheck::checkOutputs(const simulator::Truth& truth, QList<Lie>& lies) {
         const IoChannel* output = tab->output(number);
         const bool on = output->state() == IoChannel::State::On;
         if (output->isStale() || (!on && output->state() != IoChannel::State::Off)) {
-            continue;  // old, unknown or pending, and says so
+            continue;  // old, unknown or pending, and displayed as such
         }
         ++compared_;
         if (on != ((truth.digitalOutputs >> number & 1U) != 0)) {

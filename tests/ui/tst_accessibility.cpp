@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Without a mouse and without eyes: every control has a name, is reached by Tab or by a command, and shows
-// where the focus is.
+// Use without a mouse and with a screen reader: every control has a name, is reached by Tab or by a command, and
+// shows the focus.
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -34,7 +34,7 @@ struct Bench : WindowBench {
     Bench() { show(QSize(1280, 720)); }
 };
 
-/// The inside of a scroll area, which has the area's name and focus.
+/// The viewport of a scroll area, which has the area's name and focus.
 bool isViewport(const QWidget& widget) {
     const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
     return area != nullptr && area->viewport() == &widget;
@@ -105,7 +105,7 @@ private Q_SLOTS:
             action->setEnabled(true);
             action->trigger();
             QCoreApplication::processEvents();
-            // What belongs to a dialog goes with it.
+            // Children of a dialog are destroyed with it.
             QList<QPointer<QWidget>> tops;
             for (QWidget* top : QApplication::topLevelWidgets()) {
                 tops.append(top);
@@ -114,7 +114,7 @@ private Q_SLOTS:
                 if (top != nullptr && top != &bench.window && top->isVisible() &&
                     qobject_cast<QDialog*>(top) != nullptr) {
                     ++dialogs;
-                    // An input dialog is Qt's own, and names its one field by its label.
+                    // QInputDialog names its field by its label.
                     if (!top->inherits("QInputDialog")) {
                         const QStringList without = nameless(*top);
                         QVERIFY2(without.isEmpty(),
@@ -148,7 +148,7 @@ private Q_SLOTS:
             if (!visible || !isControl(*widget) || isQtsOwn(*widget) || reached.contains(widget)) {
                 continue;
             }
-            // Of a row of keys that exclude each other Tab reaches one, the arrows the others.
+            // In a group of exclusive buttons Tab reaches one, the arrow keys the others.
             if (widget->parentWidget() != nullptr &&
                 widget->parentWidget()->inherits("tiller::SegmentedControl")) {
                 const QList<QAbstractButton*> row = widget->parentWidget()->findChildren<QAbstractButton*>();
@@ -156,7 +156,7 @@ private Q_SLOTS:
                     continue;
                 }
             }
-            // Held keys are for the armed keyboard, STOP for Space and Esc from everywhere.
+            // Hold-to-run buttons have the armed keyboard, STOP has Space and Esc.
             if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
                 widget->focusPolicy() == Qt::NoFocus) {
                 if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton") {
@@ -223,7 +223,7 @@ private Q_SLOTS:
                     continue;
                 }
                 ++looked;
-                // Whatever is selected, and whether anything is: the frame alone has to say it.
+                // With any or no selection: the frame has to show the focus.
                 view->clearSelection();
                 view->setCurrentIndex({});
                 view->clearFocus();

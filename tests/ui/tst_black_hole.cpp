@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every socket of the robot swallows what it is sent and says nothing, and the operator asks for everything
-// the window can do: at no moment does the event loop wait for anybody.
+// All sockets of the robot accept data and send nothing, and the user triggers every function of the window: the
+// event loop never blocks.
 
 #include <QAbstractButton>
 #include <QAbstractEventDispatcher>
@@ -25,12 +25,11 @@ using namespace tiller::test;
 namespace {
 
 constexpr double kLongestWaitMs = 50;
-/// A host that takes the processor away unseen, or a disk that is busy, blocks one step or another; who waits
-/// for the robot does so each time.
+/// A hypervisor or a busy disk can delay single steps; waiting for the robot would occur in every attempt.
 constexpr int kAttempts = 3;
 
-/// What one thread did with a stretch of time: computed, waited for a processor, or was blocked. The first
-/// two are the machine's business; the last is what a socket, a lock or a disk does to an event loop.
+/// Time of a thread divided into computing, waiting for a CPU, and being blocked. The first two depend on the
+/// machine; the last one is caused by sockets, locks or disks.
 class Stretch {
 public:
     Stretch() { restart(); }
@@ -44,7 +43,7 @@ public:
 
 private:
     static double now() { return static_cast<double>(SteadyClock::shared().nowNs()); }
-    /// Time on a processor and time waiting for one [ns].
+    /// CPU time and time waiting for a CPU [ns].
     static double schedule() {
         QFile file(QStringLiteral("/proc/thread-self/schedstat"));
         if (!file.open(QIODevice::ReadOnly)) {
@@ -57,8 +56,8 @@ private:
     double busy_ = 0;
 };
 
-/// The longest time the event loop was blocked inside one turn. What it waits between turns, in a dialog's
-/// own loop for instance, is rest and no stall.
+/// The longest time that the event loop was blocked inside one iteration. Waiting between iterations, e.g. in a
+/// dialog's event loop, does not count.
 class TurnWatch : public QObject {
 public:
     TurnWatch() {
@@ -81,11 +80,11 @@ private:
 };
 
 using Bench = WindowBench;
-/// For how long each step blocked the event loop [ms].
+/// Blocking time of each step [ms].
 using Waits = QMap<QString, double>;
 
 void closeWhatOpened(const QWidget& window) {
-    // One that closes may take others with it.
+    // Closing a dialog may close others.
     const QWidgetList all = QApplication::topLevelWidgets();
     const QList<QPointer<QWidget>> still(all.begin(), all.end());
     for (const QPointer<QWidget>& top : still) {
@@ -152,7 +151,7 @@ private Q_SLOTS:
     }
 };
 
-/// All the window can do, on a robot that is mute.
+/// All functions of the window, with a robot that does not respond.
 void TestBlackHole::askForEverything(Waits& waits) {
     Bench bench;
     bench.window.resize(1280, 720);
@@ -175,7 +174,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
         }
         waits[what] = std::max(waits.value(what), watch.longestMs());
     };
-    // A file dialog has an event loop of its own: it is closed from inside.
+    // A file dialog has its own event loop: it is closed from inside.
     QTimer closer;
     connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
         if (QApplication::activeModalWidget() != nullptr) {
@@ -185,12 +184,12 @@ void TestBlackHole::askForEverything(Waits& waits) {
     closer.start(5);
     int actions = 0;
     for (QAction* action : bench.window.actions().all()) {
-        // Those end the window, the link, or make another robot: each has its turn below.
+        // These end the window or the connection, or start another robot: they are tested below.
         if (QStringList{"app.quit", "robot.disconnect", "robot.simulator"}.contains(action->objectName())) {
             continue;
         }
         measure(action->objectName(), [action] {
-            action->setEnabled(true);  // also what the state does not allow: nobody may wait for it
+            action->setEnabled(true);  // including disabled functions: none may wait for the robot
             action->trigger();
         });
         measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The chosen TCP speed caps every held motion: joint jogs, joint steps, Home, Align and Back. Measured on the simulated
-// arm in virtual time, at the TCP and, where joints lead, at the elbow.
+// The selected TCP speed limits all hold-to-run motions: joint jogs, joint steps, Home, Align and Back. Measured on
+// the simulated arm in virtual time, at the TCP and, for joint motions, at the elbow.
 
 #include <QTest>
 #include <deque>
@@ -18,8 +18,8 @@ using namespace tiller::test;
 namespace {
 
 constexpr double kDeg = 3.14159265358979323846 / 180;
-/// Measured over this time: the speed of a single control period is noisy by 0.3 mm/s, also at standstill. Over the
-/// window the noise of the joint sensors is left, 0.2 mm/s at the tip of a stretched arm.
+/// Averaging time: the speed of a single control period has a noise of 0.3 mm/s, also at standstill. With
+/// averaging, the noise of the joint sensors is 0.2 mm/s at the tip of a stretched arm.
 constexpr int kWindowMs = 100;
 constexpr double kRelative = 1.005;
 constexpr double kAbsolute = 2e-4;  // [m/s]
@@ -41,8 +41,8 @@ class TestChosenSpeed : public QObject {
 
 private:
     std::unique_ptr<WindowBench> bench_;
-    double tcp_ = 0;    ///< fastest so far [m/s]
-    double elbow_ = 0;  ///< fastest so far [m/s]
+    double tcp_ = 0;    ///< maximum so far [m/s]
+    double elbow_ = 0;  ///< maximum so far [m/s]
 
     VirtualCell& cell() { return bench_->cell; }
     HoldButton& key(const QString& name) { return bench_->find<HoldButton>(qPrintable(name)); }
@@ -63,7 +63,7 @@ private:
         Eigen::Vector3d tcp;
         Eigen::Vector3d elbow;
     };
-    std::deque<Place> places_;  ///< one per control period, of the newest window
+    std::deque<Place> places_;  ///< one per control period, within the averaging time
 
     void measure() {
         const simulator::Truth truth = cell().truth();
@@ -76,7 +76,7 @@ private:
             places_.pop_front();
         }
     }
-    /// Holds the key for so long, and measures until the arm has stopped.
+    /// Holds the button for this time, and measures until standstill.
     void hold(const QString& name, int ms) {
         tcp_ = elbow_ = 0;
         places_.clear();
@@ -131,7 +131,7 @@ private Q_SLOTS:
                 fastest = std::max({fastest, tcp_, elbow_});
             }
         }
-        // The cap is reached and not undercut: the base and the shoulder carry TCP and elbow the farthest.
+        // The cap is reached: base and shoulder cause the largest speeds of TCP and elbow.
         QVERIFY2(fastest > 0.95 * chosen(speedClass), qPrintable(QString::number(1e3 * fastest)));
     }
 
@@ -145,7 +145,7 @@ private Q_SLOTS:
         for (int joint = 0; joint < kJointCount; ++joint) {
             const QString name = QStringLiteral("joint.%1.plus").arg(joint);
             hold(name, 600);
-            // A short step goes on to its end.
+            // A short step continues to its end.
             cell().advanceUntil([this] { return !bench_->window.session().state().motionActive; }, 60'000);
             cell().advanceMs(100);
             QVERIFY2(isBelow(tcp_, speedClass) && isBelow(elbow_, speedClass),
@@ -166,7 +166,7 @@ private Q_SLOTS:
         }
     }
 
-    // The rows show the speed at which their keys run.
+    // The rows display the speeds of their buttons.
     void theRowsShowTheSpeedOfTheirKeys() {
         const JointPositions q = kPostures[1].q;
         bringUp(q, 0);

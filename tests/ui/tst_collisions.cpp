@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the check knows, the arm does not drive into: every bounded motion of the window is refused with the reason, and
-// a jog ends at the distance that its key shows.
+// The arm does not move into known obstacles: every bounded motion of the window is refused with the reason, and a
+// jog ends at the distance displayed on its button.
 
 #include <QAction>
 #include <QLabel>
@@ -47,7 +47,7 @@ private:
         document().changeCell(cell, QStringLiteral("crate"));
         cell_->advanceMs(40);
     }
-    /// Under the wrist, so far below its lowest body [m].
+    /// Below the wrist, at this distance from its lowest body [m].
     void addTable(double gap) {
         double low = 1e9;
         const auto bodies =
@@ -110,7 +110,7 @@ private:
         driveKeys(*cell_, keys, &window().jogColumn().axisJog());
         cell_->advanceMs(40);
     }
-    /// A press that moves nothing, and says why.
+    /// A press without motion, which shows the reason.
     void verifyRefused(const char* name, const QString& reason) {
         const JointPositions before = cell_->truth().q;
         press(key(name));
@@ -147,7 +147,7 @@ private Q_SLOTS:
         verifyRefused("waypoint.stepOn", QStringLiteral("collides with “crate” after"));
         keepPicture(window(), QStringLiteral("collision-refused"));
 
-        // Without the crate it goes.
+        // Possible without the crate.
         document().undoStack().undo();
         cell_->advanceMs(100);
         QTRY_COMPARE(reachText(0), QStringLiteral("✓"));
@@ -160,7 +160,7 @@ private Q_SLOTS:
 
     void theArmDoesNotGoIntoItself() {
         cell_ = &cell();
-        // The elbow folds until wrist 1 is in the upper arm.
+        // The elbow folds until wrist 1 collides with the upper arm.
         addWaypoint("folded", turned(2, -0.9), project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         cell_->advanceMs(100);
@@ -178,7 +178,7 @@ private Q_SLOTS:
         verifyRefused("homeKey", QStringLiteral("“crate”"));
         document().undoStack().undo();
 
-        // A step of 10 mm towards a table that is 15 mm away: it would leave 5 mm.
+        // A step of 10 mm towards a table at a distance of 15 mm would leave 5 mm.
         addTable(0.015);
         chooseMotion(3);
         cell_->advanceMs(40);
@@ -192,7 +192,7 @@ private Q_SLOTS:
         chooseMotion(0);
         cell_->advanceMs(40);
 
-        // What has been put where the arm came from since.
+        // An obstacle added on the path of the arm since.
         const Eigen::Vector3d from = state().tcpPose.position;
         jog("jog.Z+", 4000);
         QVERIFY((state().tcpPose.position - from).norm() > 0.15);
@@ -200,7 +200,7 @@ private Q_SLOTS:
         verifyRefused("backKey", QStringLiteral("“crate”"));
     }
 
-    // From inside the safety distance the arm may be led out, and no nearer.
+    // From within the safety distance the arm may be moved away, but not closer.
     void whatLeadsOutOfTheSafetyDistanceGoes() {
         cell_ = &cell();
         addTable(0.004);
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
         QVERIFY(std::abs(state().check->surroundings().obstacles[0].size.z() - 0.25) < 1e-9);
 
-        // Left out, it is neither checked nor drawn; undone, it is again.
+        // A disabled object is neither checked nor displayed; after undo it is again.
         trigger("enable");
         cell_->advanceMs(40);
         QVERIFY(state().check->surroundings().obstacles.empty());
@@ -288,7 +288,7 @@ private Q_SLOTS:
         cell_->advanceMs(40);
         QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
 
-        // A plane through the TCP, across the tool, with the arm on its side.
+        // A plane through the TCP, normal to the tool, with the arm on its side.
         trigger("plane");
         QCOMPARE(document().cell().planes.size(), std::size_t(1));
         const Pose plane = document().cell().planes.at(0).pose;
@@ -322,7 +322,7 @@ private Q_SLOTS:
         cell_->advanceMs(40);
         QVERIFY(std::abs(state().check->safetyDistance() - 0.025) < 1e-9);
         keepPicture(window(), QStringLiteral("cell-page"));
-        // Each edit is a step that can be undone, by its name.
+        // Each edit is an undo step with a name.
         QVERIFY(document().undoStack().undoText().contains(QStringLiteral("safety distance")));
         while (document().undoStack().canUndo()) {
             document().undoStack().undo();

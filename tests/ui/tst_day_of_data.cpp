@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A day of data through everything that remembers some of it: plots, records of stops, the log. What is kept has an
-// end, so the memory in use after a day is that of the morning. Without a robot and without a day: the samples are
-// made here and handed over as the session would.
+// A day of data through all components that store some of it: plots, stop records, the log. All of them are
+// limited, so the memory in use after a day equals that of the morning. Without a robot and in a short time: the
+// samples are generated here.
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -19,13 +19,13 @@ using namespace tiller::test;
 namespace {
 
 constexpr int kDay = 24 * 3600;     // [s]
-constexpr int kMorning = 8 * 3600;  // by now everything is as full as it gets [s]
+constexpr int kMorning = 8 * 3600;  // everything has its final size by now [s]
 constexpr double kGrowth = 1.05;
-/// Of the samples [Hz]. The suite's is enough to fill every history by the morning; TILLER_SAMPLE_RATE=500 gives a
-/// whole day's.
+/// Sample rate [Hz]. The default is sufficient to fill every history by the morning; TILLER_SAMPLE_RATE=500 uses
+/// the real rate.
 constexpr int kRate = 50;
 
-/// In memory of this process [MB].
+/// Resident memory of this process [MB].
 double residentMb() {
     QFile status(QStringLiteral("/proc/self/status"));
     if (!status.open(QIODevice::ReadOnly)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connections that have died without a sign: the controller has forgotten them, or was without power for a while.
-// Nothing in the window may rely on them. STOP, Esc, Space and a device's stop key stop the arm all the same, whoever
-// moves it. The real window, real events, real sockets, the simulated robot in virtual time.
+// Connections that failed without a notification: the controller has dropped them, or had no power. The window must
+// not rely on them: STOP, Esc, Space and a device's stop button stop the arm nevertheless, whoever moves it. The
+// real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -26,7 +26,7 @@ namespace {
 constexpr int kPatienceMs = 60'000;
 constexpr int kPeriodMs = 2;
 constexpr int kFrameMs = 16;
-constexpr int kLimitMs = 250;  ///< from the key to standstill
+constexpr int kLimitMs = 250;  ///< from the press to standstill
 
 struct TestPad : InputDevice {
     explicit TestPad(DeviceReading& r) : reading(r) {}
@@ -57,7 +57,7 @@ constexpr const char* kFaults[] = {"half-open", "power cut"};
 struct DeadLinkBench : WindowBench {
     DeviceReading pad;
     std::shared_ptr<QStringList> said =
-        std::make_shared<QStringList>();  ///< the window outlives the bench's own members
+        std::make_shared<QStringList>();  ///< the window outlives the members of the bench
     std::unique_ptr<script::ScriptClient> pendant;
 
     DeadLinkBench() {
@@ -70,8 +70,8 @@ struct DeadLinkBench : WindowBench {
     QString control() { return find<StateChip>("controlChip").text(); }
     bool hasSaid(const char* words) const { return said->join('\n').contains(QLatin1String(words)); }
 
-    /// Time goes on for robot and window, whatever the threads of the link make of it.
-    /// pauseMs  real time that they get in each period
+    /// Advances time for robot and window, independent of the communication threads.
+    /// pauseMs  real time for them in each period
     void goOn(int ms, int pauseMs = 0) {
         for (int t = 0; t < ms; t += kPeriodMs) {
             clock.advanceNs(kPeriodMs * kNsPerMs);
@@ -93,7 +93,7 @@ struct DeadLinkBench : WindowBench {
         QCoreApplication::processEvents();
         window.session().refresh();
     }
-    /// Waits for the threads, and time stands still meanwhile.
+    /// Waits for the threads while time does not advance.
     bool waitStill(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -103,7 +103,7 @@ struct DeadLinkBench : WindowBench {
         }
         return condition();
     }
-    /// Time goes on until the condition holds.
+    /// Advances time until the condition is true.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -123,7 +123,7 @@ struct DeadLinkBench : WindowBench {
     }
     void inject(const char* words) { cell.robot.inject(QString::fromLatin1(words)).value(); }
 
-    /// Another client moves the base to and fro.
+    /// Another client rotates the base back and forth.
     bool startForeignProgram() {
         pendant = std::make_unique<script::ScriptClient>(cell.robot.listenAddress(), script::kPrimaryPort);
         return pendant->connect(patience()).ok() &&
@@ -168,8 +168,7 @@ struct DeadLinkBench : WindowBench {
                 break;
         }
     }
-    /// Robot time until the arm is at standstill, with ten times as much real time for the threads [ms]; -1: not
-    /// within a second.
+    /// Robot time until standstill, with ten times as much real time for the threads [ms]; -1: not within a second.
     int msToStandstill() {
         for (int ms = 0; ms <= 1000; ms += kPeriodMs) {
             if (standsStill(cell)) {
@@ -219,7 +218,7 @@ private Q_SLOTS:
         QVERIFY2(bench.waitStill([&] { return bench.hasSaid("Control was given up"); }),
                  qPrintable(bench.said->join('\n')));
         QVERIFY(bench.waitStill([&] { return !bench.state().controlReason.isEmpty(); }));
-        // Data come again by themselves, control does not.
+        // Data resume automatically, control does not.
         QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
         QVERIFY(bench.state().control == ControlState::None);
         QVERIFY(bench.state().keysStop());
@@ -293,7 +292,7 @@ private Q_SLOTS:
         checkStop(bench, key);
     }
 
-    // The program of others moves the arm already when the connections die.
+    // The program of another client moves the arm when the connections fail.
     void stopReachesAProgramThatRanBefore_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Device}) {
@@ -347,7 +346,7 @@ private Q_SLOTS:
         release(key);
     }
 
-    // The control connection works, but nothing shows what the arm does: even our own program is ended.
+    // The control connection works, but the motion of the arm is unknown: even our own program is ended.
     void aStopThatTheReceiverCannotConfirmUsesEveryRoute() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -358,7 +357,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // In control with data that flow, STOP ends the motion and keeps the control, as ever.
+    // In control with data, STOP ends the motion and keeps control.
     void aStopInControlKeepsTheControl_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Escape, Key::Space, Key::Device}) {
@@ -380,7 +379,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());
         QVERIFY(!bench.hasSaid("program on the robot"));
-        // And at standstill too.
+        // Also at standstill.
         bench.stop(key);
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());

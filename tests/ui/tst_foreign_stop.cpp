@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program that is not ours moves the arm while this window only monitors. STOP and a device's stop key stop it at once,
-// wherever the focus is, whatever the robot's dashboard does meanwhile. Space and Esc belong to the focused control, and
-// control is taken only after a question. The real window, real events, real sockets, the simulated robot in virtual time.
+// A program of another client moves the arm while this window only monitors. STOP and a device's stop button stop
+// it immediately, independent of the focus and of the robot's dashboard. Space and Esc belong to the focus widget,
+// and taking control requires a confirmation. The real window, real events, real sockets, the simulated robot in
+// virtual time.
 
 #include <QAbstractButton>
 #include <QDialog>
@@ -33,7 +34,7 @@ constexpr const char* kFocuses[] = {"window", "text field", "table", "dialog", "
 enum class Path { Header, Command, Recovery };
 constexpr const char* kPaths[] = {"header", "command", "recovery page"};
 
-/// The dashboard's port taken by somebody who never says a word: PolyScope X has no dashboard of its own.
+/// The dashboard port is used by a peer that sends nothing: PolyScope X has no dashboard.
 simulator::SimulatorOptions withoutDashboard() {
     simulator::SimulatorOptions options = VirtualCell::options();
     options.software = {10, 12, 0, 0};
@@ -120,7 +121,7 @@ private Q_SLOTS:
         QVERIFY2(bench.comesToRest(), "the arm goes on");
         QVERIFY(typed == nullptr || typed->text().isEmpty());
         QVERIFY(open == nullptr || open->isVisible());
-        // The way it took is measured, and shown.
+        // The stopping distance is measured and displayed.
         QVERIFY(bench.within([&] { return bench.state().lastStop.count > stops; }));
         QCOMPARE(bench.state().lastStop.cause, StopCause::StopButton);
         QVERIFY(bench.state().lastStop.durationMs > 0);
@@ -129,7 +130,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Space in a name must not end the program of the client that replaced us, however long ago that was.
+    // Space in a name must not end the program of the client that replaced us, at any later time.
     void theKeysBelongToTheFocusAfterControlWasReplaced() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
         QVERIFY(bench.startMoving());
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
-        bench.cell.advanceMs(5000);  // longer than the stop keys keep their meaning
+        bench.cell.advanceMs(5000);  // longer than the stop keys keep their function
         QVERIFY(!bench.state().keysStop());
         auto& search = bench.find<QLineEdit>("log.search");
         bench.window.showTab(QStringLiteral("log"));
@@ -198,7 +199,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         RecoveryPage* recovery = nullptr;
         if (path == Path::Recovery) {
-            // Left open from an earlier stop.
+            // Open since an earlier stop.
             bench.window.actions().find("power.recover")->setEnabled(true);
             bench.window.actions().find("power.recover")->trigger();
             recovery = bench.window.findChild<RecoveryPage*>();
@@ -246,7 +247,7 @@ private Q_SLOTS:
             bench.cell.advanceMs(500);
             QCOMPARE(bench.cell.truth().runtimeState, before);
             QCOMPARE(bench.state().control, ControlState::None);
-            // The key in the header keeps its place for half a second of real time.
+            // The button in the header keeps its position for half a second of real time.
             QTest::qWait(600);
         }
         take();
@@ -261,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
 
-    // A dialog keeps the mouse from the window behind it; STOP is where it always is all the same.
+    // A dialog blocks the window behind it; STOP is available at its usual position nevertheless.
     void stopIsReachedByMouseWhileADialogIsOpen() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -270,10 +271,10 @@ private Q_SLOTS:
         dialog.open();
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QVERIFY(bench.startMoving());
-        // Through the windows, as the display server does it.
+        // Through the windows, as by the display server.
         const auto& stop = bench.find<StopButton>("stopButton");
         const QPoint place = stop.mapToGlobal(stop.rect().center());
-        QWindow* under = nullptr;  // the one shown last stands above
+        QWindow* under = nullptr;  // the window shown last is on top
         for (QWindow* each : QGuiApplication::topLevelWindows()) {
             under = each->isVisible() && each->geometry().contains(place) ? each : under;
         }
@@ -287,7 +288,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
     }
 
-    // Its dashboard takes the connection and never says a word; a question to it is under way.
+    // Its dashboard accepts the connection and sends nothing; a query is in progress.
     void aMuteDashboardDelaysNothing_data() {
         QTest::addColumn<Way>("way");
         for (const Way way : {Way::StopButton, Way::Device}) {
@@ -307,7 +308,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    // The pendant's program runs, control is being taken, and the operator thinks better of it.
+    // The pendant's program is running, control is being taken, and the operator cancels.
     void itStopsWhileControlIsBeingTaken_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<int>("afterMs");
@@ -328,7 +329,7 @@ private Q_SLOTS:
         bench.stop(way);
         QVERIFY(bench.within([&] { return standsStill(bench.cell); }));
         QVERIFY(bench.within([&] { return bench.state().control != ControlState::Taking; }));
-        // Whatever was on its way: nothing moves, and no program of others runs.
+        // In all cases: no motion, and no program of another client is running.
         QVERIFY(bench.within([&] {
             return bench.state().control == ControlState::InControl || !bench.state().foreignProgramRuns();
         }));
@@ -336,7 +337,7 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
     }
 
-    // Another program has just thrown ours out, and nobody here knows it yet.
+    // Another program has just replaced ours, which is not known yet.
     void itStopsInTheMomentAfterATakeover() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -371,7 +372,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    // STOP means a program that is paused as well.
+    // STOP also ends a paused program.
     void aPausedProgramIsEndedByStopAlone() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -389,7 +390,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // A stop that nobody needs would end whatever somebody starts in the next moment.
+    // An unnecessary stop would end a program started in the next moment.
     void nothingIsSentWhenNothingRuns() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -403,7 +404,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Other stops are about our own motions.
+    // Other stops only apply to our own motions.
     void aChangedTabStopsNobodyElsesProgram() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -429,7 +430,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.first().contains(QStringLiteral("teach pendant")),
                  qPrintable(bench.errors.first()));
         QVERIFY(bench.runs());
-        // And after the switch back the connections are good again.
+        // After the switch back the connections work again.
         bench.cell.robot.setRemoteControl(true);
         bench.cell.advanceMs(100);
         bench.stop(Way::StopButton);

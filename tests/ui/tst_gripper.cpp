@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gripper's page in the real window, over real sockets, against the simulated gripper and against one that
-// falls silent or dies.
+// The gripper page in the real window, with real sockets, the simulated gripper, and a gripper that stops
+// responding or disconnects.
 
 #include <QComboBox>
 #include <QLabel>
@@ -28,10 +28,10 @@ using namespace tiller::test;
 
 namespace {
 
-/// As the list of grippers has them, after "None".
+/// In the order of the list of grippers, after "None".
 enum Choice { kTwoF85 = 1, kTwoF140, kHandE, kOneOutput, kTwoOutputs };
 
-/// An active gripper with something between its fingers; silent while it is told to be.
+/// An active gripper that holds an object; it can be made to stop responding.
 struct HoldingGripper {
     std::atomic<bool> mute{false};
 
@@ -65,7 +65,7 @@ private:
     bool wasSaid(const QString& words) {
         return std::any_of(said_.begin(), said_.end(), [&](const QString& s) { return s.contains(words); });
     }
-    /// Real time passes too: the gripper is asked in a thread of its own.
+    /// Real time also passes: the gripper is queried in a separate thread.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 5000; ++i) {
             if (condition()) {
@@ -76,7 +76,7 @@ private:
         }
         return condition();
     }
-    /// While the robot's time stands still.
+    /// While robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
         bench_ = std::make_unique<WindowBench>(robot);
@@ -88,7 +88,7 @@ private:
         panel().setClock(bench_->clock);
         bench_->window.showTab("gripper");
     }
-    /// By keyboard, from "None".
+    /// By keyboard, starting with "None".
     void choose(Choice choice) {
         auto& list = bench_->find<QComboBox>("gripper.kind");
         QVERIFY(until([&list] { return list.isEnabled(); }));
@@ -162,13 +162,13 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
         QCOMPARE(text("gripper.opening"), QString("41.2 mm"));
         QVERIFY(until([this] { return wasSaid("The gripper holds an object (41.2 mm open)"); }));
-        // What stops the arm leaves it as it is.
+        // A stop of the arm does not affect the gripper.
         QTest::keyClick(&bench_->window, Qt::Key_Escape);
         cell().robot.protectiveStop();
         cell().advanceMs(500);
         QTest::qWait(300);
         QVERIFY(text("gripper.holds").contains("object"));
-        // It can be let go of all the same, as an output can be switched.
+        // It can be opened nevertheless, like an output can be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QTest::keyClick(&bench_->find<FigureBox>("gripper.position"), Qt::Key_Return);
         cell().advanceMs(400);
         QTest::qWait(300);
-        QCOMPARE(text("gripper.opening"), QString("0.0 mm"));  // Return moves nothing
+        QCOMPARE(text("gripper.opening"), QString("0.0 mm"));  // Return does not move the fingers
         click("gripper.move");
         QVERIFY(until([this] { return text("gripper.opening").startsWith("40."); }));
         QVERIFY(until([this] { return wasSaid("Gripper: to 40.0 mm (speed 100 %"); }));
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
         QVERIFY2(text("gripper.remedy").contains("does not answer"), qPrintable(text("gripper.remedy")));
         QVERIFY(!key("gripper.close").isEnabled());
-        // Outputs go their own way meanwhile.
+        // Outputs are independent.
         auto* tab = bench_->window.findChild<IoTab*>();
         tab->output(3)->click();
         QVERIFY(until([this] { return output(3); }));
@@ -299,7 +299,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(16) && output(17); }));
         QVERIFY(until([this] { return text("gripper.state") == "open requested"; }));
         QVERIFY(until([this] { return wasSaid("Gripper: open (TO 0: off, TO 1: on)"); }));
-        // Whoever switches them: what the robot reports is shown.
+        // The display shows the state reported by the robot, independent of its cause.
         bench_->window.session().outputs().setDigitalOutput(16, true);
         QVERIFY(until([this] { return text("gripper.state") == "both outputs on"; }));
     }
@@ -363,7 +363,7 @@ private Q_SLOTS:
     void oldDataGreyTheKeys() {
         choose(kTwoOutputs);
         QVERIFY(until([this] { return key("gripper.close").isEnabled(); }));
-        // Time goes on, and nothing comes.
+        // Time advances without data.
         bench_->clock.advanceNs(400 * kNsPerMs);
         QVERIFY(untilReal([this] { return !key("gripper.close").isEnabled(); }));
         QCOMPARE(key("gripper.close").toolTip(), QString("No data from the robot."));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// F1 opens the manual at the page of what has the focus, in dialogs too, and stops what moves. Without a manual it says
-// how to get one. The manual is that of the build tree; where nobody could build it, what needs it is skipped.
+// F1 opens the manual at the page of the focus widget, also in dialogs, and stops any motion. Without a manual it
+// explains how to get it. Uses the manual of the build tree; tests that need it are skipped if it was not built.
 
 #include <QApplication>
 #include <QDialog>
@@ -52,7 +52,7 @@ struct Bench : WindowBench {
     QTextBrowser* shown() {
         return help() == nullptr ? nullptr : help()->findChild<QTextBrowser*>("help.manual");
     }
-    /// The page that is shown, as the table names it.
+    /// The displayed page, as named in the table.
     QString page() {
         const QTextBrowser* browser = shown();
         if (browser == nullptr) {
@@ -69,7 +69,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// F1, given to whoever has the focus.
+/// F1 for the focus widget.
 void pressF1() {
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : QApplication::activeWindow(), Qt::Key_F1);
@@ -118,7 +118,7 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
         }
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
-        // These two come with a robot that is in trouble, and with a file; the questions are everyDialogHasItsPage's.
+        // These two appear with a robot problem and with a file; the dialogs are tested in everyDialogHasItsPage.
         const QStringList elsewhere{
             "recoveryPage",   "importSettings",    "waypoint.actions", "waypoint.properties",
             "waypoint.shift", "waypoint.history",  "pattern",          "programDialog",
@@ -130,8 +130,8 @@ private Q_SLOTS:
         }
     }
 
-    // Of a command that asks something, the question has a page of its own, not only the contents. Commands that move,
-    // end or leave something, and the dialogs of the desktop, are not begun.
+    // For a command with a dialog, the dialog has a specific page, not only the contents. Commands that move, end
+    // or close something, and native dialogs, are not run.
     void everyDialogHasItsPage() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -151,7 +151,7 @@ private Q_SLOTS:
                                "waypoint.action.export"};
         QMap<QString, QString> pages;
         QString now;
-        // Some run an event loop of their own.
+        // Some have their own event loop.
         QTimer look;
         const auto closeWhatIsOpen = [&] {
             QList<QPointer<QDialog>> open;
@@ -171,7 +171,7 @@ private Q_SLOTS:
         look.start(20);
         const QList<QAction*> all = bench.window.actions().all();
         for (QAction* action : all) {
-            // The three dots promise a question.
+            // The ellipsis announces a dialog.
             const bool asks =
                 action->text().contains(QStringLiteral("…")) ||
                 QStringList{"robot.connect", "app.settings", "app.palette", "power.recover"}.contains(
@@ -272,7 +272,7 @@ private Q_SLOTS:
         QVERIFY(focus.hasFocus());
         pressF1();
         QCOMPARE(bench.page(), page);
-        // Once more, from within: it stays where it is.
+        // F1 inside the help window: the page does not change.
         pressF1();
         QCOMPARE(bench.page(), page);
         QCOMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(settings != nullptr && settings->isVisible());
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/settings.html"));
-        // It is used with the dialog behind it.
+        // It can be used while the dialog is open.
         QVERIFY(QTest::qWaitForWindowActive(bench.help()));
         QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
         QCOMPARE(bench.page(), QStringLiteral("index.html"));
@@ -388,7 +388,7 @@ private Q_SLOTS:
         QVERIFY2(bench.shown()->toPlainText().contains("python3-sphinx"),
                  qPrintable(bench.shown()->toPlainText()));
         QVERIFY(!bench.help()->findChild<QPushButton*>("help.contents")->isEnabled());
-        // What this program knows by itself is there all the same.
+        // Built-in information is available nevertheless.
         QVERIFY(bench.help()->findChild<QTextBrowser*>("helpText")->toPlainText().contains("emergency stop"));
     }
 

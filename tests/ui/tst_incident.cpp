@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A protective stop, opened with one click from its line in the log, and the one scrubber: plots, view, inputs and
-// outputs, and log show the same moment while live data and a recording go on. The real window, real events, real
-// sockets, the simulated robot in virtual time.
+// A protective stop, opened with one click from its line in the log, and replay: plots, view, inputs and outputs,
+// and log show the same time while live data and a recording continue. The real window, real events, real sockets,
+// the simulated robot in virtual time.
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -59,7 +59,7 @@ struct Bench : WindowBench {
     QTableView& logTable() { return find<QTableView>("log.table"); }
     IncidentWatch& watch() { return *window.findChild<IncidentWatch*>(); }
 
-    /// Virtual time goes on until it holds.
+    /// Advances virtual time until the condition is true.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -69,7 +69,7 @@ struct Bench : WindowBench {
         }
         return condition();
     }
-    /// Goes on until the black box has taken so many packets: its thread is slower than virtual time.
+    /// Advances until the black box has received this number of packets: its thread is slower than virtual time.
     bool hasKept(std::uint64_t packets) {
         QElapsedTimer patience;
         patience.start();
@@ -81,7 +81,7 @@ struct Bench : WindowBench {
         }
         return watch().packets() >= packets;
     }
-    /// The base of the arm goes from here by so much. [rad]
+    /// Rotates the base by this angle [rad].
     bool move(double by) {
         pendant = std::make_unique<script::ScriptClient>(
             cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
@@ -99,7 +99,7 @@ struct Bench : WindowBench {
         PlotView& view = plots().view();
         return {static_cast<int>(std::lround(view.xAt(time))), 80};
     }
-    /// Takes cursor A by the mouse and puts it down elsewhere.
+    /// Drags cursor A with the mouse.
     void dragCursor(double to) {
         PlotView& view = plots().view();
         QWidget* viewport = view.viewport();
@@ -108,7 +108,7 @@ struct Bench : WindowBench {
         QTest::mouseMove(viewport, at(to));
         QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(to));
     }
-    /// What a signal of the recording, or with no name of the history, has at cursor A.
+    /// The value of a signal of the recording, or without a name of the history, at cursor A.
     double valueAtA(const QString& recording, const char* component) {
         const double time = plots().view().cursor(PlotView::Cursor::A).value();
         const receive::Sample sample = plots().store().sampleAt(recording, time);
@@ -142,7 +142,7 @@ void TestIncident::oneClickOpensItAtTheStop() {
     bench.cell.robot.protectiveStop();
     QVERIFY(bench.within([&] { return bench.state().safetyMode == SafetyMode::ProtectiveStop; }));
     bench.cell.robot.setDigitalInput(3, false);
-    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));  // what comes after belongs to it
+    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));  // later packets belong to it
     bench.window.showTab("log");
     QTableView& table = bench.logTable();
     int row = -1;
@@ -163,7 +163,7 @@ void TestIncident::oneClickOpensItAtTheStop() {
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(open).center());
     QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));
 
-    // The plots: the recording, with cursor A on the very packet of the stop.
+    // The plots: the recording, with cursor A exactly at the packet of the stop.
     PlotView& view = bench.plots().view();
     QCOMPARE(view.page().name, name);
     const double stop = view.cursor(PlotView::Cursor::A).value();
@@ -175,13 +175,13 @@ void TestIncident::oneClickOpensItAtTheStop() {
             .sampleAt(name, stop - 0.001)
             .at(*bench.plots().store().sampleAt(name, stop).layout->indexOfComponent("safety_mode"));
     QCOMPARE(before, 1.0);
-    // A stop that nothing caused: the arm did what its model does.
+    // A stop without a cause: arm and model agree.
     auto& comparison = bench.find<ComparisonBand>("plots.comparison");
     QVERIFY(bench.within([&] { return comparison.words().contains("The arm moved as"); }));
     QVERIFY2(comparison.details().contains("at all times"), qPrintable(comparison.details()));
-    // It stands where it happened: what is live has the same values there.
+    // It is placed at its time: the live data have the same values there.
     QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);
-    // The view: the arm as it stood, said to be a replay.
+    // The view: the past position of the arm, marked as replay.
     const Replay& moment = bench.plots().replay();
     QCOMPARE(moment->source, name);
     QVERIFY(bench.scene().view().replay().has_value());
@@ -190,23 +190,23 @@ void TestIncident::oneClickOpensItAtTheStop() {
     QVERIFY(band.isVisible() && band.words().contains("REPLAY") && band.words().contains(name));
     // Inputs: this one has been switched off since.
     QCOMPARE(bench.io().input(3)->state(), IoChannel::State::On);
-    // The log: what the file has, at the line of the stop.
+    // The log: the lines of the file, at the line of the stop.
     QVERIFY(bench.find<ReplayBand>("log.replay").isVisible());
     QVERIFY2(table.currentIndex().isValid(), qPrintable(bench.log().shownText()));
 
-    // What is of a file is not remembered with the arrangement.
+    // Signals of a file are not saved with the arrangement.
     const PlotLayout kept = PlotLayout::fromJson(bench.plots().arrangement()).value();
     QCOMPARE(kept.pages.size(), qsizetype(bench.plots().pages().count() - 1));
     QCOMPARE(kept.current, 0);
 
-    // The same click again turns to it, and opens nothing twice.
+    // The same click again shows the page without opening it twice.
     const int pages = bench.plots().pages().count();
     bench.plots().endReplay();
     QVERIFY(!bench.plots().replay());
     QVERIFY(!bench.find<ReplayBand>("log.replay").isVisible());
     QCOMPARE(bench.io().input(3)->state(), IoChannel::State::Off);
     const QModelIndex again = table.model()->index(row, LogModel::Open);
-    // The page is laid out anew first: no hand is quicker, and a row that moves in the middle of a click is not clicked.
+    // The layout of the page is updated first: a row that moves during a click would not be hit.
     int height = -1;
     QVERIFY(bench.within([&] {
         table.scrollTo(again);
@@ -234,7 +234,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     bench.cell.advanceMs(1000);
     const double now = bench.plots().history().lastTime();
 
-    // A recording goes on through all of it.
+    // A recording continues during all of this.
     auto& record = bench.find<QToolButton>("plots.record");
     RecordingChoice choice;
     choice.folder = bench.folder.filePath("recorded");
@@ -242,7 +242,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QTest::mouseClick(&record, Qt::LeftButton);
     QVERIFY(bench.within([&] { return bench.state().recording.active; }));
 
-    // A cursor on what is live and moves is no replay; one on what is held still is.
+    // A cursor on moving live data is not a replay; one on paused data is.
     bench.window.showTab("io");
     PlotView& view = bench.plots().view();
     view.setFocus();
@@ -252,7 +252,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.plots().replay().has_value());
     QVERIFY(bench.find<ReplayBand>("io.replay").isVisible());
 
-    // A pixel is some 40 ms wide: well before the input.
+    // A pixel is about 40 ms wide: well before the input.
     bench.dragCursor(early - 0.3);
     QCOMPARE(bench.plots().replay()->time, view.cursor(PlotView::Cursor::A).value());
     const double q0 = bench.scene().view().replay()->q[0];
@@ -277,14 +277,14 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(std::abs(bench.scene().view().replay()->q[0] - q0) > 0.1);
     QVERIFY2(textAtCursor() != atFirst, qPrintable(atFirst));
 
-    // Nothing can be switched meanwhile: a click on an output asks the robot for nothing.
+    // Outputs cannot be switched meanwhile: a click sends no request to the robot.
     bench.window.showTab("io");
     const std::uint64_t outputs = bench.state().digitalOutputs;
     QTest::mouseClick(bench.io().output(0), Qt::LeftButton);
     bench.cell.advanceMs(200);
     QCOMPARE(bench.state().digitalOutputs, outputs);
 
-    // What is live has gone on.
+    // Live data have continued.
     const std::uint64_t rows = bench.state().recording.rows;
     QVERIFY(bench.within([&] { return bench.state().recording.rows > rows; }));
     QVERIFY(bench.plots().history().lastTime() > now);
@@ -299,7 +299,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
 }
 
-/// The log's band stays under the pointer too, and the log follows what comes again.
+/// The log's band also stays while the pointer is on it, and the log shows live data again.
 void TestIncident::theLogFollowsAgainAfterBackToLive() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -326,7 +326,7 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     for (int i = 0; i < 3; ++i) {
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("later %1").arg(i),
                                               Origin::Operator);
-        // The new row counts with the next layout only.
+        // The new row only counts after the next layout.
         QVERIFY(bench.within([&] { return bar->maximum() > before; }));
         QVERIFY(bench.within([&] { return bar->value() == bar->maximum(); }));
         before = bar->maximum();
@@ -344,7 +344,7 @@ void TestIncident::backToLiveBringsNothingUnderThePointer() {
     auto& band = bench.find<ReplayBand>("view.replay");
     QVERIFY(bench.within([&] { return band.isVisible(); }));
     const int height = bench.scene().view().height();
-    // As a hand does it, with the pointer over the key.
+    // By mouse, with the pointer over the button.
     QWindow* window = bench.window.windowHandle();
     const auto& live = bench.find<QToolButton>("view.replay.live");
     const QPoint place = live.mapTo(&bench.window, live.rect().center());
@@ -355,7 +355,7 @@ void TestIncident::backToLiveBringsNothingUnderThePointer() {
     bench.cell.advanceMs(100);
     QCOMPARE(bench.scene().view().height(), height);
     QVERIFY(bench.window.childAt(place) == &band || bench.window.childAt(place)->parentWidget() == &band);
-    QTest::mouseDClick(window, Qt::LeftButton, {}, place);  // and another one presses nothing
+    QTest::mouseDClick(window, Qt::LeftButton, {}, place);  // and a second click has no effect
     QVERIFY(!bench.plots().replay().has_value());
     QCOMPARE(bench.scene().view().height(), height);
     QTest::mouseMove(window, bench.scene().view().mapTo(&bench.window, QPoint(40, 40)));
@@ -363,7 +363,7 @@ void TestIncident::backToLiveBringsNothingUnderThePointer() {
     QVERIFY(bench.scene().view().height() > height);
 }
 
-// What is pressed to pause is under the pointer still, and so are the keys over the view.
+// The pause button stays under the pointer, and so do the buttons in the view.
 void TestIncident::aReplayMovesNoKey() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -374,7 +374,7 @@ void TestIncident::aReplayMovesNoKey() {
     QTest::keyClick(&view, Qt::Key_A);
     const QWidgetList keys{&bench.find<QToolButton>("scene.fit"), &bench.find<QToolButton>("plots.pause"),
                            &bench.find<QLineEdit>("io.search")};
-    // As low as a panel can be it needs no more height with the band than without.
+    // At minimum height a panel needs the same height with and without the band.
     const QWidgetList panels{&bench.scene(), &bench.io()};
     const auto measures = [&] {
         QList<QRect> all;
@@ -393,7 +393,7 @@ void TestIncident::aReplayMovesNoKey() {
     QTest::mouseClick(&pause, Qt::LeftButton);
     QVERIFY(bench.plots().replay().has_value());
     auto& band = bench.find<ReplayBand>("view.replay");
-    // Laid out anew.
+    // After a layout update.
     QVERIFY(bench.within([&] { return band.isVisible() && band.height() >= band.sizeHint().height(); }));
     QCOMPARE(measures(), live);
     QTest::mouseClick(&bench.find<QToolButton>("view.replay.live"), Qt::LeftButton);
@@ -402,7 +402,7 @@ void TestIncident::aReplayMovesNoKey() {
     QCOMPARE(measures(), live);
 }
 
-// Something pushes the arm while it moves, and the controller stops it half a second later: what is marked is the push.
+// An external force acts on the moving arm, and the controller stops it half a second later: the force is marked.
 void TestIncident::armAndModelPartWhereItWasPushed() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -447,7 +447,7 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
     const double stop = view.cursor(PlotView::Cursor::A).value();
     QCOMPARE(bench.valueAtA(name, "safety_mode"), 3.0);
 
-    // The mark: on the very packet with which the push came, well before the stop.
+    // The mark: exactly at the first packet with the force, well before the stop.
     const auto& marks = bench.plots().marks().marks();
     const auto mark =
         std::find_if(marks.begin(), marks.end(), [&](const PlotMark& one) { return one.recording == name; });
@@ -465,7 +465,7 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
-    // In either theme the curves are there, also where nothing moves any more.
+    // In both themes the curves are visible, also when nothing changes any more.
     const auto colourful = [&view] {
         const QImage picture = const_cast<PlotView&>(view).grab().toImage();
         int count = 0;
@@ -482,15 +482,15 @@ void TestIncident::armAndModelPartWhereItWasPushed() {
         const int after = colourful();
         keepPicture(bench.window,
                     dark ? QStringLiteral("incident-parted-dark") : QStringLiteral("incident-parted"));
-        bench.window.resize(bench.window.width() + 8, bench.window.height());  // draws all anew
+        bench.window.resize(bench.window.width() + 8, bench.window.height());  // repaints everything
         bench.cell.advanceMs(100);
         QVERIFY2(after > 0.9 * colourful(), qPrintable(QString::number(after)));
     }
-    // The log of the recording has it, too, at the cursor.
+    // The log of the recording also has a line for it, at the cursor.
     QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("diverge at"),
              qPrintable(bench.log().shownText()));
 
-    // Live again, there is no such line under the plots, and no mark; the log leads back to the moment.
+    // Live again: no such line below the plots, and no mark; the log leads back to the time.
     bench.plots().endReplay();
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
     const int row = rowOf("diverge at");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The size of everything: begun at the next start, never larger than the screen has room for, and then keys and
-// plots have that many times the pixels. Every test begins an application of its own.
+// Scale of the user interface: takes effect at the next start, is limited by the screen, and scales the pixels of
+// buttons and plots. Every test starts a separate application.
 
 #include <QApplication>
 #include <QComboBox>
@@ -25,7 +25,7 @@ using namespace tiller::app;
 
 namespace {
 
-/// An application on a screen of this many pixels.
+/// An application on a screen with this size in pixels.
 class Start {
 public:
     Start(QSize screen, int percent) {
@@ -107,11 +107,11 @@ private Q_SLOTS:
         qputenv("QT_SCALE_FACTOR", "1.5");
         const Start start({3840, 2160}, 150);
         QCOMPARE(start.ratio(), 2.25);
-        QCOMPARE(qgetenv("QT_SCALE_FACTOR"), QByteArray("1.5"));  // for programs begun from here
+        QCOMPARE(qgetenv("QT_SCALE_FACTOR"), QByteArray("1.5"));  // for programs started from here
     }
 
     void keysAndPlotsGrowWithTheSize() {
-        // In pixels of the screen: a key of the jog pad, and one of the plots.
+        // In pixels of the screen: a button of the jog pad, and one of the plots.
         const auto measure = [](int percent) {
             const Start start({3840, 2160}, percent);
             VirtualClock clock;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The I/O tab in the real window, over real sockets, against the simulated robot in virtual time.
+// The I/O tab in the real window, with real sockets and the simulated robot in virtual time.
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -34,7 +34,7 @@ private:
     Widget& find(const char* name) {
         return bench_->find<Widget>(name);
     }
-    /// Real time passes too: what is set is set by a worker.
+    /// Real time also passes: settings are made by a worker.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 2000; ++i) {
             if (condition()) {
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
     void settingAnOutputStopsNoProgramAndNoMove() {
-        // Home takes a while; the arm is on its way with our own program.
+        // Home takes a while; the arm is moved by our own program.
         press(find<HoldButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
         release(find<HoldButton>("homeKey"));
         cell().advanceMs(400);
-        // The same by hand, while the program stands by: it stays in control.
+        // The same manually, while the program is idle: it stays in control.
         tab().output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         QVERIFY(until([this] { return tab().output(3)->state() == IoChannel::State::On; }));
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(4); }));
     }
 
-    // The robot times it: a window that hangs leaves nothing on.
+    // The robot measures the time: a window that hangs does not leave an output on.
     void aPulseEndsWithAWindowThatHangs() {
         IoChannel* channel = tab().output(4);
         channel->setFocus();
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
     }
 
-    // Without control nothing on the robot could time it.
+    // Without control no program on the robot could measure the time.
     void aPulseIsRefusedWithoutControl() {
         bench_->window.session().releaseControl();
         QVERIFY(
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY2(notice.text().contains("Take control"), qPrintable(notice.text()));
     }
 
-    // A program that is stopped from outside cannot end its pulse: then the window does.
+    // A program that is stopped externally cannot end its pulse: the window does it.
     void aPulseOfAStoppedProgramIsEnded() {
         tab().output(4)->setFocus();
         QTest::keyClick(tab().output(4), Qt::Key_P);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is peculiar to each way of moving the arm that is not a plain key of the pad: where it leads, and what
-// it asks of the hand. The real window, real events, real sockets, the simulated robot in virtual time.
+// Special features of the inputs for jogging other than the pad buttons: targets, and requirements on operator
+// input. The real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QLineEdit>
 #include <QTest>
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QTest::keyRelease(&window(), Qt::Key_PageUp);
         keyboard().setArmed(true);
         QVERIFY(window().findChild<QWidget*>("armedFrame")->isVisible());
-        // Auto-repeat is no press.
+        // Auto-repeat is not a press.
         QKeyEvent repeat(QEvent::KeyPress, Qt::Key_PageUp, Qt::NoModifier, QString(), true);
         QApplication::sendEvent(&window(), &repeat);
         cell().advanceMs(200);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(!standsStill(cell()));
         QTest::keyPress(&window(), Qt::Key_Escape);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        // Letting the dead-man go and pressing it again is not enough while the stick is out.
+        // Releasing and pressing the enabling button again is not sufficient while the stick is deflected.
         bench_->device->deadMan = false;
         cell().advanceMs(100);
         bench_->device->deadMan = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ten thousand random hands: press, hold a while, and end it in some way. Whatever the way, the arm comes to
-// rest within the contract's bound and does not move again before a new press.
+// Ten thousand random operator inputs: press, hold for a while, and end in different ways. In all cases the arm
+// stops within the bound of the contract and does not move again before a new press.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -15,14 +15,14 @@ using namespace tiller::test;
 
 namespace {
 
-// In parts, so that a slow machine does not run into the time Qt gives one test function.
+// In parts, because of the time limit of Qt Test for one test function.
 constexpr int kParts = 10;
-constexpr int kSequences = 1000;  // a part
+constexpr int kSequences = 1000;  // per part
 constexpr quint32 kSeed = 20261121;
-/// From the end of holding to standstill: a hung window needs 100 ms to be noticed, then 250 mm/s brake at 2
-/// m/s2.
+/// From the end of holding to standstill: a window that hangs is detected after 100 ms, then 250 mm/s decelerate at
+/// 2 m/s2.
 constexpr int kBoundMs = 250;
-/// What the arm may travel after the end [mm]: 100 ms at the fastest class, then the braking way.
+/// Permitted distance after the end [mm]: 100 ms at the fastest speed, plus the deceleration.
 constexpr double kBoundMm = 0.1 * 250 + 0.25 * 0.25 / (2 * 2.0) * 1000 + 3.0;
 
 enum class End {
@@ -99,19 +99,19 @@ private Q_SLOTS:
         column.show();
         QVERIFY(QTest::qWaitForWindowActive(&column));
         QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
-        // Nobody looks: painting is most of what a sequence would cost.
+        // Not displayed: painting would be most of the cost.
         column.setUpdatesEnabled(false);
         const QVector<HoldButton*> keys = column.holdKeys();
         driveKeys(cell, keys);
         QVector<HoldButton*> jogKeys;
         for (HoldButton* key : keys) {
-            // In freedrive the arm goes where the hand goes, and there is none here.
+            // Freedrive needs an external force, which does not exist here.
             if (key->objectName() != "freedriveKey") {
                 jogKeys << key;
             }
         }
         QVERIFY2(jogKeys.size() == 12 + 12 + 3, "the pad, the joints, Home, Align and Back");
-        // Home is a place from where every key leads on.
+        // All buttons can move the arm from Home.
         column.setHome(simulator::kHomeJoints, false);
 
         QRandomGenerator random(seed);
@@ -138,7 +138,7 @@ private Q_SLOTS:
                      qPrintable(what + ": no standstill"));
             const Pose rest = cell.truth().tcpPose;
             QVERIFY2(distanceMm(atEnd, rest) <= kBoundMm, qPrintable(what + ": too far"));
-            // Moves of the pointer on a key that is still down are no new press.
+            // Moving the pointer on a pressed button is not a new press.
             sendMouse(key, QEvent::MouseMove, Qt::LeftButton, QPointF(10, 10));
             cell.advanceMs(40);
             QVERIFY2(distanceMm(rest, cell.truth().tcpPose) < 0.05, qPrintable(what + ": moved again"));

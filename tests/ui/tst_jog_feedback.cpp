@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the jog column says of what it does, and that it keeps to it: the speed that was chosen, the frame the pose is
-// read in, the steps there are, what moves and by whom. The real window, real events, real sockets, the simulated
-// robot in virtual time.
+// Display of the jog column and its accuracy: the selected speed, the frame of the pose, the steps, the moving axis
+// and its source. The real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QAbstractButton>
 #include <QRegularExpression>
@@ -28,9 +27,9 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr double kSlow = 0.005;  // [m/s] the slowest class, with 3 deg/s
+constexpr double kSlow = 0.005;  // [m/s] the slowest speed, with 3 deg/s
 
-/// As the screen writes figures: with a true minus.
+/// Number format of the screen: with a typographic minus sign.
 double figure(QString text) {
     return text.replace(QChar(0x2212), QLatin1Char('-')).remove(QChar(0xB0)).remove(QChar(0x2007)).toDouble();
 }
@@ -48,7 +47,7 @@ private:
     QAbstractButton& segment(const char* name) { return bench_->find<QAbstractButton>(name); }
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
 
-    /// "Go to" lives on the cell's clock as well.
+    /// "Go to" also uses the clock of the cell.
     HoldButton& goTo() {
         HoldButton& button = key("waypoint.goTo");
         button.guard().setClock(cell().clock);
@@ -60,7 +59,7 @@ private:
         };
         return button;
     }
-    /// The fastest that TCP [m/s] and its turn [rad/s] get in this time.
+    /// Maximum TCP speed [m/s] and angular speed [rad/s] in this time.
     std::pair<double, double> fastestFor(int ms) {
         double linear = 0;
         double angular = 0;
@@ -80,7 +79,7 @@ private:
         QEvent event(QEvent::Leave);
         QApplication::sendEvent(&widget, &event);
     }
-    /// What the view says a motion would take [s]; -1 when it says nothing.
+    /// Duration of a motion displayed in the view [s]; -1 if not displayed.
     double ghostSeconds() {
         static const QRegularExpression pattern(QStringLiteral(R"(([\d.]+) s at)"));
         const QRegularExpressionMatch match = pattern.match(view().ghostText());
@@ -157,14 +156,14 @@ private Q_SLOTS:
             QVERIFY2(std::abs(figure(pose().rotationText(axis))) < 0.2,
                      qPrintable(pose().rotationText(axis)));
         }
-        // What is jogged in the frame is read in the frame.
+        // The pose is displayed in the selected frame.
         jog("jog.Y+", 800);
         const double way = figure(pose().positionText(1));
         QVERIFY2(way > 20, qPrintable(pose().positionText(1)));
         QVERIFY(std::abs(way - figure(pose().deltaText(1))) < 0.3);
         QVERIFY(std::abs(figure(pose().positionText(0))) < 0.3 &&
                 std::abs(figure(pose().positionText(2))) < 0.3);
-        // In the frame of the tool the TCP is always at nought.
+        // In the tool frame the TCP pose would always be zero.
         click(segment("jogFrame.1"));
         QVERIFY2(pose().frameText().startsWith(QStringLiteral("in Base")), qPrintable(pose().frameText()));
         click(segment("jogFrame.2"));
@@ -224,7 +223,7 @@ private Q_SLOTS:
         click(*turn->segment(0));
         QCOMPARE(selection.motion, MotionChoice::Hold);
         QCOMPARE(motion->currentIndex(), 0);
-        // A turn of 5° beside a length that would need a held key goes to its end by itself.
+        // A rotation of 5° with a length that requires holding runs to its end.
         click(*motion->segment(4));
         click(*turn->segment(3));
         const Pose from = cell().truth().tcpPose;
@@ -378,7 +377,7 @@ private Q_SLOTS:
         }
         selectors().setFreeStep({0.05, toRadians(45)});
         enter(key("jog.Z+"));
-        // 50 mm at 50 mm/s, and 0.1 s of speeding up and slowing down.
+        // 50 mm at 50 mm/s, and 0.1 s for acceleration and deceleration.
         QVERIFY2(std::abs(ghostSeconds() - 1.1) < 0.06, qPrintable(view().ghostText()));
         leave(key("jog.Z+"));
         enter(key("jog.Rz+"));
@@ -458,7 +457,7 @@ private Q_SLOTS:
         QVERIFY(timeToStandstill(cell()) >= 0);
         click(arm);
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());
-        // Armed by its shortcut, or gone by itself, it shows the same.
+        // Armed by its shortcut, or disarmed automatically, it shows the same.
         QTest::keyClick(&window(), Qt::Key_J, Qt::ControlModifier);
         QVERIFY(arm.isArmed());
         keyboard().setArmed(false);
@@ -472,7 +471,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         arm.setFocus(Qt::TabFocusReason);
         QTRY_VERIFY(arm.hasFocus());
-        cell().advanceMs(2000);  // Space means nothing but stop for a while after a motion
+        cell().advanceMs(2000);  // Space only stops for a while after a motion
         QTest::keyClick(&arm, Qt::Key_Space);
         QVERIFY(!arm.isDown());
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());

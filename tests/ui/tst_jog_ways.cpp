@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every way of moving the arm that is not a plain key of the pad, and every way it must end: the real window,
-// real events, real sockets, the simulated robot in virtual time. Bounds are the jog contract's own.
+// All inputs that move the arm other than the pad buttons, and all ends of their motions: the real window, real
+// events, real sockets, the simulated robot in virtual time. Bounds are those of the jog contract.
 
 #include <QDialog>
 #include <QTest>
@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// What the jog contract promises.
+/// Bounds of the jog contract.
 constexpr int kDeathToStandstillMs = 250;
 
 enum class Way {
@@ -78,7 +78,7 @@ class TestJogWays : public JogWindowTest {
     Q_OBJECT
 
 private:
-    /// What the hand does to begin, and what it does to let go.
+    /// User actions to start and to release.
     void begin(Way way) {
         switch (way) {
             case Way::Back:
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    /// Only robot and controller live on: what a client that is gone, or mute, leaves behind.
+    /// Only robot and controller continue, as after a crash or hang of the client.
     int robotAloneUntilStandstill() {
         int ms = 0;
         while (ms < 1000 && (ms < 10 || !standsStill(cell()))) {
@@ -214,8 +214,8 @@ private:
         return ms;
     }
     void prepare(Way way) {
-        // 100 mm/s is the contract's reference; a turn at its 30 deg/s takes 130 ms to brake, at 15 deg/s 65
-        // ms.
+        // 100 mm/s is the reference of the contract; a rotation at its 30 deg/s needs 130 ms to decelerate, at 15
+        // deg/s 65 ms.
         window().jogColumn().selectors().setSpeedClass(way == Way::KeyboardTurn || way == Way::Align ? 2 : 3);
         switch (way) {
             case Way::Back:
@@ -274,8 +274,8 @@ private Q_SLOTS:
                 ms = robotAloneUntilStandstill();
                 break;
             case End::ProcessKilled:
-                // The system closes a dead process's sockets; nothing else comes from it. A process that is
-                // really killed: tests/integration/control/tst_killed_process.
+                // The system closes the sockets of an ended process. For a process that is really killed see
+                // tests/integration/control/tst_killed_process.
                 bound = kDeathToStandstillMs;
                 cell().robot.closeClients();
                 ms = robotAloneUntilStandstill();
@@ -296,7 +296,7 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The hand is still on the key or the stick: nothing moves again before a new press.
+        // The button or stick is still held: no motion before a new press.
         const Pose rest = cell().truth().tcpPose;
         if (static_cast<End>(end) == End::SilentLink || static_cast<End>(end) == End::ProcessKilled ||
             static_cast<End>(end) == End::WindowClosed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first five minutes and the practice tasks in the real window, done by mouse and keys at the simulated
-// controller: lines and checks follow what it does, and nothing else in the window moves for them.
+// The first steps and the practice tasks in the real window, performed by mouse and keys with the simulated
+// controller: lines and checks follow its state, and nothing else in the window moves.
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -49,7 +49,7 @@ struct Bench : WindowBench {
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// In control, with all keys on the cell's clock.
+    /// In control, with all buttons on the clock of the cell.
     bool bringUp() {
         if (!cell.bringUp()) {
             return false;
@@ -63,7 +63,8 @@ struct Bench : WindowBench {
         driveKeys(cell, keys);
         cell.advanceMs(40);
     }
-    /// The dashboard's thread answers in real time, the robot in virtual time: both go on until it holds.
+    /// The dashboard thread answers in real time, the robot in virtual time: both advance until the condition is
+    /// true.
     bool until(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -74,7 +75,7 @@ struct Bench : WindowBench {
         return condition();
     }
     void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
-    /// The key of the header that offers the next step.
+    /// The button of the header for the next step.
     bool nextStep(const QString& word) {
         auto& key = find<QPushButton>("nextStepButton");
         if (!until(
@@ -84,7 +85,7 @@ struct Bench : WindowBench {
         QTest::mouseClick(&key, Qt::LeftButton);
         return true;
     }
-    /// Holds a key of the pad until it holds, lets go, and waits for the arm to stand.
+    /// Holds a button of the pad until the condition is true, releases it, and waits for standstill.
     bool hold(const char* name, const std::function<bool()>& enough) {
         auto& key = find<HoldButton>(name);
         if (!until([&] { return key.isEnabled(); })) {
@@ -109,7 +110,7 @@ struct Bench : WindowBench {
             .isDone();
     }
     const TickLine& check() { return find<TickLine>("practice.check"); }
-    /// Opens the practice and turns to the task.
+    /// Opens the practice tasks and selects a task.
     void turnTo(PracticeTask task) {
         command("app.practice").trigger();
         for (int i = 0; i < static_cast<int>(kPracticeTasks.size()) &&
@@ -122,7 +123,7 @@ struct Bench : WindowBench {
     const SessionState& state() { return window.session().state(); }
 };
 
-/// Where every control of the window is, those of the cards left out.
+/// Positions of all controls of the window, except those of the cards.
 QMap<const QWidget*, QRect> places(Bench& bench) {
     QTest::qWait(50);
     QMap<const QWidget*, QRect> found;
@@ -152,7 +153,7 @@ private Q_SLOTS:
     }
     void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
 
-    // ---- the first five minutes
+    // ---- first steps
 
     void everyLineTicksItselfFromWhatHappens() {
         simulator::SimulatorOptions off = VirtualCell::options();
@@ -190,7 +191,7 @@ private Q_SLOTS:
         bench.window.session().recording().stop();
         QVERIFY(bench.steps().title().contains("6 of 6"));
         keepPicture(bench.window, "first-steps-done");
-        // Kept, and not dismissed by being done.
+        // Stays visible when complete, until dismissed.
         QCOMPARE(bench.learned().firstSteps.size(), 6);
         QVERIFY(!bench.learned().dismissed);
     }
@@ -210,7 +211,7 @@ private Q_SLOTS:
             QVERIFY(isShownAfterConnecting(bench));
             bench.click("firstSteps.dismiss");
             QVERIFY(!bench.steps().isVisible() && bench.learned().dismissed);
-            // Neither does the robot bring it back, nor what happens to it.
+            // Neither the robot nor its events show it again.
             bench.window.session().disconnectFromRobot();
             bench.cell.advanceMs(40);
             QVERIFY(!bench.steps().isVisible());
@@ -226,7 +227,7 @@ private Q_SLOTS:
         cell.advanceMs(60);
         auto* card = window.findChild<FirstStepsCard*>();
         QVERIFY(!card->isVisible());
-        // Unless it is asked for.
+        // Unless requested.
         window.actions().find("app.firstSteps")->trigger();
         QVERIFY(card->isVisible());
         window.practiseOn(nullptr);
@@ -482,7 +483,7 @@ private Q_SLOTS:
         QVERIFY2(bench.check().isDone(), qPrintable(bench.check().text()));
         bench.click("practice.done");
         QCOMPARE(bench.learned().practice, QStringList{"measure"});
-        // The hand is gone again.
+        // The external force is removed.
         QVERIFY(bench.until([&] { return std::abs(bench.state().tcpForce.force.z()) < 2; }));
     }
 

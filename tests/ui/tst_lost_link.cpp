@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A robot that falls silent while the arm moves, in front of the whole window: nobody knows what the arm did
-// meanwhile, so nothing in the window may claim to.
+// A robot that stops sending while the arm moves, with the whole window: the motion of the arm is unknown, so the
+// window must not display one.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -23,7 +23,7 @@ class TestLostLink : public QObject {
     Q_OBJECT
 
 private:
-    /// Time goes on for robot and window; whatever comes from the robot is taken in.
+    /// Advances time for robot and window; all data of the robot are processed.
     static void goOn(WindowBench& bench, int ms) {
         for (int t = 0; t < ms; t += 2) {
             bench.clock.advanceNs(2 * kNsPerMs);

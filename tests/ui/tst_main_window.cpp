@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window as a whole: nothing clipped at the smallest size, every control has a name, connecting and
-// losing a robot.
+// The whole window: nothing is clipped at the smallest size, every control has a name, connecting and disconnecting
+// work.
 
 #include <QAbstractButton>
 #include <QKeyEvent>
@@ -32,7 +32,7 @@ private:
     QTemporaryDir folder_;
     app::Settings settings() const { return app::Settings(folder_.filePath("settings.ini")); }
 
-    /// To look at: TILLER_SCREENSHOTS names the folder they go to.
+    /// For review: TILLER_SCREENSHOTS is the output folder.
     static void saveScreenshots(app::MainWindow& window, const QString& name) {
         const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
         if (folder.isEmpty()) {
@@ -88,7 +88,7 @@ private Q_SLOTS:
                                     .arg(widget->objectName(), widget->accessibleName())));
         }
         QVERIFY2(looked > 30, "the window has more controls than this");
-        // The line of the limiter has its room as well: what is squeezed would be drawn over the keys.
+        // The limiter line has enough space as well: otherwise it would be drawn over the buttons.
         auto* limiter = window.findChild<LimiterLine*>();
         const QList<HoldButton*> keys = window.findChildren<HoldButton*>();
         for (const int tab : {1, 0}) {
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QStringList nameless;
         const QList<QAbstractButton*> buttons = window.findChildren<QAbstractButton*>();
         for (const QAbstractButton* button : buttons) {
-            // Qt's own inner parts, which have no names to give.
+            // Internal parts of Qt's widgets have no names.
             if (button->objectName().startsWith("qt_") || button->inherits("QTableCornerButton") ||
                 button->inherits("QLineEditIconButton") ||
                 qobject_cast<QTabBar*>(button->parent()) != nullptr) {
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
     }
 
-    // A Russian keyboard alone: no layout beside it has the letters.
+    // A Russian keyboard only: no other layout with Latin letters.
     void shortcutsAreMeantByThePlaceOfTheirKey() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
@@ -226,7 +226,7 @@ private Q_SLOTS:
             QTest::qWait(1);
         }
         QCOMPARE(window.session().state().link, LinkState::Live);
-        // The data may be back before the 250 ms are over that the contract gives a cut link.
+        // Data may be back within the 250 ms of the contract for a lost connection.
         cell.advanceMs(250);
         QVERIFY(standsStill(cell));
         QVERIFY2(!window.session().state().canMove(), "control has to be taken again, by hand");

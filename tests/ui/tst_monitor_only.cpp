@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Monitor only: nothing that this window offers or calls changes the robot, except STOP. The real window, real sockets,
-// the simulated robot in virtual time.
+// Monitor only: no function of this window changes the robot, except STOP. The real window, real sockets, the
+// simulated robot in virtual time.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -25,7 +25,7 @@ using control::StopCause;
 
 namespace {
 
-/// Everything of the simulated robot that a command of ours could have changed.
+/// All properties of the simulated robot that a command of ours could change.
 struct RobotSettings {
     RobotMode robotMode;
     SafetyMode safetyMode;
@@ -42,7 +42,8 @@ RobotSettings settingsOf(const VirtualCell& cell) {
 }
 
 struct Bench : ForeignProgramBench {
-    std::shared_ptr<QStringList> warnings = std::make_shared<QStringList>();  ///< the window outlives us
+    std::shared_ptr<QStringList> warnings =
+        std::make_shared<QStringList>();  ///< the window outlives this object
 
     Bench() {
         QObject::connect(&window.session(), &RobotSession::message, &window,
@@ -57,7 +58,7 @@ struct Bench : ForeignProgramBench {
         preferences.monitorOnly = on;
         window.applyPreferences(preferences);
     }
-    /// Gives everything that was sent the time to arrive.
+    /// Time for everything sent to arrive.
     void settle(int ms = 500) {
         cell.robot.drainSockets();
         cell.advanceMs(ms);
@@ -74,7 +75,7 @@ class TestMonitorOnly : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    // The session itself, because the palette, shortcuts, devices and later code all end there.
+    // The session itself, because the palette, shortcuts, devices and other code all use it.
     void theSessionRefusesEveryCommand_data() {
         using Call = std::function<void(RobotSession&)>;
         QTest::addColumn<Call>("call");
@@ -131,7 +132,7 @@ private Q_SLOTS:
         }
     }
 
-    // Whatever is on the window: every command of the table, every button.
+    // All functions of the window: every command of the table, every button.
     void nothingInTheWindowChangesTheRobot() {
         Bench bench;
         bench.setMonitorOnly(true);
@@ -158,7 +159,7 @@ private Q_SLOTS:
             if (name.startsWith(QStringLiteral("power.")) || name.startsWith(QStringLiteral("control."))) {
                 QVERIFY2(!action->isEnabled(), qPrintable(name));
             }
-            action->setEnabled(true);  // as if the rule for this one had been forgotten
+            action->setEnabled(true);  // as if its rule had been forgotten
             QTimer::singleShot(0, &bench.window, closeDialogs);
             action->trigger();
             closeDialogs();
@@ -233,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(bench.cell.advanceUntil([&] { return standsStill(bench.cell); }, 250));
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
-        // Switched off again, everything can be done as before.
+        // Disabled again, everything is possible as before.
         bench.setMonitorOnly(false);
         bench.window.session().takeControl();
         QVERIFY(bench.within([&] { return bench.state().canMove(); }));

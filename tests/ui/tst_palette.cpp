@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the keys of the plots and of every tab do is found in the palette by its word, and done by Return.
+// The functions of the plots and tabs can be found in the palette by their names, and run by Return.
 
 #include <QApplication>
 #include <QDir>
@@ -40,7 +40,7 @@ struct Bench : WindowBench {
         }
         return palette;
     }
-    /// Types the words and takes the first that is found, which has to be this command.
+    /// Types the words and runs the first match, which has to be this command.
     void run(const QString& words, const QString& id) {
         app::CommandPalette* palette = type(words);
         QVERIFY(palette != nullptr);
@@ -48,7 +48,7 @@ struct Bench : WindowBench {
         QCOMPARE(palette->listed().first()->objectName(), id);
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
         QTRY_VERIFY(window.findChild<app::CommandPalette*>() == nullptr);
-        window.activateWindow();  // no window manager does it here
+        window.activateWindow();  // there is no window manager here
         QVERIFY(QTest::qWaitForWindowActive(&window));
     }
     QString tab() {
@@ -130,7 +130,7 @@ private Q_SLOTS:
     void thePlotsPauseAndGoOnFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        bench.cell.advanceMs(1500);  // Space means stop for a second after a motion
+        bench.cell.advanceMs(1500);  // Space only stops for a second after a motion
         const PlotView& view = bench.find<PlotDock>("plots").view();
         QVERIFY(view.window().follows());
         bench.run("pause plots", "plots.action.pause");
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QFETCH(QString, id);
         Bench bench;
         bool asked = false;
-        // The question holds the caller up until it is answered.
+        // The dialog blocks the caller until it is answered.
         QTimer answer;
         connect(&answer, &QTimer::timeout, this, [&] {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tab(), QString("io"));
         QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"));
         const auto isOn = [&bench] { return (bench.window.session().state().digitalOutputs & 1U) != 0; };
-        // Nothing is chosen yet.
+        // No selection yet.
         bench.run("switch selected", "io.action.switch");
         bench.cell.advanceMs(200);
         QVERIFY(!isOn());
@@ -192,7 +192,7 @@ private Q_SLOTS:
         bench.run("switch selected", "io.action.switch");
         QVERIFY(bench.cell.advanceUntil(isOn, 2000));
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
-        // Not through run(): the editor closes with the activation that a window manager would not make here.
+        // Not by run(): the editor closes on the activation that a window manager would not cause here.
         QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);

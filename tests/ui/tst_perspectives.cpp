@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels are moved, closed, floated and saved by name, and come back after a restart. Whatever is chosen, what
-// stops the arm stays where it is, and nothing that is held goes on.
+// Panels are moved, closed, floated and saved by name, and restored after a restart. In all perspectives the stop
+// controls keep their positions, and hold-to-run operation ends.
 
 #include <QAction>
 #include <QDockWidget>
@@ -62,7 +62,7 @@ void run(app::MainWindow& window, const char* id) {
     action->trigger();
 }
 
-/// Where the dock is in the window.
+/// Position of the dock in the window.
 QRect placeOf(app::MainWindow& window, const char* name) {
     const PanelDock& dock = dockOf(window, name);
     return {dock.mapTo(&window, QPoint(0, 0)), dock.size()};
@@ -80,14 +80,14 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// By its key, in the window that a window manager would have made the active one again.
+/// By its shortcut, in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
 }
 
-/// The part of the window that moves and stops the arm.
+/// The parts of the window that move and stop the arm.
 QStringList missing(app::MainWindow& window) {
     QStringList problems;
     const auto look = [&](const QWidget* widget, const QString& what) {
@@ -116,7 +116,7 @@ QStringList missing(app::MainWindow& window) {
     return problems;
 }
 
-/// A file with a layout that was changed by hand: plots float, the view is closed.
+/// Creates a settings file with a changed layout: plots float, the view is closed.
 void leaveChanged(const QString& file) {
     VirtualClock clock;
     app::MainWindow window(app::Settings(file), clock);
@@ -135,7 +135,7 @@ class TestPerspectives : public QObject {
     Q_OBJECT
 
 private:
-    /// Types into the dialog that asks for a name, as a hand does.
+    /// Types into the dialog that asks for a name.
     static void answer(WindowBench& bench, const QString& name) {
         auto* dialog = bench.window.findChild<QDialog*>("perspectiveDialog");
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -222,7 +222,7 @@ private Q_SLOTS:
         teach->trigger();
         QVERIFY(teach->isChecked() && !bench.window.actions().find("perspective.plots")->isChecked());
         QTRY_VERIFY(standsAsInTeach(bench.window));
-        // The window grows and shrinks, the proportions stay.
+        // The window is resized, the proportions remain.
         bench.window.resize(1920, 1080);
         constexpr int kWanted = 1080 * 36 / 100;
         QTRY_VERIFY(std::abs(placeOf(bench.window, "plotsDock").height() - kWanted) <= 12);
@@ -401,7 +401,7 @@ private Q_SLOTS:
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.first().contains("Teach"), qPrintable(warnings.first()));
         QVERIFY(missing(window).isEmpty());
-        // It is said once: what is kept from now on is sound.
+        // Reported once: layouts saved from now on are valid.
         window.close();
         QCOMPARE(app::Settings(file).arrangement().found, LastArrangement::Found::Usable);
     }
@@ -480,14 +480,14 @@ private Q_SLOTS:
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.close." + QString(dock)),
                           Qt::LeftButton);
         QVERIFY(!panel.isVisible());
-        // The command that floats it shows it as well, and the perspective brings it home.
+        // The command that floats it also shows it, and the perspective docks it again.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());
         chooseTeach(bench.window);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
-    // What has no room scrolls; the keys of the arm keep theirs.
+    // Content without enough space scrolls; the jog buttons keep their size.
     void noArrangementPressesUponTheJogColumn() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
@@ -550,7 +550,7 @@ private Q_SLOTS:
         }
         QTest::mouseRelease(screen, Qt::LeftButton, {}, to + QPoint(19, 0));
         QTRY_VERIFY(!plots.isFloating());
-        // Beside the view or above it, no longer below.
+        // Next to the view or above it, no longer below.
         QTRY_VERIFY(placeOf(bench.window, "plotsDock").top() <= placeOf(bench.window, "viewDock").top());
         QTRY_VERIFY(!placeOf(bench.window, "plotsDock").intersects(placeOf(bench.window, "viewDock")));
         QVERIFY(bench.window.perspectives().isChanged());
@@ -571,7 +571,7 @@ private Q_SLOTS:
         for (const QAction* action : bench.window.actions().all()) {
             QVERIFY2(!action->objectName().contains("jogDock"), qPrintable(action->objectName()));
         }
-        // Every panel closed: the arm still has its keys and its stop.
+        // Every panel closed: jog and stop buttons are still available.
         for (const char* id : {"view.toggle.viewDock", "view.toggle.tabsDock", "view.toggle.plotsDock"}) {
             run(bench.window, id);
         }
@@ -602,7 +602,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // Still held: nothing comes back by itself.
+        // Still held: the motion does not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
@@ -613,7 +613,7 @@ private Q_SLOTS:
         QTest::newRow("by its tab") << false;
         QTest::newRow("by its command") << true;
     }
-    // Panels that lie on each other: nothing is moved, and the page in it stays the same.
+    // Tabbed panels: nothing moves, and the page in the panel does not change.
     void aHeldKeyEndsWhenAnotherPanelComesToTheFront() {
         QFETCH(bool, byCommand);
         WindowBench bench;
@@ -674,7 +674,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The question goes with its panel, and the view with its own, in whatever order.
+    // The notice is destroyed with its panel, and the view with its own, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));
@@ -723,13 +723,13 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
         QVERIFY(standsStill(bench.cell));
         QTest::keyRelease(&panel, Qt::Key_Up);
-        // The commands of the window are heard in the panel all the same.
+        // The shortcuts of the window work in the panel as well.
         QTest::keyClick(&panel, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
 private:
-    /// A stick that stands in the middle for a moment and is held upwards from then on.
+    /// A stick that is neutral for a moment and then pushed upwards.
     static void tiltStick(WindowBench& bench) {
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys(), &bench.window.jogColumn().axisJog());
         const auto hold = [&bench, pump = bench.cell.everyRefresh](double up) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures for people to look at, for the README and for the manual (packaging/manual/make_pictures): every arm in two
-// poses, every tab, a pattern and actions being taught, every part of the window. Made in the folder that TILLER_PICTURES
-// names; without it nothing is done.
+// Screenshots for review, for the README and for the manual (packaging/manual/make_pictures): every arm in two
+// poses, every tab, a pattern and actions being taught, every part of the window. Written to the folder
+// TILLER_PICTURES; without this variable nothing is done.
 
 #include <QDialog>
 #include <QDir>
@@ -31,7 +31,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPageWidth = 720;  // of the manual, as the window's help shows it [px]
+constexpr int kPageWidth = 720;  // width of the manual in the help window [px]
 constexpr double kRight = 1.5707963267948966;
 struct Stance {
     const char* name;
@@ -51,7 +51,7 @@ private:
 
     app::MainWindow& window() { return bench_->window; }
     void keep(QWidget& widget, const QString& name) { keep(widget.grab().toImage(), name); }
-    /// Fails where nothing was drawn: one colour is no picture.
+    /// Fails if nothing was drawn: a single colour.
     void keep(const QImage& image, const QString& name) {
         const QRgb first = image.pixel(0, 0);
         bool drawn = false;
@@ -76,13 +76,13 @@ private:
             }
         }
     }
-    /// No wider than a page of the manual.
+    /// Not wider than a page of the manual.
     void keepForManual(const QImage& image, const char* name) {
         keep(image.width() > kPageWidth ? image.scaledToWidth(kPageWidth, Qt::SmoothTransformation) : image,
              QStringLiteral("manual-") + QLatin1String(name));
     }
     void keepForManual(QWidget& widget, const char* name) { keepForManual(widget.grab().toImage(), name); }
-    /// A line that is wider than a page, in two rows.
+    /// Splits a line that is wider than a page into two rows.
     static QImage inTwoRows(const QImage& line) {
         const int half = (line.width() + 1) / 2;
         QImage rows(half, 2 * line.height() + 8, QImage::Format_RGB32);
@@ -100,7 +100,7 @@ private:
         release(button);
         bench_->cell.advanceMs(400);
     }
-    /// The dialog a command opens, once it is laid out.
+    /// The dialog opened by a command, after its layout.
     QDialog& opened(const char* id, const char* name) {
         window().actions().find(QLatin1String(id))->trigger();
         QTest::qWait(100);
@@ -156,7 +156,7 @@ private:
         points[4].actions = {part, close, lamp};
         window().document().insertWaypoints(0, points, "taught");
     }
-    /// While the dialog of that name is open, which runs an event loop of its own.
+    /// While the dialog with this name is open, which has its own event loop.
     void inDialog(const char* name, const std::function<void()>& open,
                   const std::function<void(QDialog&)>& use) {
         bool used = false;
@@ -247,7 +247,7 @@ private Q_SLOTS:
         keepForManual(window(), "window");
         keepForManual(inTwoRows(bench_->find<QWidget>("headerBar").grab().toImage()), "header");
         keepForManual(bench_->find<QWidget>("jogColumn"), "jog");
-        // The parts by themselves may be larger.
+        // The separate parts may be larger.
         window().resize(1560, 980);
         bench_->cell.advanceMs(200);
         QTest::qWait(100);

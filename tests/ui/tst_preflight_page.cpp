@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page before the first connection: every fault of the way to a robot is named on its own line with its
-// own cause and what to do, and `tiller-cli doctor` says the same.
+// The page before the first connection: every fault of the connection to a robot has a separate line with its cause
+// and a suggested action, and `tiller-cli doctor` reports the same.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -27,14 +27,14 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A loopback port on which nothing listens.
+/// A loopback port without a listener.
 int closedPort() {
     QTcpServer server;
     server.listen(QHostAddress::LocalHost);
     return server.serverPort();
 }
 
-/// A robot with the way to it, and whatever stands in the way.
+/// A robot with its connection, and possible faults.
 struct Cell {
     simulator::SimulatorOptions options;
     std::unique_ptr<simulator::Simulator> robot;
@@ -62,7 +62,7 @@ struct Cell {
         other = std::make_unique<test::RawPeer>(std::move(script));
         return other->port();
     }
-    /// Another program that holds these inputs.
+    /// Another program that uses these inputs.
     void hold(const std::vector<std::string>& registers) {
         rtde::ConnectionOptions client;
         client.host = patient.host;
@@ -123,7 +123,7 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-/// What this PC and a fresh simulated robot always have.
+/// Usual findings with this PC and a new simulated robot.
 const QSet<QString> kUsual = {"privilege.none", "latency.none", "payload.unset"};
 
 QSet<QString> causesOf(const doctor::Report& report) {
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
         const QString all = doctor::toText(page->report());
         QVERIFY2(causesOf(page->report()) == QSet<QString>{QLatin1String(fault.cause)}, qPrintable(all));
-        // The line of that condition, and only it, says what is wrong and what to do.
+        // Only the line of this condition shows a problem and a suggested action.
         int bad = 0;
         for (const FindingRow* row : page->findChildren<FindingRow*>()) {
             const doctor::Finding& shown = row->finding();
@@ -277,7 +277,7 @@ private Q_SLOTS:
         QVERIFY(!key->property("primary").toBool() && !key->isDefault());
         QVERIFY(page->findChild<QLabel*>("preflightConsequence")->isVisible());
 
-        // What is red or amber stands above all that is well, and can be seen without scrolling.
+        // Red and amber lines are above all good ones, and visible without scrolling.
         const auto outOfPlace = [&page]() -> QString {
             bool wellSeen = false;
             QList<FindingRow*> rows = page->findChildren<FindingRow*>();
@@ -294,7 +294,7 @@ private Q_SLOTS:
         };
         QTRY_VERIFY2(outOfPlace().isEmpty(), qPrintable(outOfPlace()));
 
-        // Return looks again; it does not connect.
+        // Return repeats the check; it does not connect.
         QSignalSpy connected(page.get(), &PreflightPage::connectRequested);
         QSignalSpy finished(page.get(), &PreflightPage::finished);
         keepPicture(*page, "protective_stop");
@@ -309,7 +309,7 @@ private Q_SLOTS:
         cell.patient.ports.rtde = cell.peer([](test::RawPeer::Link& link) { link.beMute(); });
         auto page = open(cell.patient);
         QTest::qWait(20);
-        page.reset();  // waits for its thread, which a cancelled deadline lets go: else this never ends
+        page.reset();  // waits for its thread, which a cancelled deadline ends; the test would hang otherwise
         QVERIFY(cell.robot->isRunning());
     }
 

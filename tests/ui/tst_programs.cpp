@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs of the robot's own from the window: load, play, pause, stop; and a popup that holds one up.
+// Programs on the robot from the window: load, play, pause, stop; and a popup that blocks one.
 
 #include <QFile>
 #include <QInputDialog>
@@ -34,7 +34,7 @@ private:
 
     const SessionState& state() const { return window_->session().state(); }
     QAction* action(const char* id) const { return window_->actions().find(QLatin1String(id)); }
-    /// As a person: waits until it can be done, then does it.
+    /// Waits until the action is enabled, then triggers it.
     bool run(const char* id) {
         if (!QTest::qWaitFor([&] { return action(id)->isEnabled(); }, 20'000)) {
             return false;
@@ -55,8 +55,8 @@ private:
         return true;
     }
 
-    /// A robot with this software, or the usual one, and a window connected to it.
-    /// local  as the simulated controller is with --local
+    /// A robot with this software version, or the default one, and a window connected to it.
+    /// local  as with --local
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
@@ -64,7 +64,7 @@ private:
         simulator::SimulatorOptions options;
         if (software) {
             options.software = *software;
-            options.portOffset = 20'000;  // port 80 is not everybody's
+            options.portOffset = 20'000;  // port 80 needs privileges
         }
         options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
         options.remoteControl = !local;
@@ -114,11 +114,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
     }
 
-    // Whether Local means that remote control is switched off, or that nothing is taken, shows at the first attempt.
+    // Whether Local means that remote control is disabled, or that commands are refused, is known after the first
+    // attempt.
     void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
         begin({}, true);
         bool wasInControl = false;
-        QObject here;  // whose connections end with wasInControl
+        QObject here;  // object whose connections end with wasInControl
         connect(&window_->session(), &RobotSession::stateChanged, &here,
                 [&wasInControl](const SessionState& now) {
                     wasInControl = wasInControl || now.control == ControlState::InControl;
@@ -210,7 +211,7 @@ private Q_SLOTS:
         QVERIFY2(!card->geometry().intersects(QRect(jog->mapTo(window_.get(), QPoint()), jog->size())),
                  "beside the keys that move the arm");
 
-        // A second one lies over the first, as on the pendant.
+        // A second popup covers the first one, as on the pendant.
         QVERIFY(robot_->inject("popup Close the door").ok());
         auto* text = card->findChild<QLabel*>("robotPopup.text");
         QTRY_COMPARE_WITH_TIMEOUT(text->text(), QString("Close the door"), 20'000);
@@ -223,7 +224,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         QTest::mouseClick(key, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
-        // Gone from the robot too: nothing holds the program up any more.
+        // Closed on the robot too: nothing blocks the program any more.
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
     }
@@ -238,7 +239,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY(key->hasFocus());
-        // For longer than the key keeps meaning stop after something moved.
+        // Longer than the key keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
@@ -267,12 +268,12 @@ private Q_SLOTS:
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
         QTRY_VERIFY(key->isEnabled());
-        // What the robot does not close is closed at the robot.
+        // A popup that the robot does not close is closed on the pendant.
         Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        // Another connection knows nothing of it.
+        // Another connection does not know it.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
     }
@@ -284,7 +285,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == "Close", 20'000);
         key->click();
-        // Before the next turn of the event loop: the robot's answer waits for that.
+        // Before the next iteration of the event loop, which processes the robot's answer.
         script::ControllerMessage next;
         next.kind = script::MessageKind::Popup;
         next.text = QStringLiteral("Close the door");
@@ -292,7 +293,7 @@ private Q_SLOTS:
         QCOMPARE(card->count(), 2);
         QTRY_COMPARE_WITH_TIMEOUT(card->count(), 1, 20'000);
         QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Close the door"));
-        // That one is closed by a command of its own.
+        // This one is closed by a separate command.
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         key->click();
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
@@ -307,7 +308,7 @@ private Q_SLOTS:
             popup.text = QStringLiteral("Popup %1").arg(i);
             Q_EMIT window_->session().controllerMessage(popup);
         }
-        // The first one is shown at once, the others with the next update.
+        // The first one is shown immediately, the others with the next update.
         QVERIFY2(card->updates() - before <= 2, qPrintable(QString::number(card->updates() - before)));
         QCOMPARE(card->count(), RobotPopup::kMaxPopups);
         QTRY_COMPARE_WITH_TIMEOUT(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Popup 10000"),
@@ -336,7 +337,7 @@ private Q_SLOTS:
         window_->session().takeControl();
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
-            // Data that come late are another obstacle, for a moment.
+            // Late data are another reason for a moment.
             QTRY_VERIFY2(!action(id)->isEnabled() &&
                              app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
                          id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A project that was taught with another robot model, or with another TCP, in the real window with a simulated UR5e in
-// virtual time: nothing moves to its places before the operator has answered.
+// A project that was taught with another robot model or TCP, in the real window with a simulated UR5e in virtual
+// time: no motion to its positions before the user has answered.
 
 #include <QAction>
 #include <QMessageBox>
@@ -31,7 +31,7 @@ JointPositions turned(double by) {
     return q;
 }
 
-/// Two waypoints and Home, near where the arm starts.
+/// Two waypoints and Home near the start of the arm.
 project::Project taughtWith(RobotModelId model, const Pose& tcp = {}) {
     project::Project project;
     project.robot = model;
@@ -95,7 +95,7 @@ private:
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         cell().advanceMs(40);
     }
-    /// How far the TCP goes while this key is held [m].
+    /// Distance of the TCP while this button is held [m].
     double movedBy(const char* name) {
         const Pose before = cell().truth().tcpPose;
         press(key(name));
@@ -104,7 +104,7 @@ private:
         cell().advanceMs(300);
         return (cell().truth().tcpPose.position - before.position).norm();
     }
-    /// Of all keys that go to places of the project, and of the session below them.
+    /// All buttons for positions of the project, and the session functions behind them.
     void nothingMovesToThem() {
         for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
             QVERIFY2(movedBy(name) < 1e-4, name);
@@ -185,11 +185,11 @@ private Q_SLOTS:
             QVERIFY2(!document().reach(row).ok(), "not marked as reachable");
         }
         nothingMovesToThem();
-        // Nor are places of the two arms mixed.
+        // Positions of the two arms are not mixed either.
         QVERIFY(!bench_->find<QPushButton>("waypoint.teach").isEnabled());
-        // What does not belong to the project moves.
+        // Motions that do not depend on the project are possible.
         QVERIFY(movedBy("jog.Z+") > 0.005);
-        // The question can be had again.
+        // The question can be shown again.
         window().findChild<QAction*>("project.adapt")->trigger();
         QVERIFY(until([this] { return question() != nullptr; }));
         answer("projectFit.cancel");
@@ -207,7 +207,7 @@ private Q_SLOTS:
         goTo(0);
         QVERIFY2(offFrom(before.waypoints.at(0).pose) < 0.001,
                  qPrintable(QString::number(1e3 * offFrom(before.waypoints.at(0).pose))));
-        // One step back it is the other arm's project, and asks again.
+        // After undo it is the project of the other arm, and asks again.
         document().undo();
         QVERIFY(document().waypoints().at(0).joints == before.waypoints.at(0).joints);
         QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));
@@ -244,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(document().reach(0).ok() && !document().reach(2).ok());
     }
 
-    // A file that names no arm takes the connected one, as does a project without places; neither asks.
+    // A file without a robot model uses the connected one, as does a project without positions; neither asks.
     void aProjectWithoutAModelTakesTheConnectedOne() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR10e);
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
     }
 
-    // The TCP is asked about when the arm is to move.
+    // The TCP question appears when the arm is to be moved.
     void anotherTcpAsksBeforeAnythingMoves() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR5e, Pose(0, 0, 0.15, 0, 0, 0));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ten thousand steps of somebody who tries everything, on the real window in front of a simulated controller
-// that is disturbed as well. Before that: do the judges see what they are there for?
+// Ten thousand random user actions on the real window with a simulated controller and its faults. Before that:
+// tests of the checks themselves.
 //
-// TILLER_STEPS  how many steps in all, 10 000 otherwise; a row has at most 1000
-// TILLER_SEED   the seed of the first row; each further row has the next number
-// A failure names what to set to play the row again. The steps are the same then as far as the machine's own
-// pace allows: robot, sockets and timers are real.
+// TILLER_STEPS  total number of steps, default 10 000; a row has at most 1000
+// TILLER_SEED   seed of the first row; each further row uses the next number
+// A failure prints the settings to repeat the row. The steps are then the same, as far as the timing of the machine
+// allows: robot, sockets and timers are real.
 
 #include <QApplication>
 #include <QDialog>
@@ -45,9 +45,9 @@ constexpr int kSteps = 10'000;
 constexpr int kRowSteps = 1000;
 constexpr quint32 kSeed = 20261116;
 
-// ---- what may be warned of ------------------------------------------------------------------------------------
+// ---- expected warnings ----------------------------------------------------------------------------------------
 
-/// Of the platform without a screen, and of the simulated robot about the faults it was given.
+/// Of the platform without a screen, and of the simulated robot about its faults.
 const char* const kExpectedWarnings[] = {
     "^This plugin does not support ",
 };
@@ -86,7 +86,7 @@ QStringList takeWarnings() {
     return std::exchange(warnings, {});
 }
 
-/// Every unexpected warning as long as it lives.
+/// Collects unexpected warnings during its lifetime.
 class WarningWatch {
 public:
     WarningWatch() {
@@ -104,9 +104,9 @@ int numberFrom(const char* variable, int otherwise) {
     return ok && number > 0 ? number : otherwise;
 }
 
-// ---- windows for the judges to look at ------------------------------------------------------------------------
+// ---- windows for testing the checks ----------------------------------------------------------------------------
 
-/// Two keys with room between them, and one far away.
+/// Two buttons with some distance, and one far away.
 struct Keys {
     QWidget window;
     QPushButton* first = new QPushButton(QStringLiteral("first"), &window);
@@ -127,7 +127,7 @@ struct Keys {
     }
 };
 
-/// What the check looks at, without a robot: it shows what it is given.
+/// The displays for the check, without a robot: it shows given states.
 struct Board {
     QWidget window;
     RobotSession session;
@@ -139,7 +139,7 @@ struct Board {
     TruthCheck check{window};
 
     Board() {
-        session.shutDown();  // nothing comes on top of what is shown here
+        session.shutDown();  // other updates must not replace these states
         truth.robotMode = state.robotMode;
         truth.safetyMode = state.safetyMode;
         truth.q = state.q;
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY2(QDir::homePath() == QDir::currentPath(), "files would be written to somebody's home");
     }
 
-    // ---- the judge of places --------------------------------------------------------------------------------
+    // ---- tests of PlacesWatch -----------------------------------------------------------------------------------
 
     void aKeyThatSlidesAwayIsCaught() {
         Keys keys;
@@ -308,7 +308,7 @@ private Q_SLOTS:
         QCOMPARE(watch.moved().size(), 1);
     }
 
-    // ---- the judge of truth ---------------------------------------------------------------------------------
+    // ---- tests of TruthCheck ------------------------------------------------------------------------------------
 
     void aTrueWindowHasNoLies() {
         Board board;
@@ -434,7 +434,7 @@ private Q_SLOTS:
         }
         const QStringList warned = takeWarnings();
         if (!failure.isEmpty() || !warned.isEmpty()) {
-            // Line by line: Qt Test cuts long messages, and the last steps are those that matter.
+            // Line by line: Qt Test truncates long messages, and the last steps are the most important ones.
             for (const QString& line : StepLog::text().split(QLatin1Char('\n'))) {
                 qInfo("%s", qPrintable(line));
             }
@@ -443,7 +443,7 @@ private Q_SLOTS:
         QVERIFY2(warned.isEmpty(), qPrintable(QStringLiteral("warned of: %1").arg(warned.join("; "))));
     }
 
-    // A user who tries nothing finds nothing.
+    // A user without actions finds nothing.
     void itWasReallyTried() {
         if (steps_ < 3 * kRowSteps) {
             QSKIP("too few steps to tell");
@@ -455,7 +455,7 @@ private Q_SLOTS:
 };
 
 int main(int argc, char* argv[]) {
-    // Whatever is saved, exported and recorded goes where it is thrown away.
+    // Everything saved, exported and recorded goes to a temporary folder.
     const QTemporaryDir home;
     if (!home.isValid() || !QDir::setCurrent(home.path())) {
         return 1;
@@ -465,7 +465,7 @@ int main(int argc, char* argv[]) {
         qputenv(name, QDir::currentPath().toLocal8Bit());
     }
     if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) {
-        qputenv("QTEST_FUNCTION_TIMEOUT", "1800000");  // [ms] a row takes long where every access is watched
+        qputenv("QTEST_FUNCTION_TIMEOUT", "1800000");  // [ms] a row takes long with memory checkers
     }
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Record path" in the real window: an arm that is led by hand, what is kept of it, the way back along it, and the
-// table that others learn from. And Back, which undoes taught motion too.
+// "Record path" in the real window: an arm guided by hand, the recorded path, its replay, and the table for
+// learning from demonstration. And Back, which also reverses taught motions.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -34,7 +34,7 @@ private:
     }
     Eigen::Vector3d tcp() { return cell().truth().tcpPose.position; }
 
-    /// The hand leads the arm about while Freedrive is held; what the robot's data said meanwhile.
+    /// Moves the arm by an external force while Freedrive is held, and returns the data of the robot.
     project::Demonstration lead() {
         project::Demonstration seen;
         const auto watching = connect(&window().session(), &RobotSession::stateChanged, this,
@@ -54,7 +54,7 @@ private:
         disconnect(watching);
         return seen;
     }
-    /// Records what the hand does, and waits for what is kept of it.
+    /// Records the motion, and waits for the reduced path.
     project::Demonstration recordByHand() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         cell().advanceMs(40);
@@ -74,7 +74,7 @@ private:
         }
         return places;
     }
-    /// How far a place is from the path at most: from its nearest part [rad, m].
+    /// Maximum deviation of a position from the nearest part of the path [rad, m].
     static project::PathDeviation nearestTo(const JointPositions& q,
                                             const std::vector<project::KeptPlace>& path,
                                             const DhParameters& dh, const Pose& tool) {
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(document().waypoints().size(), count);
     }
 
-    // Held, along what was shown: corners are rounded by no more than the blend.
+    // Held, along the taught path: corners are rounded by the blend at most.
     void itIsReplayedWhileItIsHeld() {
         recordByHand();
         const auto path = kept();
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
-    // Back undoes what "Go through" did, the blended path too, the same way, to where it began.
+    // Back reverses the motion of "Go through", including the blended path, to its start.
     void backGoesOverTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a recording is like is chosen on the settings page and beside the Record key, and the next file is like that.
+// The content of recordings is selected on the settings page and next to the Record button, and applies to the next
+// file.
 
 #include <QComboBox>
 #include <QDir>
@@ -65,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("measured");
 
-        // From the menu of the Record key to the page.
+        // From the menu of the Record button to the page.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();
@@ -121,7 +122,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(times[row] - times[row - 1] - 4 * 0.002) < 1e-6);
         }
 
-        // The menu itself: another one, and the file before it stays.
+        // The menu itself: another selection; the previous file is unchanged.
         Q_EMIT menu->aboutToShow();
         for (QAction* action : menu->actions()) {
             if (action->data().toInt() == 10) {
@@ -134,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(second->values[0][1] - second->values[0][0] - 10 * 0.002) < 1e-6);
         QVERIFY(QFile::exists(QDir(folder).filePath("run 001.csv")));
 
-        // Remembered.
+        // Saved.
         const RecordingChoice kept = app::Settings(bench.file).preferences().recording;
         QCOMPARE(kept.every, 10);
         QCOMPARE(kept.pattern, QString("run {number}"));
@@ -173,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(until(active));
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("seen"), Origin::Operator);
         QVERIFY(until([&] { return bench.window.session().state().recording.rows > 200; }));
-        // How much, how fast and how much room there is.
+        // Size, rate and free space.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         const QString progress =
@@ -235,7 +236,7 @@ private Q_SLOTS:
         typeInto(*page->findChild<QLineEdit*>("settings.recording.pattern"), "a/b");
         QVERIFY(page->findChild<QLabel*>("settings.recording.example")->text().contains('/'));
         QVERIFY(recording->choice() == before);
-        // The last signal cannot be taken away.
+        // The last signal cannot be removed.
         auto* list = page->findChild<QListWidget*>("settings.recording.signals");
         const QStringList fields = recordableFields();
         for (const QString& field : fields) {

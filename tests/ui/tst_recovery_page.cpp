@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The way back from every kind of stop, through the window, against the simulated robot: one step at a time,
-// and never by itself.
+// Recovery from every type of stop through the window, with the simulated robot: one step at a time, and never
+// automatically.
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -33,7 +33,8 @@ struct Bench : WindowBench {
         show(QSize(1280, 720));
         return cell.bringUp();
     }
-    /// The dashboard's thread answers in real time, the robot in virtual time: both go on until it holds.
+    /// The dashboard thread answers in real time, the robot in virtual time: both advance until the condition is
+    /// true.
     bool until(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -43,7 +44,7 @@ struct Bench : WindowBench {
         }
         return condition();
     }
-    /// The robot says nothing for so long, and goes on saying nothing.
+    /// The robot sends nothing for this time, and continues to send nothing.
     void silence(int ms) {
         cell.robot.silence(true);
         for (int t = 0; t < ms; t += 2) {
@@ -58,7 +59,7 @@ struct Bench : WindowBench {
     }
     RecoveryPage* page() { return window.findChild<RecoveryPage*>(); }
     QPushButton* key() { return page()->findChild<QPushButton*>("recoveryKey"); }
-    /// Through the header, as a hand would.
+    /// Through the header, by mouse.
     bool openPage() {
         auto* step = window.findChild<QPushButton*>("nextStepButton");
         if (!until([&] { return step->isVisible() && step->text().contains("Recover"); })) {
@@ -89,7 +90,7 @@ struct Bench : WindowBench {
     }
     const SessionState& state() { return window.session().state(); }
     QAction* action(const char* id) const { return window.actions().find(QLatin1String(id)); }
-    /// The next step, with the key in the header that offers it.
+    /// Performs the next step with the button in the header.
     bool stepsBy(const QString& text) {
         auto* step = window.findChild<QPushButton*>("nextStepButton");
         if (!until([&] { return step->isVisible() && step->accessibleName() == text; })) {
@@ -98,8 +99,8 @@ struct Bench : WindowBench {
         QTest::mouseClick(step, Qt::LeftButton);
         return true;
     }
-    /// Holds a key of the pad for a while and lets go.
-    /// Returns  how far the TCP went [mm]
+    /// Holds a button of the pad for a while and releases it.
+    /// Returns  distance of the TCP [mm]
     double jog() {
         auto* key = window.findChild<HoldButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });
@@ -120,12 +121,12 @@ struct Bench : WindowBench {
     }
 };
 
-/// PolyScope X has no dashboard: the window finds its Robot API by itself.
+/// PolyScope X has no dashboard: the window detects its Robot API.
 simulator::SimulatorOptions polyScopeX(const SoftwareVersion& software = {10, 12, 0, 0}) {
     simulator::SimulatorOptions options = VirtualCell::options();
     options.software = software;
     options.poweredOn = false;
-    options.portOffset = 20'000;  // port 80 is not everybody's
+    options.portOffset = 20'000;  // port 80 needs privileges
     return options;
 }
 
@@ -158,7 +159,7 @@ private Q_SLOTS:
         }
         bench.keepPicture("protective");
 
-        // Ticked at once: the five seconds are still to come.
+        // Confirmed immediately: the five seconds are not over.
         bench.tickAll();
         QVERIFY(!bench.key()->isEnabled());
         QVERIFY(bench.key()->text().contains("5 s") || bench.key()->text().contains("4 s"));
@@ -166,14 +167,14 @@ private Q_SLOTS:
         QVERIFY(!bench.key()->isEnabled());
         bench.cell.advanceMs(2200);
         QVERIFY(bench.key()->isEnabled());
-        // Not everything ticked: no key.
+        // Not all confirmed: the button is disabled.
         bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(false);
         QVERIFY(!bench.key()->isEnabled());
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         bench.cell.advanceMs(300);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(true);
-        // A return key pressed by reflex is no unlocking.
+        // An accidental Return does not unlock.
         QTest::keyClick(bench.page(), Qt::Key_Return);
         bench.cell.advanceMs(300);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
@@ -252,7 +253,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
         QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
-        // For as long as one likes: nothing unlocks by itself.
+        // For any time: nothing unlocks automatically.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());
@@ -347,7 +348,7 @@ private Q_SLOTS:
         const QPointer<QCheckBox> first = bench.page()->findChild<QCheckBox*>("recoveryCheck0");
         const QRect tick = first->geometry();
 
-        // Less than a second: the page waits as it is.
+        // Less than a second: the page waits unchanged.
         bench.silence(600);
         QCOMPARE(bench.state().link, LinkState::Stale);
         QVERIFY(first && first->isVisible() && first->isChecked());
@@ -359,7 +360,7 @@ private Q_SLOTS:
         QVERIFY(first && first->isChecked());
         QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
 
-        // No data, and a connection made anew.
+        // No data, and a new connection.
         bench.silence(3000);
         QCOMPARE(bench.state().link, LinkState::Lost);
         QVERIFY(first && first->isVisible() && first->isChecked());
@@ -370,7 +371,7 @@ private Q_SLOTS:
         QVERIFY(first && first->isChecked());
         QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
 
-        // The same stop for another reason, as far as the words go: it has not been looked at.
+        // The same stop, possibly for another reason: it has to be confirmed again.
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
         bench.cell.advanceMs(100);
@@ -381,17 +382,17 @@ private Q_SLOTS:
         }
     }
 
-    /// Everything the program can be asked for, in a protective stop older than five seconds: it stays.
+    /// All functions of the program, in a protective stop older than five seconds: it remains.
     void nothingElseUnlocks() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(6000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
-        // Whatever opens is closed again, other than by its own keys.
+        // Everything that opens is closed again, without using its buttons.
         QTimer closer;
         connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
-            // One that is closed may take others along.
+            // Closing a dialog may close others.
             const QWidgetList all = QApplication::topLevelWidgets();
             for (const QPointer<QWidget>& top : QList<QPointer<QWidget>>(all.begin(), all.end())) {
                 if (top != nullptr && top != &bench.window && top->isVisible()) {
@@ -419,7 +420,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(clicked > 10);
-        // The page alone, open for as long as one likes, does nothing either; nor does its Return key.
+        // The open page alone does nothing at any time; nor does its Return key.
         closer.stop();
         QVERIFY(bench.openPage());
         bench.tickAll();
@@ -429,7 +430,7 @@ private Q_SLOTS:
         bench.page()->close();
         bench.cell.advanceMs(500);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
-        // A new connection is no reason either.
+        // A new connection does not unlock either.
         const QString host = bench.cell.robot.listenAddress();
         bench.window.session().disconnectFromRobot();
         bench.window.session().connectTo({"Again", host, 0, true});
@@ -440,7 +441,7 @@ private Q_SLOTS:
     }
 
     void onlyTheRecoveryPageCanGiveTheWord() {
-        // The type says so to the compiler; this says so to the reader, and covers the wire text too.
+        // Enforced by the type at compile time; this check also covers the text protocol.
         const QMap<QString, QStringList> allowed = {
             {"UnlockConsent()", {"robot/station/link/robot_command.h", "widgets/status/recovery_page.cpp"}},
             {"unlockProtectiveStop(",

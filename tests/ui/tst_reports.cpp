@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A report of a problem holds what is on the page and nothing else, no names and addresses unless they are let go,
-// and what a crash has left. The crash is a real one, of this program started once more.
+// A problem report contains what is shown on the page and nothing else, no names and addresses unless selected, and
+// a crash report. The crash is a real one, of this program started again.
 
 #include <QApplication>
 #include <QCheckBox>
@@ -33,7 +33,7 @@ namespace {
 constexpr char kCrash[] = "--crash";
 constexpr char kLastLine[] = "Connected to Lab UR5e at 10.0.0.7";
 
-/// Ends as a program with a bad pointer does.
+/// Ends as a program with an invalid pointer.
 int crash(const QString& path, int signal) {
     app::keepCrashReports(path);
     app::rememberForCrash(QStringLiteral("the first line\nof two"));
@@ -46,7 +46,7 @@ int crash(const QString& path, int signal) {
     return 0;
 }
 
-/// What a process that was ended by this signal has left in the file.
+/// The file left by a process that was ended by this signal.
 QByteArray crashed(const QString& path, int signal) {
     QProcess process;
     process.start(QCoreApplication::applicationFilePath(), {kCrash, path, QString::number(signal)});
@@ -57,7 +57,7 @@ QByteArray crashed(const QString& path, int signal) {
     return app::readCrashReport(path);
 }
 
-/// The files of a zip by name, as another program reads them.
+/// The files of a zip by name, as read by another program.
 QMap<QString, QByteArray> unzipped(const QString& path) {
     const QByteArray code =
         "import json, sys, zipfile\n"
@@ -103,7 +103,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QByteArray report = crashed(folder.filePath("new folder/crash.txt"), signal);
         QVERIFY2(report.contains("was ended by " + name), report);
-        // The calls, with the handler's own among them, and this program's.
+        // The call stack includes the handler's functions, and this program's.
         QVERIFY2(report.count("[0x") >= 3 && report.contains("tst_reports"), report);
         QVERIFY2(report.endsWith(QByteArray(kLastLine) + '\n'), report);
         QVERIFY(report.contains("line 99\n"));
@@ -185,13 +185,13 @@ private Q_SLOTS:
         auto* notice = bench.window.waypoints().findChild<NoticeBar*>();
         QVERIFY(notice != nullptr && notice->isVisibleTo(&bench.window));
         QVERIFY(notice->title().contains("unexpectedly"));
-        QVERIFY(!QFile::exists(path));  // the place is free for another one
+        QVERIFY(!QFile::exists(path));  // the file can be replaced by another report
         app::ReportDialog& dialog = bench.openReport();
         const QString zip = bench.folder.filePath("report.zip");
         dialog.saveTo(zip);
         QVERIFY(unzipped(zip)["crash.txt"].contains("SIGSEGV"));
         QVERIFY(!unzipped(zip)["crash.txt"].contains("10.0.0.7"));
-        // It has been reported: the next start says nothing.
+        // It was reported: the next start does not offer it.
         QCOMPARE(QDir(bench.folder.path()).entryList({"crash*"}).size(), 0);
         notice->dismiss();
         bench.window.offerCrashReport(path);

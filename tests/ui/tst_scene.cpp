@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The 3D view in the real window: what must be seen is in the picture, the standard sides are commands with keys
-// of their own, and the jog frame "View" follows.
+// The 3D view in the real window: relevant objects are visible, the standard directions are commands with
+// shortcuts, and the jog frame "View" follows.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -70,8 +70,8 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    // Each arm is some tenths of a millimetre another one than its model, and tells it with frames that stand far
-    // from its links.
+    // Each arm deviates from its model by some tenths of a millimetre, and reports it with frames far from its
+    // links.
     void theArmIsDrawnAndReckonedByItsOwnCalibration() {
         simulator::SimulatorOptions robot = VirtualCell::options();
         robot.calibration = 2;
@@ -89,7 +89,7 @@ private Q_SLOTS:
         };
         QVERIFY2(off(nominal) > 0.5, qPrintable(QString::number(off(nominal))));
         QVERIFY2(off(state.dh) < 1e-6, qPrintable(QString::number(off(state.dh))));
-        // The picture is of an arm, not of links all over the place.
+        // The image shows an arm, not scattered links.
         QVERIFY(isInThePicture(state.q));
         keepPicture(view(), QStringLiteral("scene-calibrated"));
     }
@@ -144,7 +144,7 @@ private Q_SLOTS:
     }
 
     void thePaletteFindsThem() {
-        bench_->cell.advanceMs(1500);  // Space means stop for a second after a motion
+        bench_->cell.advanceMs(1500);  // Space only stops for a second after a motion
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(isInThePicture(window().session().state().q));
     }
 
-    // What stands in the way is said where the key is, marked on the way, and gone when it is gone.
+    // An obstacle on the path is reported next to the button, marked on the path, and disappears with its cause.
     void aBoxInTheWayIsSaidBesideTheKey() {
         const JointPositions here = window().session().state().q;
         window().waypoints().teach();
@@ -211,12 +211,12 @@ private Q_SLOTS:
         QVERIFY(view().moveLimitText().isEmpty());
     }
 
-    // What "Back" would undo is drawn as a line, from where the arm is to where it came from, and is gone with it.
+    // The path of "Back" is drawn as a line from the arm to the start, and disappears with it.
     void theWayBackIsDrawn() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
-        // Along X: the line lies on none of the TCP's axes.
+        // Along X: the line is not on any axis of the TCP.
         auto& key = bench_->find<HoldButton>("jog.X+");
         press(key);
         bench_->cell.advanceMs(1500);
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QVERIFY(view().paths().empty());
     }
 
-    // Before a touch-up is kept it says by how much, and shows where the waypoint is and where it would be.
+    // Before a touch-up is confirmed, the distance and both positions of the waypoint are displayed.
     void touchUpShowsBothPlacesBeforeItIsKept() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().waypoints().teach();
@@ -269,7 +269,7 @@ private Q_SLOTS:
         }
         QVERIFY2(names.contains("Before: waypoint 1") && names.contains("After: waypoint 1"),
                  qPrintable(names.join(", ")));
-        // The arm goes on: what was shown is what is kept.
+        // The arm moves on: the displayed position is used.
         press(key);
         bench_->cell.advanceMs(1500);
         release(key);
@@ -294,7 +294,7 @@ private Q_SLOTS:
         QCOMPARE(window().document().waypoints().at(0), taught);
     }
 
-    // What the project says is around the arm is in the simulated world too; a jog does not get that far.
+    // The cell of the project is also in the simulated world; a jog ends before it.
     void aBoxOfTheCellIsInTheSimulatedWorld() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().practiseOn(&bench_->cell.robot);
@@ -319,7 +319,7 @@ private Q_SLOTS:
         QCOMPARE(bench_->cell.truth().safetyMode, SafetyMode::Normal);
         QVERIFY(bench_->cell.truth().tcpPose.position.z() < tcp.z() + 0.03);
 
-        // Gone from the project, it is gone from the simulator.
+        // Removed from the project, it is removed from the simulator.
         window().document().undoStack().undo();
         bool empty = false;
         bench_->cell.robot.changeWorld([&empty, tcp](simulator::arm::Environment& world) {
@@ -330,7 +330,7 @@ private Q_SLOTS:
         window().practiseOn(nullptr);
     }
 
-    // Taught at one place, as happens: each name is readable or counted.
+    // Taught at one position: each name is legible or counted.
     void namesOfWaypointsDoNotPileUp() {
         for (int i = 0; i < 14; ++i) {
             window().waypoints().teach();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is chosen on the settings page holds at once, is there again at the next start, and cannot be made
-// dangerous by a file: only a hand raises the speed cap, and then the header says so.
+// Settings take effect immediately, are restored at the next start, and cannot become dangerous by a file: the
+// speed cap can only be raised by the user, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +47,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// As a hand does: focus, arrow.
+/// By the keyboard: focus, arrow key.
 void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     auto* box = page.findChild<QComboBox*>(name);
     QVERIFY(box != nullptr);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         cap->setFocus();
         cap->selectAll();
         QTest::keyClicks(cap, "500");
-        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);  // not before it is finished
+        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);  // not before editing is finished
         QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // As the page does; the page itself would stop the arm by opening.
+        // As the page does; opening the page would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the key is still held");
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
         auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
-        // The closed page's last events are over before the key is pressed.
+        // The last events of the closed page are processed before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(50);
         bench.window.activateWindow();
@@ -269,7 +269,7 @@ private Q_SLOTS:
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
-        // As a hand does, in the field of the command.
+        // By the keyboard, in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
         field->setFocus();
@@ -319,7 +319,7 @@ private Q_SLOTS:
         QTest::mouseClick(page->findChild<QPushButton*>("settings.trainer"), Qt::LeftButton);
         auto* trainer = page->findChild<DeviceTrainer*>();
         QVERIFY(trainer != nullptr && trainer->isVisible());
-        // What is chosen there shows here, and is remembered too.
+        // Settings made there are shown here, and are also saved.
         trainer->findChild<QCheckBox*>("device.dominant")->click();
         QVERIFY(!dominant->isChecked());
         QVERIFY(!app::Settings(bench.file).preferences().devices.value(kGamepadKind).dominantAxis);
@@ -362,7 +362,7 @@ private Q_SLOTS:
         key->setFocus();
         QVERIFY(page->isVisible() && key->isVisible());
         const QKeySequence before = bench->window.actions().find("app.help")->shortcut();
-        // The field loses the focus while the window goes: it edits nothing then, and takes nobody with it.
+        // The field loses the focus while the window is destroyed: this must not count as an edit or crash.
         bench->window.close();
         QVERIFY(!bench->window.isVisible());
         QCOMPARE(bench->window.actions().find("app.help")->shortcut(), before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything that is remembered goes from one cell to the next in one file: the operator sees what is replaced
-// before it is, it holds at once, and a file that is broken or too new changes nothing.
+// Transfer of all settings by one file: the user sees what is replaced in advance, it takes effect immediately, and
+// a damaged or too new file changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -57,7 +57,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// The settings of a cell where much was chosen, as a file.
+/// A settings file of a cell with many changes.
 QString fileOfACell(const QTemporaryDir& folder) {
     app::Settings settings(folder.filePath("cell.ini"));
     settings.setTheme("dark");
@@ -72,7 +72,7 @@ QString fileOfACell(const QTemporaryDir& folder) {
     return app::writeSettingsFile(path, settings.bundle()) ? path : QString();
 }
 
-/// Answers the next question for a file, which holds its caller up.
+/// Answers the next file dialog, which blocks its caller.
 struct FileAnswer {
     explicit FileAnswer(QString path) {
         QObject::connect(&timer, &QTimer::timeout, &timer, [this, path = std::move(path)] {
@@ -163,7 +163,7 @@ private Q_SLOTS:
         });
         QVERIFY2(told, "where the copy is");
 
-        // The same at the next start, and the copy leads back.
+        // The same at the next start, and the backup restores the previous state.
         VirtualClock clock;
         const app::MainWindow next(app::Settings(bench.file), clock);
         QCOMPARE(currentDensity(), Density::Touch);
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
         QCOMPARE(app::Settings(bench.file).learned().firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(app::Settings(bench.file).learned().practice, QStringList("recover"));
-        // The next thing that is remembered keeps the rest.
+        // The next saved value keeps the others.
         bench.window.actions().find("app.firstSteps")->trigger();
         bench.find<QAbstractButton>("firstSteps.dismiss").click();
         const app::Learned learned = app::Settings(bench.file).learned();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A recording while the window is at work: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. Every packet is in
-// the file, in order; where the link drops one in a hundred, every gap stands in it with its length.
+// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. Every
+// packet is in the file, in order; if the connection drops one in a hundred, every gap is in it with its length.
 //
-// TILLER_RECORD_SECONDS  how long each row records; 10 otherwise, and 600 is what the name says. Qt Test gives a row five
-//                        minutes unless QTEST_FUNCTION_TIMEOUT [ms] says otherwise
+// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a row
+//                        to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 
 #include <QDir>
 #include <QFileInfo>
@@ -95,7 +95,7 @@ struct Bench {
                 QTest::mouseMove(viewport, at + QPoint(between(20, 300), 0));
                 QTest::mouseRelease(viewport, Qt::MiddleButton, {}, at);
                 break;
-            case 2:  // cursor A, which the view, the inputs and the log follow
+            case 2:  // cursor A, which view, inputs and log follow
                 QTest::mouseClick(viewport, Qt::LeftButton, {}, at);
                 break;
             default:
@@ -130,7 +130,7 @@ private Q_SLOTS:
         const QString path =
             format == RecordingChoice::Format::Mcap ? QStringLiteral("all.mcap") : QStringLiteral("all.csv");
         QString file;
-        double recorded = 0;  // of the robot's time [s]
+        double recorded = 0;  // robot time [s]
         std::uint64_t told = 0;
         {
             Bench bench;
@@ -167,14 +167,14 @@ private Q_SLOTS:
         QVERIFY2(all.problems().isEmpty(), qPrintable(all.problems().join('\n')));
         const std::vector<double> stamps =
             all.read(std::vector{all.indexOf("timestamp").value()}, {0, all.rows()}).value().front();
-        std::map<std::uint64_t, std::uint64_t> gaps;  // before this row so many packets are missing
+        std::map<std::uint64_t, std::uint64_t> gaps;  // number of packets missing before a row
         for (const recording::RecordedGap& gap : all.gaps()) {
             gaps[gap.row] = gap.packets;
         }
         std::uint64_t missing = 0;
         std::uint64_t marked = 0;
         for (std::size_t row = 1; row < stamps.size(); ++row) {
-            // By the controller's own clock, which goes on by a period with each packet.
+            // Based on the controller's clock, which advances by one period per packet.
             const auto packets = std::llround((stamps[row] - stamps[row - 1]) / kPeriod);
             QVERIFY2(packets >= 1, qPrintable(QStringLiteral("row %1 is out of order").arg(row)));
             const auto lost = static_cast<std::uint64_t>(packets - 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// TCP and payload in the real window with the simulated controller: set on it and read back, asked about where it has
-// another one, and a payload weighed in poses that are driven to while a key is held. And home.
+// TCP and payload in the real window with the simulated controller: set and read, questions about differences, and
+// a payload measured in poses that are approached while a button is held. And Home.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -39,7 +39,7 @@ private:
         QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
         cell().advanceMs(40);
     }
-    /// Real time passes too: what is set on the robot is set by a worker.
+    /// Real time also passes: settings on the robot are made by a worker.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 2000 && !condition(); ++i) {
             cell().advanceMs(4);
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
-        // Somebody else sets another one: it is said and asked about, and nothing is changed by itself.
+        // Another client sets a different one: the user is asked, and nothing is changed automatically.
         window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }));
         window().tools().tcps().setState(window().session().state());
@@ -106,7 +106,7 @@ private Q_SLOTS:
     }
 
     void payloadIsWeighedWithinFiftyGramsAndFiveMillimetres() {
-        // 2.0 kg hang there, of which the controller knows nothing; its sensor has noise and an offset.
+        // A load of 2.0 kg that is unknown to the controller; its sensor has noise and an offset.
         QVERIFY(cell().robot.inject("load 2.0 0.02 -0.03 0.09").ok());
         window().tools().showPage(ToolsTab::Payloads);
         cell().advanceMs(400);
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(found.mass - 2.0) < 0.05);
         QVERIFY((found.centre - Eigen::Vector3d(0.02, -0.03, 0.09)).norm() < 0.005);
 
-        // Before it is set it is not true, afterwards it is.
+        // Before it is set the check fails, afterwards it passes.
         click("payload.check");
         QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
         QVERIFY2(notice("payload.page").title().contains("wrong"),
@@ -157,7 +157,7 @@ private Q_SLOTS:
 
     void homeIsWhereItWasSet() {
         window().tools().showPage(ToolsTab::Positions);
-        // The page takes in the robot's state a few times a second, in real time.
+        // The page reads the robot's state a few times per second, in real time.
         QTRY_VERIFY((click("position.setHome"), window().document().positions().homePosition() != nullptr));
         const JointPositions home = window().document().positions().homePosition()->joints;
         keepPictures("tools-positions");
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
         release(key);
-        // Undone, the key goes where it went before.
+        // After undo, the button has its previous target.
         window().document().undoStack().undo();
         QVERIFY(window().document().positions().homePosition() == nullptr);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In the density Touch everything that a finger touches is as high as a finger needs: the keys of joints, rows of
-// I/O, tabs, check boxes, fields and menus too. A mouse keeps the sizes it had.
+// In the density Touch all touch targets have the height needed by a finger: joint buttons, rows of I/O, tabs,
+// check boxes, fields and menus too. The mouse densities are unchanged.
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -45,7 +45,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// The rows of a table are 44 px high, and what stands in one has no more.
+/// The rows of a table are 44 px high, which also limits widgets inside.
 bool standsInARow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {
@@ -63,7 +63,7 @@ bool isTouched(const QWidget& widget) {
            qobject_cast<const QTabBar*>(&widget) != nullptr;
 }
 
-/// What is lower than a finger needs, of what is in sight.
+/// Visible widgets that are too low for a finger.
 QStringList tooLow(const QWidget& window) {
     QStringList found;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {

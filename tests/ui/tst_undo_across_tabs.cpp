@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Undo and redo from a tab that does not show what they change: they name the edit, show its tab, and compare TCP and
+// Undo and redo from a tab that does not show the change: they name the edit, show its tab, and compare TCP and
 // payload with the robot. The real window with a simulated robot in virtual time.
 
 #include <QAction>
@@ -70,7 +70,7 @@ private:
         after.activePayload = payload.id;
         document().changeTooling(after, text);
     }
-    /// The pages follow the robot ten times a second, in real time.
+    /// The pages update ten times per second, in real time.
     void pageSeesTheRobot() {
         QTest::qWait(150);
         cell().advanceMs(40);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(notice != nullptr && notice->isVisible());
         QVERIFY2(notice->title().contains("TCP differs"), qPrintable(notice->title()));
 
-        // Nothing to ask about once it is redone: then it is the robot's.
+        // No question after redo: the value equals the robot's.
         window().showTab("io");
         said_.clear();
         trigger("waypoint.action.redo");
@@ -174,7 +174,7 @@ private Q_SLOTS:
         }
     }
 
-    // The keys work in the tab Tools as well.
+    // The shortcuts work in the tab Tools as well.
     void ctrlZWorksInTools() {
         changeTcp(0.15, "Change the TCP “gripper”");
         window().showTab("tools");

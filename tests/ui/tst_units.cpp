@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The units chosen in the settings hold in every place of the window that shows or takes a length.
+// The units selected in the settings apply to all parts of the window that display or accept a length.
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -45,7 +45,7 @@ namespace {
 
 struct Bench : WindowBench {
     Bench() { show(QSize(1600, 900)); }
-    /// As a hand does: the list on the settings page.
+    /// By the keyboard, in the list on the settings page.
     void choose(const char* list, Qt::Key arrow) {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         auto* page = window.findChild<app::SettingsPage*>();
@@ -60,7 +60,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// What a person reads or hears at a widget.
+/// The texts of a widget, including those for screen readers.
 QStringList wordsOf(const QWidget& widget) {
     QStringList words = {widget.toolTip(), widget.accessibleName(), widget.accessibleDescription()};
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
@@ -79,7 +79,7 @@ QStringList wordsOf(const QWidget& widget) {
         words << chip->text();
     }
     if (const auto* table = qobject_cast<const QTableView*>(&widget)) {
-        // The log is a record: it keeps what was written.
+        // The log keeps its texts.
         const QAbstractItemModel* model = table->objectName() == "log.table" ? nullptr : table->model();
         for (int column = 0; model != nullptr && column < model->columnCount(); ++column) {
             words << model->headerData(column, Qt::Horizontal).toString();
@@ -92,15 +92,15 @@ QStringList wordsOf(const QWidget& widget) {
 }
 
 const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
-/// "in" is a word too: only behind a figure, or at the end of a column's heading.
+/// "in" is a word too: only after a number, or at the end of a column header.
 const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
 
-/// Every text of the window that names the unit; plots stay as they are.
+/// All texts of the window with the unit; plots are unchanged.
 QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     const auto* plots = root.findChild<PlotDock*>();
     QStringList found;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        // What is dated keeps what was written, as the log does.
+        // Dated entries keep their texts, as in the log.
         if (plots != nullptr &&
             (widget == plots || plots->isAncestorOf(widget) || widget->objectName() == "lastMessage")) {
             continue;
@@ -116,13 +116,13 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Where a length is shown.
+/// Places that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
     "frame.table",  "frame.details.x", "frame.details.facts", "jog.Z+"};
 
-/// Of these the ones that do not name the unit.
+/// Those without the unit.
 QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {
     const QStringList found = figuresIn(figure, root);
     QStringList places;
@@ -164,7 +164,7 @@ private Q_SLOTS:
             window.jogColumn().travel().look();
         }
 
-        // Whoever is here in millimetres has to be here in inches, once the panes have been refreshed.
+        // All places in millimetres must change to inches after an update of the panels.
         QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
                      qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
         QVERIFY(figuresIn(kInches, window).isEmpty());
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QTRY_VERIFY2(placesWithout(kInches, window).isEmpty(),
                      qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"));
         keepPicture(window, "units-inches");
-        // Painted, not written: asked for by name.
+        // Painted, not a text: checked by name.
         QTRY_VERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
         auto* pose = window.findChild<PoseView*>();
         const double x = window.session().state().tcpPose.position.x();
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
-    // In labels, tables and fields alike; a figure copied from a field is another matter.
+    // In labels, tables and fields; copied numbers are different.
     void everyMinusIsTheSameSign() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -208,7 +208,7 @@ private Q_SLOTS:
         const QRegularExpression hyphen(QStringLiteral(R"((?<![\w./:-])-\s?\d)"));
         const QRegularExpression minus(QStringLiteral("−\\d"));
         QVERIFY(QStringLiteral("X -12.5").contains(hyphen) && !QStringLiteral("2-100 %").contains(hyphen));
-        // The arm stands at negative X and Y: fields and tables show it.
+        // The arm is at negative X and Y, displayed in fields and tables.
         for (const char* place : {"\"waypoint.details.x\"", "\"frame.details.x\"", "\"frame.table\""}) {
             QTRY_VERIFY2(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(), place);
         }
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QSignalSpy refused(&model, &WaypointModel::editRefused);
         QVERIFY(!model.setData(model.index(0, WaypointModel::Speed), "50", Qt::EditRole));
         QVERIFY2(refused[0][0].toString().contains("39.37 in/s"), qPrintable(refused[0][0].toString()));
-        // What was not typed keeps its digits: opening the editor and closing it is no edit.
+        // Values that were not edited keep their digits: opening and closing the editor is not an edit.
         const int steps = bench.window.document().undoStack().count();
         const QString shown = model.index(0, WaypointModel::Speed).data(Qt::EditRole).toString();
         QVERIFY(model.setData(model.index(0, WaypointModel::Speed), shown, Qt::EditRole));

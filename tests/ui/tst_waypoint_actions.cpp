@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is done at a waypoint, in the real window against the simulated robot: edited by keyboard and undone, shown in
-// the list, and done by "Go through" only while its key is held.
+// Actions at a waypoint, in the real window with the simulated robot: edited by keyboard and undone, shown in the
+// list, and executed by "Go through" only while its button is held.
 
 #include <QComboBox>
 #include <QDialog>
@@ -93,7 +93,7 @@ private:
         return (cell().truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
     }
     QString doing() { return through().accessibleDescription(); }
-    /// Real time passes too: outputs are set by a worker.
+    /// Real time also passes: outputs are set by a worker.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 4000 && !condition(); ++i) {
             cell().advanceMs(4);
@@ -107,7 +107,7 @@ private:
             QTest::qWait(1);
         }
     }
-    /// While nothing comes from the robot: who waits for it would wait in real time.
+    /// While no data arrive: waiting for them would use real time.
     void passWithoutLink(int ms) {
         for (int t = 0; t < ms; t += 20) {
             for (int tick = 0; tick < 10; ++tick) {
@@ -147,7 +147,7 @@ private:
         pass(40);
         return active;
     }
-    /// Two waypoints a little apart; `actions` are done at the first.
+    /// Two waypoints with some distance; `actions` are executed at the first one.
     void teach(const project::WaypointActions& actions, double blend = 0) {
         const SessionState& state = window().session().state();
         std::vector<project::Waypoint> points;
@@ -178,7 +178,7 @@ private:
         press(button);
         QVERIFY(button.isHolding());
     }
-    /// Until the key ends by itself.
+    /// Until the motion of the button ends.
     void holdToTheEnd(HoldButton& button) {
         hold(button);
         QVERIFY(until([&] { return !button.isHolding(); }));
@@ -225,7 +225,7 @@ private:
                 break;
         }
     }
-    /// In the dialog of the actions, which runs an event loop of its own.
+    /// In the dialog of the actions, which has its own event loop.
     void inDialog(const std::function<void(QDialog&)>& use) {
         bool used = false;
         QTimer::singleShot(0, &window(), [&] {
@@ -304,7 +304,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // Nothing goes on without the key, however it was let go: neither the wait nor what comes after it.
+    // Nothing continues without the button, for any kind of release: neither the wait nor the following actions.
     void noActionRunsWithoutTheKey_data() {
         QTest::addColumn<int>("end");
         for (int e = 0; e < static_cast<int>(std::size(kEnds)); ++e) {
@@ -321,13 +321,13 @@ private Q_SLOTS:
             static_cast<End>(end) == End::SilentLink || static_cast<End>(end) == End::ClosedLink;
         const auto passTime = [&](int ms) { linkEnds ? passWithoutLink(ms) : pass(ms); };
         this->end(static_cast<End>(end));
-        // The hand stays on the key where it was something else that ended it.
+        // The button stays pressed if something else ended the motion.
         passTime(3000);
         QVERIFY(!through().isHolding());
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Nor when what it would have waited for comes.
+        // Nor when its condition becomes true.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);
@@ -346,12 +346,12 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
     }
 
-    // Let go while the command is on its way to the worker: it is not sent any more.
+    // Released while the command is on its way to the worker: it is not sent any more.
     void letGoAtOnceNothingIsSetLater() {
         teach({setOutput(1, true)});
         hold(through());
-        // Virtual time only: what the worker is given waits for the worker, and is taken back before its turn or was set
-        // before; either way nothing is set once the key is up.
+        // Virtual time only: the command waits for the worker, and is withdrawn before its turn or was executed
+        // before; in both cases nothing is set after the release.
         cell().advanceUntil([&] { return doing().contains("DO 1"); }, 20'000);
         release(through());
         pass(100);
@@ -367,7 +367,7 @@ private Q_SLOTS:
         release(through());
         pass(100);
         QVERIFY(isAt(0));
-        // What was done is not done again.
+        // Completed actions are not repeated.
         window().session().outputs().setDigitalOutput(1, false);
         QVERIFY(until([&] { return !output(1); }));
         cell().robot.setDigitalInput(5, true);
@@ -437,7 +437,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // Fingers on their way can pinch: they stand once the key is up, and go on with the next press.
+    // Moving fingers can pinch: they stop on release, and continue with the next press.
     void letGoWhileTheFingersMoveTheyStand() {
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
@@ -462,7 +462,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // A window that hangs holds nothing: what it switched on for a while does not stay on.
+    // A window that hangs does not hold anything: a pulsed output does not stay on.
     void aWindowThatHangsEndsThePulse() {
         teach({pulse(2, 60), setOutput(1, true)});
         hold(through());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window while nobody looks at it: it paints nothing.
+// A window that is not visible does not paint.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QTRY_VERIFY(paints.count > 0);
     }
 
-    // What is hidden behind another tab or folded away costs nothing either.
+    // Content behind another tab or in a folded part does not paint either.
     void nothingIsPaintedWhileHidden() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);

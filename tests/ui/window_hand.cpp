@@ -10,10 +10,10 @@
 
 namespace tiller::test {
 
-// Qt Test takes 0,0 for the centre, and warns of places outside.
+// Qt Test uses 0,0 for the centre, and warns of positions outside.
 namespace {
 
-/// The window that has the focus. The offscreen platform names one now and then that is gone already.
+/// The focus window. The offscreen platform sometimes returns a destroyed one.
 QWindow* focusWindow() {
     QWindow* window = QGuiApplication::focusWindow();
     return QGuiApplication::allWindows().contains(window) ? window : nullptr;
@@ -64,7 +64,7 @@ void WindowHand::click(QWidget& window, QPoint at, Qt::MouseButton button, Qt::K
 
 void WindowHand::doubleClick(QWidget& window, QPoint at, Qt::MouseButton button) {
     goTo(window, at);
-    // The second press follows within the time of a double click; Qt Test keeps the clicks of press() apart.
+    // The second press follows within the double-click interval; Qt Test separates the clicks of press().
     if (const auto [to, place] = under(); to != nullptr) {
         QTest::mouseDClick(to, button, {}, inside(*to, place));
     }
@@ -72,7 +72,7 @@ void WindowHand::doubleClick(QWidget& window, QPoint at, Qt::MouseButton button)
 
 void WindowHand::moveTo(QWidget& window, QPoint at) {
     if (holdsButton() && window_ != nullptr && window_ != &window) {
-        // A button that is down keeps the mouse with the window where it went down.
+        // A pressed button keeps the mouse grabbed by its window.
         goTo(*window_, window_->mapFromGlobal(window.mapToGlobal(at)));
     } else {
         goTo(window, at);
@@ -92,7 +92,7 @@ void WindowHand::wheel(QWidget& window, QPoint at, int notches, Qt::KeyboardModi
     if (under == nullptr) {
         under = &window;
     }
-    constexpr int kNotch = 120;  // Qt's, in eighths of a degree
+    constexpr int kNotch = 120;  // of Qt, in eighths of a degree
     QWheelEvent event(QPointF(under->mapFrom(&window, at)), QPointF(window.mapToGlobal(at)), QPoint(),
                       QPoint(0, kNotch * notches), buttons_, modifiers, Qt::NoScrollPhase, false);
     QSpontaneKeyEvent::setSpontaneous(&event);
@@ -105,7 +105,7 @@ void WindowHand::keyDown(Qt::Key key, Qt::KeyboardModifiers modifiers, const QSt
     }
     keys_.append({key, modifiers, text});
     sendModifiers(true, modifiers);
-    // Alt may have closed the menu that had the focus.
+    // Alt may have closed the menu with the focus.
     if (QWindow* to = focusWindow()) {
         QTest::simulateEvent(to, true, key, modifiers, text, false);
     }

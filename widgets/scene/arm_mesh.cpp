@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kBigSegments = 28;
 constexpr int kSmallSegments = 22;
-constexpr double kDrumHalf = 1.08;  // of a joint's housing, in its radius
-constexpr double kGap = 0.045;      // between two housings that turn, in their radius
+constexpr double kDrumHalf = 1.08;  // half length of a joint's housing, in its radius
+constexpr double kGap = 0.045;      // gap between two rotating housings, in their radius
 
-/// A place and where its Z axis points.
+/// A position with the direction of its Z axis.
 Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), z).toRotationMatrix();
@@ -24,13 +24,13 @@ Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z
     return T;
 }
 
-/// A joint's housing: a drum about its axis, `lid` the side of the axis where it is closed by a lid, the other one
-/// where it turns against the next housing.
+/// A joint's housing: a cylinder about its axis; `lid` is the side that is closed by a lid, the other side rotates
+/// against the next housing.
 void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& lid, double radius,
               double toLid, double toSeal, int segments) {
     const Eigen::Isometry3d T = axisAt(centre, lid);
     addLathe(mesh, T, drumOutline(radius, -toSeal, toLid, 0.10 * radius), segments, Material::Housing);
-    // The lid sits on a step, is domed a little and has a groove around its middle.
+    // The lid has a step, is slightly domed and has a groove around its middle.
     const double foot = toLid - 0.02 * radius;
     const double height = 0.17 * radius;
     std::vector<LathePoint> outline = {{0.90 * radius, foot}, {0.90 * radius, foot + 0.45 * height}};
@@ -44,7 +44,7 @@ void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& 
     addLathe(mesh, T, outline, segments, Material::Lid);
 }
 
-/// The dark ring in the gap between two housings, and the rim of the housing that turns against it.
+/// The dark ring in the gap between two housings, and the rim of the housing next to it.
 void addSeal(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              int segments) {
     const Eigen::Vector3d way = to - from;
@@ -52,13 +52,13 @@ void addSeal(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
     addLathe(mesh, axisAt(from, way.normalized()), outline, segments, Material::Seal);
 }
 
-/// A tube that swells into the housings at its ends.
-/// startHousing, endHousing  radii of the housings it comes out of [m]
+/// A tube that widens at its ends.
+/// startHousing, endHousing  radii of the adjacent housings [m]
 void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              double startHousing, double endHousing, int segments) {
     const Eigen::Vector3d way = to - from;
     const double length = way.norm();
-    // A clamp at either end, as wide as its housing allows, goes over into the tube by a short cone.
+    // A clamp at both ends, as wide as the housing, with a short conical transition to the tube.
     const double startClamp = std::min(0.97 * startHousing, 1.16 * radius);
     const double endClamp = std::min(0.97 * endHousing, 1.16 * radius);
     const double startEnd = std::min(1.36 * startHousing, 0.42 * length);
@@ -88,7 +88,7 @@ void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
           Material::Housing);
 }
 
-/// What leads from a housing's side to the next joint: a short neck as thick as the housing.
+/// The connection from the side of a housing to the next joint: a short neck with the radius of the housing.
 void addNeck(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              int segments) {
     const Eigen::Vector3d way = to - from;
@@ -117,7 +117,7 @@ ArmMesh armMesh(const RobotModel& model) {
     const double wrist = p.wristRadius;
     ArmMesh links;
 
-    // Base: a foot on the ground, then what joint 1 turns on.
+    // Base: a foot on the ground, and the housing that carries joint 1.
     {
         const double foot = std::min(0.22 * p.baseRadius, 0.4 * p.baseHeight);
         Mesh& mesh = links[0];
@@ -130,7 +130,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addSeal(mesh, z * (p.baseHeight - 0.01 * shoulder), z * (p.baseHeight + kGap * shoulder),
                 0.95 * shoulder, kBigSegments);
     }
-    // Shoulder: joint 1 stands upright with its lid on top and reaches out to joint 2.
+    // Shoulder: joint 1 vertical with its lid on top, and the connection to joint 2.
     const double joint2Inner = p.shoulderOffset - kDrumHalf * shoulder;
     {
         Mesh& mesh = links[1];
@@ -140,7 +140,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addSeal(mesh, z * (joint2Inner - (kGap + 0.02) * shoulder), z * (joint2Inner + 0.02 * shoulder),
                 0.90 * shoulder, kBigSegments);
     }
-    // Upper arm: joints 2 and 3 with their lids on the outer side, a tube between them.
+    // Upper arm: joints 2 and 3 with their lids on the outer side, connected by a tube.
     const double joint3Inner = p.shoulderOffset - kDrumHalf * elbow;
     {
         Mesh& mesh = links[2];
@@ -150,7 +150,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addJoint(mesh, end, z, elbow, kDrumHalf * elbow, kDrumHalf * elbow, kBigSegments);
         addTube(mesh, start, end, p.upperRadius, shoulder, elbow, kBigSegments);
     }
-    // Forearm: a round elbow piece that turns on joint 3, a tube, joint 4 with its lid on the inner side.
+    // Forearm: a round elbow on joint 3, a tube, and joint 4 with its lid on the inner side.
     const double joint4Outer = p.elbowOffset + 1.25 * wrist;
     {
         Mesh& mesh = links[3];
@@ -158,7 +158,7 @@ ArmMesh armMesh(const RobotModel& model) {
         const Eigen::Vector3d end = z * p.elbowOffset;
         const double top = joint3Inner - p.elbowOffset - kGap * elbow;
         const double r = 0.96 * elbow;
-        // Closed on the inner side by a dome instead of a lid: no motor is in it.
+        // Closed on the inner side by a dome instead of a lid, because it contains no motor.
         std::vector<LathePoint> outline;
         constexpr int kSteps = 5;
         const double dome = 0.95 * r;
@@ -184,7 +184,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addNeck(mesh, y * 0.0, y * (start + kGap * wrist), 0.96 * wrist, kSmallSegments);
         addJoint(mesh, Eigen::Vector3d::Zero(), -z, wrist, kDrumHalf * wrist, 1.25 * wrist, kSmallSegments);
     }
-    // Wrist 2: from joint 5 to joint 6, whose lid is opposite to the tool.
+    // Wrist 2: from joint 5 to joint 6, whose lid is opposite the tool.
     {
         Mesh& mesh = links[5];
         const double start = dh.d[4] - 1.25 * wrist;
@@ -193,7 +193,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addNeck(mesh, y * 0.0, y * (start - kGap * wrist), 0.96 * wrist, kSmallSegments);
         addJoint(mesh, Eigen::Vector3d::Zero(), -z, wrist, kDrumHalf * wrist, 1.12 * wrist, kSmallSegments);
     }
-    // Wrist 3: the tool's flange, with the plug on its side.
+    // Wrist 3: the tool flange with the connector on its side.
     {
         Mesh& mesh = links[6];
         const double start = 1.12 * wrist - dh.d[5];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The arm's housings: drums where joints turn, with a lid on their free end, tubes between them, a flange. Made from
-// the kinematics and the proportions of each model.
+// Meshes of the arm: cylindrical joint housings with lids, tubes between them, and a flange, generated from the
+// kinematics and proportions of each model.
 
 #include <array>
 
@@ -11,10 +11,10 @@
 
 namespace tiller {
 
-/// One mesh a link, in the link's own frame: 0 the base ... 6 the flange.
+/// One mesh per link, in the frame of the link: 0 the base ... 6 the flange.
 using ArmMesh = std::array<Mesh, 7>;
 
-/// Threads  any. Takes about a millisecond: keep it
+/// Threads  any. Takes about a millisecond: keep the result
 ArmMesh armMesh(const RobotModel& model);
 
 }  // namespace tiller

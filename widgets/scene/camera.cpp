@@ -13,16 +13,16 @@ namespace tiller {
 
 namespace {
 
-// Base X to the right and base -Y to the right as well: an arm in its usual stance reaches to the right.
+// Base X and base -Y both point to the right: an arm in its usual configuration extends to the right.
 constexpr double kStartAzimuth = toRadians(-138);
 constexpr double kStartElevation = toRadians(13);
 constexpr double kLowest = toRadians(2);
 constexpr double kHighest = toRadians(88);
-constexpr double kFocalLength = 2.2;  // in heights of the picture
+constexpr double kFocalLength = 2.2;  // in heights of the image
 constexpr double kNear = 0.05;        // [m]
-constexpr double kNearest = 0.5;      // of the arm's height, from the eye to what it looks at
+constexpr double kNearest = 0.5;      // minimum distance of the eye from its target, in arm heights
 constexpr double kFarthest = 10;
-constexpr double kFarthestPan = 4;  // of the arm's height, from the base to what is looked at
+constexpr double kFarthestPan = 4;  // maximum distance of the target from the base, in arm heights
 
 }  // namespace
 
@@ -58,13 +58,14 @@ void Camera::look(StandardView from) {
     }
 }
 
-/// Where the eye may be, in the view's axes, so that all balls are inside the margins. With the eye at (x, y, d):
-/// right - kRight d <= x <= kLeft d - left, and the same upwards; d >= least.
+/// Permitted positions of the eye in the axes of the view, so that all spheres are inside the margins. With the eye
+/// at (x, y, d): right - kRight d <= x <= kLeft d - left, vertically likewise; d >= least.
 struct Camera::Room {
     double right = 0, left = 0, top = 0, bottom = 0;
     double kRight = 0, kLeft = 0, kTop = 0, kBottom = 0;
     double least = 0;
-    double nearest = 0, farthest = 0;  ///< how far the balls reach along the line of sight, towards the eye
+    /// minimum and maximum extent of the spheres along the line of sight, towards the eye
+    double nearest = 0, farthest = 0;
 
     double lowX(double d) const { return right - kRight * d; }
     double highX(double d) const { return kLeft * d - left; }
@@ -73,13 +74,13 @@ struct Camera::Room {
 };
 
 double Camera::focalLength() const {
-    // A narrow picture shows less to the sides, not a smaller arm, until it would be cut off.
+    // A narrow image shows less at the sides instead of a smaller arm, unless the arm would be cut off.
     return kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
 }
 
 Camera::Room Camera::roomFor(std::span<const Ball> balls, const QMarginsF& margins) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    constexpr double kSmallestShare = 0.05;  // of the picture, where the margins would leave nothing
+    constexpr double kSmallestShare = 0.05;  // minimum fraction of the image inside the margins
     const double focal = std::max(1.0, focalLength());
     const auto slope = [focal](double size, double margin) {
         return std::max(size / 2 - margin, kSmallestShare * size) / focal;

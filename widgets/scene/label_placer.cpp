@@ -7,12 +7,13 @@
 namespace tiller {
 
 std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size) {
-    constexpr double kBeside = 10;  // from the middle of the mark
+    constexpr double kBeside = 10;  // distance from the centre of the mark
     constexpr double kApart = 2;
     const double w = size.width();
     const double h = size.height();
     const double row = h + kApart;
-    // Names at the sides leave room for one below and one above; further rows are tied to the mark by a line.
+    // Names at the sides leave space for one below and one above; more distant ones are connected with the mark by
+    // a line.
     const std::array<QPointF, 8> corners = {
         QPointF(-w / 2, row / 2),           QPointF(kBeside, -h / 2),
         QPointF(-w - kBeside, -h / 2),      QPointF(-w / 2, -row / 2 - h),

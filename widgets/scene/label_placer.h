@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds places for names beside the marks of a picture, so that no name covers another name or a mark.
+// Places names next to the marks of an image, without covering other names or marks.
 
 #include <QPointF>
 #include <QRectF>
@@ -12,24 +12,24 @@
 
 namespace tiller {
 
-/// A name where it is drawn.
+/// A name with its position.
 struct PlacedLabel {
     QString text;
-    QPointF mark;  ///< what it is the name of [px]
+    QPointF mark;  ///< the named mark [px]
     QRectF box;
     bool selected = false;
 };
 
 class LabelPlacer {
 public:
-    /// area  names stay inside it
+    /// area  for the names
     explicit LabelPlacer(const QRectF& area) : area_(area) {}
 
-    /// Nothing is written there.
+    /// Keeps this rectangle free.
     void block(const QRectF& box) { taken_.push_back(box); }
-    /// Below the mark; where that is taken beside it, above it, or a row further away. The place is taken from
-    /// then on.
-    /// Returns  nothing when there is no free place
+    /// Finds a free position: below the mark, otherwise next to it, above it, or further away. The position is then
+    /// occupied.
+    /// Returns  empty if there is no free position
     std::optional<QRectF> place(const QPointF& mark, const QSizeF& size);
 
 private:

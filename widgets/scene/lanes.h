@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Four numbers at a time: the four samples of a pixel. Written so that a compiler makes one instruction of each line.
+// Four numbers at a time (SIMD): the four samples of a pixel. Compilers generate one instruction per operation.
 
 #include <array>
 #include <cstdint>
@@ -43,7 +43,7 @@ inline FourFloats smaller(FourFloats a, FourFloats b) {
 inline FourFloats larger(FourFloats a, FourFloats b) {
     return a > b ? a : b;
 }
-/// Towards zero.
+/// Rounds towards zero.
 inline FourBits truncated(FourFloats v) {
     return __builtin_convertvector(v, FourBits);
 }

@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr float kNearClip = 0.05F;  // [m]
-// Where in a pixel it is looked at: no two in a row or column, so that steep and flat edges become smooth alike.
+// Sample positions in a pixel: no two in the same row or column, so that steep and flat edges are equally smooth.
 constexpr std::array<float, 4> kSampleX = {0.375F, 0.875F, 0.125F, 0.625F};
 constexpr std::array<float, 4> kSampleY = {0.125F, 0.375F, 0.625F, 0.875F};
 
@@ -21,8 +21,8 @@ std::int32_t packed(FourFloats color) {
     return c[0] << 16 | c[1] << 8 | c[2];
 }
 
-/// Light as in a workshop: a lamp over the left shoulder of who looks, a weaker one from the right, the bright
-/// ceiling; surfaces seen edge on are darker, which draws an outline.
+/// Lighting: a lamp over the viewer's left shoulder, a weaker one from the right, and a bright ceiling; surfaces
+/// seen at a grazing angle are darker, which emphasizes outlines.
 class Shade {
 public:
     Shade(const Eigen::Matrix3f& R_base_view, float shine)
@@ -76,7 +76,7 @@ void store(std::int32_t* to, FourBits v) {
 
 constexpr std::uint32_t kEvenBytes = 0x00FF00FF;
 
-/// `over`, as transparent as its alpha says, on a premultiplied colour.
+/// Blends `over` with its alpha onto a premultiplied colour.
 std::uint32_t blended(std::uint32_t over, std::uint32_t under) {
     const std::uint32_t alpha = (over >> 24) + (over >> 31);  // 0 ... 256
     const std::uint32_t color = over | 0xFF000000;
@@ -153,7 +153,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
         const float near = 1 / (distance - v.z());
         return Vertex{middleX + v.x() * focal * near, middleY - v.y() * focal * near, near, red, green, blue};
     };
-    // Colours where they are needed only: half of all corners face away.
+    // Colours are computed on demand: half of all vertices face away.
     std::vector<std::int8_t>& shaded = shaded_;
     shaded.assign(mesh.places.size(), -1);
     const auto colored = [&](std::uint32_t corner, Material material) -> ScratchVertex& {
@@ -172,7 +172,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
         const Eigen::Vector3f& b = scratch_[ib].view;
         const Eigen::Vector3f& c = scratch_[ic].view;
         if ((b - a).cross(c - a).dot(eyeInView - a) <= 0) {
-            continue;  // seen from behind
+            continue;  // back face
         }
         std::array<ScratchVertex, 3> corners = {
             colored(ia, triangle.material), colored(ib, triangle.material), colored(ic, triangle.material)};
@@ -185,7 +185,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
             addFace(v[0], v[1], v[2], alpha);
             continue;
         }
-        // Part of it is behind the eye: what is in front has up to four corners.
+        // Partly behind the eye: the visible part has up to four corners.
         std::array<Vertex, 4> kept;
         std::size_t count = 0;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -216,7 +216,7 @@ void Rasterizer::addFace(const Vertex& a, const Vertex& b, const Vertex& c, std:
     if (!(most >= 0 && least < width && bottom >= 0 && top < height)) {
         return;
     }
-    // Turned so that the area is positive with Y down.
+    // Oriented so that the area is positive with Y down.
     const double area = (double(c.x) - a.x) * (double(b.y) - a.y) - (double(b.x) - a.x) * (double(c.y) - a.y);
     if (!(area > 1e-6)) {
         return;
@@ -307,8 +307,8 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
     const int y1 = std::min<int>(face.bottom, top + kTile - 1);
     const int x0 = std::max<int>(face.left, left);
     const int x1 = std::min<int>(face.right, left + kTile - 1);
-    // Edges and depth at the samples of a pixel whose corner is (0, 0); samples on an edge belong to both sides,
-    // so that no background shines through between two faces.
+    // Edge functions and depth at the samples of a pixel at (0, 0); samples on an edge belong to both sides, so
+    // that no background is visible between two faces.
     std::array<FourFloats, 3> edgeAt;
     std::array<float, 3> slack;
     std::array<float, 3> edgeRow;
@@ -320,7 +320,7 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
             edgeAt[i][k] = face.a[i] * kSampleX[s] + face.b[i] * kSampleY[s] +
                            kOnEdge * (std::abs(face.a[i]) + std::abs(face.b[i]));
         }
-        // The most that any sample of a pixel is inside.
+        // The maximum value of any sample in a pixel.
         slack[i] = 0.9F * (std::max(0.0F, face.a[i]) + std::max(0.0F, face.b[i])) +
                    0.1F * (std::abs(face.a[i]) + std::abs(face.b[i]));
         edgeRow[i] = static_cast<float>(double(face.a[i]) * x0 + double(face.b[i]) * y0 + face.c[i]);
@@ -343,7 +343,7 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
     }
     const auto alpha = static_cast<std::int32_t>(std::uint32_t(face.alpha) << 24);
     for (int y = y0; y <= y1; ++y) {
-        // Which pixels of this row can have a sample inside.
+        // The pixels of this row that can contain covered samples.
         float from = 0;
         auto to = static_cast<float>(x1 - x0);
         std::array<float, 3> edge;
@@ -370,8 +370,8 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
         const float dy = static_cast<float>(y) - face.y0;
         const auto planeAt = [dx, dy](const std::array<float, 3>& p) { return p[0] * dx + p[1] * dy + p[2]; };
         float near = planeAt(face.nearPlane);
-        // Colours in the middle of the pixel. That may be beside the face: there they are held to what its corners
-        // have.
+        // Colour at the centre of the pixel, which may be outside of the face: clamped to the values of the
+        // vertices.
         FourFloats color = four(0.0F);
         for (int k = 0; k < 3; ++k) {
             const std::array<float, 3>& p = face.color[static_cast<std::size_t>(k)];
@@ -437,7 +437,7 @@ bool Rasterizer::hides(const QPointF& pixel, double depth) const {
     if (x < 0 || y < 0 || x >= size_.width() || y >= size_.height() || depth <= 0) {
         return false;
     }
-    constexpr double kSkin = 1.004;  // what lies on a surface is not hidden by it
+    constexpr double kSkin = 1.004;  // objects on a surface are not hidden by it
     const float nearest = nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
                                    static_cast<std::size_t>(x)];
     return static_cast<double>(nearest) > kSkin / depth;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Draws meshes into a picture without a graphics card: with hidden surfaces, shaded, with smooth edges (four samples a
-// pixel). Solid bodies hide each other; glass bodies (the ghost, planes of the cell) let what is behind shine through,
-// but not one another. It works tile by tile, so that only the part that is asked for is drawn.
+// Renders meshes without a graphics card: hidden surface removal, shading, antialiasing (four samples per pixel).
+// Solid bodies hide each other; transparent bodies (the ghost, planes of the cell) show what is behind them, but
+// not each other. Works tile by tile, so that only the requested part is rendered.
 
 #include <QColor>
 #include <QImage>
@@ -16,26 +16,26 @@
 
 namespace tiller {
 
-/// Colours of one body. All opaque, or all equally transparent.
+/// Colours of a body. Either all opaque, or all with the same transparency.
 struct BodyColors {
     std::array<QColor, kMaterialCount> materials;
-    double opacity = 1;  ///< below 1: glass
-    double shine = 0.3;  ///< of the highlight, 0 ... 1
+    double opacity = 1;  ///< below 1: transparent
+    double shine = 0.3;  ///< intensity of the highlight, 0 ... 1
 };
 
 class Rasterizer {
 public:
-    /// A new picture: nothing is in it.
-    /// scale  pixels of it for one of the camera's
+    /// Starts an empty image.
+    /// scale  pixels of the image per pixel of the camera
     void begin(const QSize& size, const Camera& camera, double scale = 1);
     void add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, const BodyColors& colors);
-    /// Where something is, in pixels of the picture; empty when there is nothing.
+    /// Bounding rectangle of the content, in pixels of the image; may be empty.
     QRect covered() const { return covered_; }
-    /// Draws what was added, within `part`. Pixels there that nothing covers become transparent.
-    /// Returns  the picture, premultiplied; outside `part` as it was before
+    /// Renders the added meshes within `part`. Uncovered pixels become transparent.
+    /// Returns  the image, premultiplied; unchanged outside of `part`
     const QImage& render(const QRect& part);
-    /// True when something solid is nearer to the eye than this place, as rendered last.
-    /// pixel  the camera's
+    /// True if a solid body is closer to the eye than this position, in the last rendered image.
+    /// pixel  of the camera
     /// depth  along the line of sight [m]
     bool hides(const QPointF& pixel, double depth) const;
 
@@ -48,12 +48,12 @@ private:
     struct Face {
         std::array<double, 3> c;  ///< a x + b y + c >= 0 inside, for each edge
         std::array<float, 3> a, b;
-        std::array<float, 3> nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], [2] at the first corner
+        std::array<float, 3> nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], with [2] at the first vertex
         std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, for red, green and blue
-        float x0, y0;                               ///< the first corner
-        std::array<float, 3> least, most;           ///< of red, green and blue at the corners
+        float x0, y0;                               ///< the first vertex
+        std::array<float, 3> least, most;           ///< limits of red, green and blue at the vertices
         std::int16_t left, right, top, bottom;      ///< [px], inclusive
-        std::uint8_t alpha;                         ///< below 255: glass
+        std::uint8_t alpha;                         ///< below 255: transparent
     };
     struct Tile {
         std::vector<std::uint32_t> solids, glasses;
@@ -72,13 +72,13 @@ private:
     int columns_ = 0, rows_ = 0;
     QRect covered_;
     QImage image_;
-    std::vector<float> nearest_;  ///< of what is solid, 1 / depth, a pixel each
+    std::vector<float> nearest_;  ///< 1 / depth of solid bodies, per pixel
     struct ScratchVertex {
         Eigen::Vector3f view;
         float red, green, blue;
     };
     std::vector<ScratchVertex> scratch_;
-    std::vector<std::int8_t> shaded_;  ///< the material that a corner has been coloured with; -1: none yet
+    std::vector<std::int8_t> shaded_;  ///< the material for which a vertex colour was computed; -1: none
 
     static constexpr int kTile = 64;
     alignas(16) std::array<float, kTile * kTile * 4> solidNear_;

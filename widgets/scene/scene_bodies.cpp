@@ -101,7 +101,7 @@ void SceneBodies::setReplay(const std::optional<JointPositions>& q) {
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
     constexpr double kThinRod = 0.005;  // [m]
-    constexpr double kLeast = 0.002;    // less is inside the flange [m]
+    constexpr double kLeast = 0.002;    // smaller distances are inside the flange [m]
     tool_ = {};
     const double length = tool.tcpOffset.position.norm();
     if (length > kLeast) {
@@ -124,7 +124,7 @@ void SceneBodies::setSurroundings(const collision::Surroundings& surroundings) {
     }
     for (const collision::Border& border : surroundings.borders) {
         if (!border.name.isEmpty()) {
-            constexpr double kEdge = 1.2;  // of what is drawn of a plane without end [m]
+            constexpr double kEdge = 1.2;  // displayed size of an unlimited plane [m]
             constexpr double kThickness = 0.002;
             addBox(borders_, border.pose.transform(), {kEdge, kEdge, kThickness}, Material::Cell);
         }

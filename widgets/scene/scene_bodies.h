@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is solid in the scene: the arm, its tool, its ghost, and the cell around it, as one picture. What has not
-// changed since the last picture is not drawn again.
+// The solid objects of the scene as one image: the arm, its tool, its ghost, and the cell. Only changes since the
+// last image are rendered.
 
 #include <memory>
 #include <optional>
@@ -21,14 +21,14 @@ class QPainter;
 
 namespace tiller {
 
-/// What an arm and its cell are painted with.
+/// Colours of an arm and its cell.
 struct ArmColors {
     static BodyColors live(const Theme& theme);
     static BodyColors stale(const Theme& theme);
     static BodyColors ghost(const Theme& theme);
     static BodyColors secondGhost(const Theme& theme);
-    static BodyColors replay(const Theme& theme);  ///< as it stood
-    static BodyColors border(const Theme& theme);  ///< a plane nothing may pass
+    static BodyColors replay(const Theme& theme);  ///< past position
+    static BodyColors border(const Theme& theme);  ///< a border plane
 };
 
 class SceneBodies {
@@ -36,26 +36,26 @@ public:
     SceneBodies();
     ~SceneBodies();
 
-    /// It is kept, and has to stay.
+    /// The model must outlive the object.
     void setModel(const RobotModel& model);
-    /// Nothing: no arm is shown.
+    /// Empty: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);
     void setGhost(const std::optional<JointPositions>& q);
-    /// Beside the first, of another colour.
+    /// In another colour than the first ghost.
     void setSecondGhost(const std::optional<JointPositions>& q);
     void setReplay(const std::optional<JointPositions>& q);
-    /// Without a radius a thin rod leads to the TCP.
+    /// Without a radius, a thin rod connects flange and TCP.
     void setTool(const collision::ToolBody& tool);
     /// Boxes and planes; a floor, which has no name, is not drawn here.
     void setSurroundings(const collision::Surroundings& surroundings);
 
-    /// Brings the picture up to date.
-    /// size   of the view [px]
-    /// scale  of the screen: pixels for one of the view's
-    /// Returns  where the picture is another one than before, in the view's pixels
+    /// Updates the image.
+    /// size     of the view [px]
+    /// scale    device pixels per pixel of the view
+    /// Returns  the changed part, in pixels of the view
     QRect update(const Camera& camera, const QSize& size, double scale, const Theme& theme);
     void paint(QPainter& painter) const;
-    /// True when a body hides this place, as updated last.
+    /// True if a body hides this position in the last update.
     bool hides(const Camera::Projected& place) const;
 
 private:
@@ -63,8 +63,8 @@ private:
 
     const RobotModel* model_ = nullptr;
     ArmMesh arm_;
-    Mesh tool_;   ///< in the flange's frame
-    Mesh boxes_;  ///< in the base frame, as the next
+    Mesh tool_;   ///< in the flange frame
+    Mesh boxes_;  ///< in the base frame, like the next one
     Mesh borders_;
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;

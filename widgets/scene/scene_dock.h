@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "View": the scene, fed by the session, with the ghost's figures in the title bar.
+// The panel "View": the scene with data from the session, and values of the ghost in the title bar.
 
 #include "robot/station/history/replay_moment.h"
 #include "widgets/common/panel.h"
@@ -19,11 +19,11 @@ public:
     explicit SceneDock(RobotSession& session, QWidget* parent = nullptr);
 
     SceneView& view() { return *view_; }
-    /// Shows besides how the arm stood in a moment, and says so under the picture. Nothing: live.
+    /// Also shows the arm at a past time, with a text below the image. Empty: live.
     void setReplay(const Replay& moment);
 
 Q_SIGNALS:
-    /// From a replay back to what is live.
+    /// The user wants to return to live data.
     void liveWanted();
 
 private:

@@ -42,7 +42,7 @@ void SceneKeys::addKey(const char* name, const QString& text, const QString& say
 
 void SceneKeys::style() {
     const Theme& theme = Theme::current();
-    // Quieter than other keys: they lie in the picture.
+    // Less prominent than other buttons, because they are inside the image.
     const int height = currentDensity() == Density::Touch ? keyHeight(Density::Touch) : 24;
     const QString sheet =
         QStringLiteral(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The small keys in the corner of the 3D view: where to look from, and everything into the picture.
+// The small buttons in the corner of the 3D view: viewing directions, and fit in view.
 
 #include <QWidget>
 

@@ -46,7 +46,7 @@ void ScenePainter::ground(double reach, double height) {
 }
 
 QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
-    // Readable also over the arm: a thin rim in the colour of the surface.
+    // Legible over the arm: a thin outline in the colour of the surface.
     painter_.setPen(theme_.panel);
     for (const QPointF& by : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)}) {
         painter_.drawText(box.translated(by), flags, text);
@@ -58,8 +58,8 @@ QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, co
 }
 
 void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides) {
-    constexpr double kPiece = 6;      // of a line, between two looks at what hides it [px]
-    constexpr int kMostPieces = 400;  // of one stretch
+    constexpr double kPiece = 6;      // step along a line between two visibility checks [px]
+    constexpr int kMostPieces = 400;  // maximum number of steps per line
     constexpr double kFaint = 0.28;
     const auto draw = [&](const QPolygonF& line, bool hidden) {
         if (line.size() < 2) {
@@ -130,7 +130,7 @@ void ScenePainter::axes(const Eigen::Isometry3d& T_base_frame, double length, bo
     if (!origin.visible()) {
         return;
     }
-    // The axis that points away is drawn first.
+    // The axis pointing away is drawn first.
     std::array<int, 3> order = {0, 1, 2};
     std::array<Camera::Projected, 3> tips;
     for (int i = 0; i < 3; ++i) {
@@ -231,7 +231,7 @@ QRectF ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& di
                              to.point - along * 18 - across * 10};
     painter_.drawPolyline(wings, 3);
     const QPointF middle = (from.point + to.point) / 2;
-    // Above a level arrow, beside a steep one.
+    // Above a horizontal arrow, next to a steep one.
     const bool steep = std::abs(along.y()) > 0.6;
     const QRectF box = steep ? QRectF(middle.x() + 18, middle.y() - 12, 200, 24)
                              : QRectF(middle.x() - 100, middle.y() - 34, 200, 24);
@@ -244,7 +244,7 @@ QRectF ScenePainter::turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& 
         return {};
     }
     constexpr int kPieces = 36;
-    constexpr double kArc = 4.9;  // [rad]: an opening is left, so that it has a beginning and an end
+    constexpr double kArc = 4.9;  // [rad]: not a full circle, so that start and end are visible
     const Eigen::Vector3d u = axis.normalized().unitOrthogonal();
     const Eigen::Vector3d v = axis.normalized().cross(u);
     QPolygonF line;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The strokes the scene is made of: ground, axes, paths, arrows and names, seen through a camera.
+// Draws the lines of the scene through a camera: ground, axes, paths, arrows and names.
 
 #include <Eigen/Geometry>
 #include <QColor>
@@ -19,42 +19,42 @@ namespace tiller {
 
 class ScenePainter {
 public:
-    /// Whether a body lies in front of a place.
+    /// Whether a body is in front of a position.
     using Hides = std::function<bool(const Camera::Projected&)>;
 
     ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme);
 
-    /// A grid around the base, wide enough for an arm of this reach.
+    /// A grid around the base for an arm with this reach.
     /// reach, height  [m]
     void ground(double reach, double height);
-    /// How a line in space is drawn.
+    /// Appearance of a line in space.
     struct Stroke {
         QColor color;
         double width = 1;
         bool dashed = false;
     };
-    /// A line through points in the base frame; where something hides it, it is faint.
+    /// A line through points in the base frame; hidden parts are drawn faintly.
     void path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides);
-    /// Where a way meets a limit: a sign that cannot be taken for a waypoint.
+    /// The sign for a limitation of a path, distinct from a waypoint.
     void limit(const QPointF& at);
     /// Three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
-    /// A point.
+    /// The mark of a point.
     void marker(const QPointF& at, bool selected);
     void name(const PlacedLabel& name);
-    /// A word that cannot be overlooked, in the middle of the box.
+    /// A prominent text in the centre of the box.
     void headline(const QRectF& box, const QString& text);
-    /// A line of small words; nothing when there are none.
+    /// A line of small text; empty: none.
     void note(const QRectF& box, const QString& text);
-    /// The size of a name, shortened to what is drawn of it.
+    /// The size of a name, which is elided as drawn.
     static QSizeF nameSize(QString& text);
-    /// An arrow beside the tool; end on, a ring with a dot (towards the eye) or a cross (away).
-    /// Returns  where its name is
+    /// An arrow next to the tool; seen end-on, a ring with a dot (towards the eye) or a cross (away).
+    /// Returns  the rectangle of its name
     QRectF arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
                  const QColor& color, const QString& name);
-    /// An arrow around an axis, the way a turn about it goes (right hand).
-    /// radius   of the turn [m]
-    /// Returns  where its name is
+    /// An arrow around an axis in the direction of a rotation (right hand).
+    /// radius   of the rotation [m]
+    /// Returns  the rectangle of its name
     QRectF turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                 const QColor& color, const QString& name);
 

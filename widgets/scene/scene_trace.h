@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where the TCP went in the last minutes, with no more points than its bends need.
+// The trace of the TCP during the last minutes, with as few points as its curvature requires.
 
 #include <Eigen/Core>
 #include <deque>
@@ -12,21 +12,21 @@ namespace tiller {
 class SceneTrace {
 public:
     struct Point {
-        double time = 0;                                  ///< of the robot [s]
+        double time = 0;                                  ///< time of the robot [s]
         Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< base frame [m]
     };
 
-    static constexpr double kSeconds = 180;       ///< as long it is kept
-    static constexpr double kTolerance = 0.0005;  ///< how far the line may run beside where the TCP went [m]
+    static constexpr double kSeconds = 180;       ///< duration of the trace
+    static constexpr double kTolerance = 0.0005;  ///< maximum distance of the line from the real path [m]
 
-    /// The TCP is here now. A time before the last one begins a new trace: the controller started anew.
-    /// Returns  true when the line is another one than before
+    /// Adds the current TCP position. A time before the last one starts a new trace: the controller was restarted.
+    /// Returns  true if the line has changed
     bool extend(double time, const Eigen::Vector3d& place);
     void clear();
 
-    /// When what is shown of the way begins, by the robot's time; 0 when there is nothing.
+    /// Robot time at the start of the trace; 0 if empty.
     double begins() const { return points_.empty() ? 0 : points_.front().time; }
-    /// The corners of the line, oldest first; the last one is where the TCP was last.
+    /// The corners of the line, oldest first; the last one is the last TCP position.
     const std::deque<Point>& points() const { return points_; }
 
 private:
@@ -34,7 +34,7 @@ private:
 
     std::deque<Point> points_;
     std::vector<Eigen::Vector3d>
-        passed_;  ///< since the last corner but one: what the last stretch stands for
+        passed_;  ///< positions since the last but one corner, represented by the last segment
 };
 
 }  // namespace tiller

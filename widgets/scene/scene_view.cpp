@@ -26,19 +26,19 @@ namespace tiller {
 
 namespace {
 
-constexpr int kFrameMs = 16;          // 60 a second at most
-constexpr double kStillAngle = 2e-5;  // [rad]: less cannot be seen
+constexpr int kFrameMs = 16;          // at most 60 per second
+constexpr double kStillAngle = 2e-5;  // [rad]: smaller changes are not visible
 constexpr int kExamineMs = 150;
-constexpr double kGhostApart = 0.003;     // [rad], of the joint that is furthest
+constexpr double kGhostApart = 0.003;     // [rad], of the joint with the largest difference
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
-constexpr double kKeysAt = 8;             // from the corner [px]
-constexpr double kFitShare = 0.07;        // of the picture, left free around everything when it is made anew
-constexpr double kLeastShare = 0.03;      // and before it moves by itself
-constexpr double kToolAxes = 0.095;       // length of the tool's axes, per 0.85 m of reach [m]
+constexpr double kKeysAt = 8;             // distance from the corner [px]
+constexpr double kFitShare = 0.07;        // margin when the view is fitted, as a fraction of the image
+constexpr double kLeastShare = 0.03;      // margin before the view moves automatically
+constexpr double kToolAxes = 0.095;       // length of the tool axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;      // half the size of a mark [px]
-constexpr double kSeenMove = 1;  // of the arm: less than this is not drawn anew [px of the screen]
-constexpr int kSoonMs = 4;       // as good as now
+constexpr double kSeenMove = 1;  // smaller motions of the arm are not redrawn [device px]
+constexpr int kSoonMs = 4;       // practically immediately
 
 }  // namespace
 
@@ -55,7 +55,7 @@ SceneView::SceneView(QWidget* parent)
            "the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here "
            "moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // the ground is drawn over all of it
+    setAttribute(Qt::WA_OpaquePaintEvent);  // the ground covers the whole widget
     camera_.reset(collision::uprightHeight(model_));
     connect(keys_, &SceneKeys::lookWanted, this, &SceneView::lookFrom);
     connect(keys_, &SceneKeys::fitWanted, this, &SceneView::fitAll);
@@ -79,7 +79,7 @@ void SceneView::changed() {
     }
     const std::int64_t since = (SteadyClock::shared().nowNs() - lastPaintNs_) / kNsPerMs;
     const auto wait = static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs));
-    // By itself, not in one go with all that has changed besides: a key that is let go meanwhile is heard between.
+    // In a separate event, so that input events are processed in between.
     frameTimer_.start(wait <= kSoonMs ? 0 : wait);
 }
 
@@ -94,7 +94,7 @@ bool SceneView::armHasMoved() const {
         const QPointF by = camera_.project(to).point - camera_.project(from).point;
         return std::hypot(by.x(), by.y()) >= limit;
     };
-    // The axes of each frame reach beyond the housing, so that what turns about its own axis is seen, too.
+    // The axes of each frame extend beyond the housing, so that rotations about its axis are visible as well.
     const double beside = kToolAxes * model_.reach / 0.85;
     const auto hasMoved = [&](const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
         if (isSeen(from.translation(), to.translation())) {
@@ -169,7 +169,7 @@ void SceneView::setGhost(const std::optional<Ghost>& ghost) {
     if (ghost && !ghost_) {
         beforeGhost_ = camera_;
     } else if (!ghost && beforeGhost_) {
-        // A look at a target is over: the picture is as it was, unless the operator has changed it.
+        // After the display of a target, restore the previous view unless the user has changed it.
         camera_.standLike(*beforeGhost_);
         beforeGhost_.reset();
     }
@@ -263,7 +263,7 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    // Its new end is where the arm is, and is drawn with it.
+    // The end of the trace is at the arm and is drawn with it.
     const double began = trace_.begins();
     trace_.extend(state.robotTime, kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position);
     if (trace_.begins() != began) {
@@ -354,7 +354,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     if (replay_ && replay_->q.allFinite()) {
         add(replay_->q);
     }
-    // What was taught for another robot may be far away: the arm must not become a dot for it.
+    // Positions taught for another robot may be far away, and must not make the arm tiny.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
         if (place.norm() < 2 * reach) {
             balls.push_back({place, radius});
@@ -373,7 +373,7 @@ QMarginsF SceneView::margins(const QSizeF& size, double share) const {
     const double side = share * size.width();
     const double edge = share * size.height();
     const double keys = keys_->isHidden() ? 0 : kKeysAt + keys_->sizeHint().height();
-    // In a small picture the arm comes first.
+    // In a small image the arm has priority.
     const double below = std::min(coveredBelow_, size.height() / 4);
     return {side, keys + edge, side, below + edge};
 }
@@ -401,7 +401,7 @@ void SceneView::frame(const QSizeF& size) {
 
 void SceneView::placeKeys() {
     keys_->move(static_cast<int>(kKeysAt), static_cast<int>(kKeysAt));
-    // In a very small picture the commands are left.
+    // In a very small image only the commands are available.
     keys_->setVisible(keys_->sizeHint().width() + 2 * kKeysAt <= width());
 }
 
@@ -462,7 +462,7 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
             addLimit(path.limit->place, path.limit->text);
         }
     }
-    // The line that tells how many are left out, wherever it is needed.
+    // Reserve the line with the number of hidden names.
     const QRectF line(12, size.height() - 28, size.width() / 2, 22);
     placer.block(line);
     std::stable_partition(names.begin(), names.end(), [](const Name& name) { return name.selected; });
@@ -538,12 +538,12 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
         return {};
     }
     const Theme& theme = Theme::current();
-    constexpr double kTurnRadius = 0.13;  // of the arm's reach
+    constexpr double kTurnRadius = 0.13;  // in units of the arm's reach
     const double radius = kTurnRadius * model_.reach;
     if (jog_->joint >= 0) {
         const auto frames = kinematics::linkFrames(model_.dh, q_);
         const auto joint = static_cast<std::size_t>(jog_->joint);
-        // Where the joint's housing is, not only its axis.
+        // At the centre of the joint housing.
         Eigen::Vector3d centre = frames[joint].translation();
         for (const collision::LinkCapsule& part : collision::armCapsules(model_)) {
             if (part.link == jog_->joint + 1) {
@@ -568,7 +568,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
-    // A ghost where the arm is would only spot it.
+    // A ghost at the position of the arm would only cover it.
     const auto isApart = [this](const JointPositions& q) {
         return (q.values - q_.values).cwiseAbs().maxCoeff() > kGhostApart;
     };
@@ -626,7 +626,7 @@ void SceneView::resizeEvent(QResizeEvent*) {
 void SceneView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
-        placeKeys();  // of another size in another density
+        placeKeys();  // the size depends on the density
     }
 }
 
@@ -690,7 +690,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
-    constexpr double kStep = 12;  // as many pixels of dragging
+    constexpr double kStep = 12;  // dragging distance in pixels
     const auto arrow = [&](const QPointF& drag) {
         if ((event->modifiers() & Qt::ShiftModifier) != 0) {
             panBy(drag * 2);
@@ -722,7 +722,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
             resetView();
             break;
         default:
-            event->ignore();  // Space and Esc stop the robot: never taken here
+            event->ignore();  // Space and Esc stop the robot and are not used here
             return;
     }
     event->accept();
@@ -735,7 +735,7 @@ void SceneView::orbitBy(const QPointF& pixels) {
     Q_EMIT viewChanged();
 }
 
-// Whoever moves the picture or comes nearer wants to see this place: it stays until the picture is made anew.
+// After a manual change of the view, keep it until it is fitted again.
 
 void SceneView::panBy(const QPointF& pixels) {
     beforeGhost_.reset();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The arm as it stands, seen in perspective: links, tool frame, the ghost of a target with the way there, the
-// trace of the TCP, waypoints, and the direction of a jog. It only shows: nothing done in it moves the robot.
-// As long as the operator does not choose what is in the picture, arm, ghost and waypoints are kept in it.
+// The 3D view in perspective: arm, tool frame, the ghost of a target with its path, the trace of the TCP,
+// waypoints, and the direction of a jog. It only displays; nothing in it moves the robot. Until the user changes
+// the view, arm, ghost and waypoints are kept visible.
 
 #include <Eigen/Core>
 #include <QImage>
@@ -31,14 +31,14 @@ class SceneBodies;
 class SceneKeys;
 class ScenePainter;
 
-/// A jog under way, for the arrow at the tool.
+/// The current jog, for the arrow at the tool.
 struct SceneJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
-    QString label;                                        ///< "X+ Base"
+    QString label;                                        ///< e.g. "X+ Base"
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
-    bool turns = false;                                   ///< about the direction, not along it
-    int joint = -1;  ///< a joint turns: 0 ... 5, the way `direction` says about its own axis; -1: none
-    int sign = 1;    ///< of the joint's turn
+    bool turns = false;  ///< rotation about the direction instead of translation
+    int joint = -1;      ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
+    int sign = 1;        ///< of the joint rotation
 };
 
 class SceneView : public QWidget {
@@ -52,46 +52,47 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
-    /// Beside the ghost, of another colour: what would take its place. The two are told apart by words too.
+    /// A second ghost in another colour, for the replacement of the first one. They are also distinguished by
+    /// texts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
-    /// Shows besides how the arm stood, with a word over the picture that this is a replay. Nothing: it is not.
+    /// Also shows the arm at a past time, with a text above it. Empty: none.
     void setReplay(const std::optional<ReplayMark>& replay);
     const std::optional<ReplayMark>& replay() const { return replay_; }
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
-    /// Ways that are drawn besides the ghost's.
+    /// Paths in addition to the path of the ghost.
     void setPaths(const std::vector<PathMark>& paths);
     const std::vector<PathMark>& paths() const { return paths_; }
-    /// What stands around the arm. It is drawn, and looked at before a move.
+    /// The surroundings of the arm, displayed and checked before a move.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// What the move to the ghost would be; nothing without a ghost that can be reached.
+    /// The examination of the move to the ghost; empty without a reachable ghost.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
-    /// What stands in the way to the ghost, as a sentence; empty when nothing does.
+    /// The limitation of the move to the ghost, as a sentence; empty if none.
     QString moveLimitText() const;
     void setJogDirection(const std::optional<SceneJog>& jog);
     const std::optional<SceneJog>& jog() const { return jog_; }
-    /// Greyed; with a word in the middle unless it is empty.
+    /// Shows the scene in grey, with an optional text in the centre.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);
-    /// Something lies over the lower edge: arm, ghost and waypoints are kept above it.
+    /// Height of an overlay at the bottom: arm, ghost and waypoints are kept above it.
     /// height  [px]
     void setCoveredBelow(double height);
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
-    /// "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
+    /// e.g. "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
     QString ghostText() const;
     /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
     Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
     const Camera& camera() const { return camera_; }
-    /// Names of waypoints and frames as they were drawn last, and how many found no place.
+    /// The names of waypoints and frames as drawn last, and the number of names without a free position.
     const std::vector<PlacedLabel>& labels() const { return labels_; }
     int hiddenLabels() const { return hiddenLabels_; }
-    /// "3 names hidden: come nearer"; empty when none is.
+    /// Text about hidden names; empty if there are none.
     QString hiddenText() const;
 
-    /// Draws one frame; paintEvent() does nothing else. For benchmarks and pictures.
+    /// Draws one frame; called by paintEvent(), benchmarks and image export.
     void paintScene(QPainter& painter, const QSizeF& size);
 
     QSize sizeHint() const override { return {930, 520}; }
@@ -99,17 +100,17 @@ public:
 
 public Q_SLOTS:
     void setState(const tiller::SessionState& state);
-    /// Looks from there, with everything in the picture.
+    /// Shows all objects from this direction.
     void lookFrom(tiller::StandardView from);
     void resetView() { lookFrom(StandardView::Home); }
-    /// Arm, ghost, waypoints and frames into the picture; they are kept in it from now on.
+    /// Fit the arm, ghost, waypoints and frames in the view, and keep them visible from now on.
     void fitAll();
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
-    /// As moveLimitText().
+    /// The new moveLimitText().
     void moveLimitChanged(const QString& text);
-    /// The eye moved: a jog in the frame "View" must stop or follow.
+    /// The camera moved: a jog in the frame "View" must stop or follow.
     void viewChanged();
 
 protected:
@@ -125,11 +126,11 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// Asks for a repaint, at most 60 a second.
+    /// Schedules a repaint, at most 60 per second.
     void changed();
-    /// True when somebody could see that the arm is not where it was drawn last.
+    /// True if the arm has visibly moved since it was drawn last.
     bool armHasMoved() const;
-    /// Looks at the way to the ghost anew.
+    /// Examines the move to the ghost again.
     void updateGhost();
     QString ghostFigures() const;
     void rebuildCheck();
@@ -138,10 +139,10 @@ private:
     void orbitBy(const QPointF& pixels);
     void panBy(const QPointF& pixels);
     void zoomBy(double factor);
-    /// Places the eye for a picture of this size.
+    /// Positions the camera for this image size.
     void frame(const QSizeF& size);
     std::vector<Camera::Ball> inSight() const;
-    /// share  of the picture that is left free around what must be in sight
+    /// share  of the image to keep free around the visible objects
     QMarginsF margins(const QSizeF& size, double share) const;
     void placeKeys();
     void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
@@ -150,16 +151,16 @@ private:
 
     RobotModel model_;
     JointPositions q_;
-    JointPositions drawnAt_;  ///< the joints in the last picture
+    JointPositions drawnAt_;  ///< joint positions in the last image
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
     std::optional<Ghost> secondGhost_;
     std::optional<ReplayMark> replay_;
     collision::CellSurroundings cell_;
-    std::optional<collision::CollisionCheck> check_;  ///< nothing: to be made anew
+    std::optional<collision::CollisionCheck> check_;  ///< empty: has to be created again
     std::optional<collision::MoveReport> report_;
     QString limitText_;
-    QTimer examineTimer_;  ///< while the arm moves, the way is looked at a few times a second
+    QTimer examineTimer_;  ///< limits the rate of examinations while the arm moves
     QString ghostText_;
     std::vector<WaypointMark> waypoints_;
     std::vector<FrameMark> frames_;
@@ -167,8 +168,8 @@ private:
     std::vector<PathMark> paths_;
     SceneTrace trace_;
     std::unique_ptr<SceneBodies> bodies_;
-    QImage ground_;               ///< what lies under the bodies, as drawn last
-    Camera::Eye groundSeenFrom_;  ///< by this eye
+    QImage ground_;               ///< the ground, as drawn last
+    Camera::Eye groundSeenFrom_;  ///< with this camera
     std::optional<ColorScheme> groundScheme_;
     bool haveJoints_ = false;
     bool stale_ = true;
@@ -176,17 +177,17 @@ private:
     double speedFraction_ = 1.0;
     Camera camera_;
     SceneKeys* keys_;
-    bool keptInSight_ = true;            ///< until the operator moves the picture or zooms
-    bool fitWanted_ = true;              ///< the picture is made anew
+    bool keptInSight_ = true;            ///< until the user moves the view or zooms
+    bool fitWanted_ = true;              ///< the view has to be fitted again
     double coveredBelow_ = 0;            ///< [px]
-    std::optional<Camera> beforeGhost_;  ///< to go back to when the ghost is gone
+    std::optional<Camera> beforeGhost_;  ///< to be restored when the ghost disappears
     std::vector<PlacedLabel> labels_;
     int hiddenLabels_ = 0;
     QPointF dragFrom_;
     enum class Drag { None, Orbit, Pan };
     Drag drag_ = Drag::None;
     Qt::MouseButton dragButton_ = Qt::NoButton;
-    bool focusByKey_ = false;  // a click needs no frame to show where the focus is
+    bool focusByKey_ = false;  // the focus ring is only shown after keyboard navigation
     QTimer frameTimer_;
     std::int64_t lastPaintNs_ = 0;
 };

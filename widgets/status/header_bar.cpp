@@ -21,8 +21,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kLinkPeriodMs = 500;      // figures that change with every packet, slow enough to read
-constexpr double kOrdinaryCap = 0.250;  // [m/s]; above it the header says so
+constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
+constexpr double kOrdinaryCap = 0.250;  // [m/s]; higher values are displayed in the header
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
@@ -38,13 +38,13 @@ void showOn(StateChip& chip, const ModeLook& look) {
     chip.setMark(look.mark);
 }
 
-/// What a key takes for this text, line by line [px].
+/// Width of a button for this text [px].
 int roomFor(const QPushButton& key, const QString& text) {
-    constexpr int kAround = 2 * (8 + 1);  // padding and border, as the style sheet has them
+    constexpr int kAround = 2 * (8 + 1);  // padding and border, as in the style sheet
     return key.fontMetrics().size(0, text).width() + kAround;
 }
 
-/// In one line where it fits, else in two, broken where they become narrowest.
+/// On one line if it fits, otherwise on two lines of minimum width.
 QString stepWords(const QPushButton& key, const QString& text, int width) {
     if (roomFor(key, text) <= width) {
         return text;
@@ -61,9 +61,9 @@ QString stepWords(const QPushButton& key, const QString& text, int width) {
     return best;
 }
 
-/// The width of the key for the next step, which is the same for all of them [px].
+/// The width of the button for the next step, equal for all steps [px].
 int stepRoom(QPushButton& key, int least) {
-    key.ensurePolished();  // its font
+    key.ensurePolished();  // applies its font
     int room = least;
     for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
@@ -101,7 +101,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     }
     link_->setFigures(true);
     lastStop_->setFigures(true);
-    // The bar arranges itself by its width; see arrange().
+    // The layout depends on the width of the bar; see arrange().
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
     stepButton_->setAccessibleName(tr("Next step"));
@@ -243,12 +243,12 @@ void HeaderBar::showLastStop() {
 void HeaderBar::showLink() {
     ModeLook look = linkLook(state_);
     if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
-        // While all is well the rate says enough where there is little room.
+        // In the normal state the rate is sufficient if there is little space.
         look.advice.prepend(look.text + QLatin1Char('\n'));
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // What the link means for the hand is read before what it is called.
+    // The consequence for jogging comes before the name of the state.
     link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
@@ -277,7 +277,7 @@ void HeaderBar::showCap(double speedCap) {
 
 void HeaderBar::showStep() {
     if (places_.isActive()) {
-        return;  // the next step comes when the hand has had time to see it
+        return;  // the next step appears after a delay
     }
     const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
@@ -290,8 +290,8 @@ void HeaderBar::showStep() {
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
 
-// Hidden or greyed, a key hands the focus on to what comes next, the robot's speed. It shall go nowhere, and come
-// back with the next step.
+// A hidden or disabled button passes the focus to the next control, the speed slider. Avoid this, and restore the
+// focus with the next step.
 void HeaderBar::offerStep(bool visible, bool enabled) {
     if (!visible || !enabled) {
         stepLostFocus_ = stepLostFocus_ || stepButton_->hasFocus();
@@ -329,7 +329,7 @@ void HeaderBar::offerStopAbove() {
     }
     stopAbove_ = new StopButton(dialog);
     stopAbove_->setObjectName(QStringLiteral("stopAboveDialog"));
-    stopAbove_->setWindowFlags(Qt::ToolTip);  // the one kind that takes the focus from nobody
+    stopAbove_->setWindowFlags(Qt::ToolTip);  // the only window type that does not take the focus
     stopAbove_->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(stopAbove_, &StopButton::stopRequested, this,
             [this] { port_.stop(control::StopCause::StopButton); });
@@ -349,7 +349,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window()) {
         switch (event->type()) {
             case QEvent::WindowBlocked:
-                // The dialog is not on the screen yet.
+                // The dialog is not visible yet.
                 QMetaObject::invokeMethod(this, &HeaderBar::offerStopAbove, Qt::QueuedConnection);
                 break;
             case QEvent::WindowUnblocked:
@@ -373,7 +373,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
 
 void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
-        // Busy: a second click is not a second step.
+        // Waiting: a second click is ignored.
         keepPlaces();
         offerStep(true, false);
     }
@@ -400,9 +400,9 @@ void HeaderBar::takeStep() {
 
 void HeaderBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
-        showLastStop();  // other units
+        showLastStop();  // units may have changed
         showCap(state_.speedCap);
-        arrange();  // and other letters
+        arrange();  // fonts may have changed
     }
     QWidget::changeEvent(event);
 }
@@ -424,8 +424,8 @@ void HeaderBar::arrange() {
     }
     name_->setVisible(!tight);
     stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);
-    // What can be pressed keeps its place, whatever the words are: a second click must not land on something else.
-    // The figures behind it share the rest.
+    // Buttons keep their positions independent of the texts, so that a second click does not hit another one. The
+    // values after them share the remaining space.
     const auto wide = [tight, narrow](int least, int middle, int most) {
         return tight ? least : narrow ? middle : most;
     };

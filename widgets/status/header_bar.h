@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The header, never hidden: which robot, in which modes, who is in control and what the next step is, how
-// fast, how good the link, how the last stop went, and STOP in its own corner. What was just clicked keeps
-// its place for half a second, with all that stands beside it: a second click never lands on something else.
+// The header, always visible: robot, modes, control and the next step, speed, connection quality, the last stop,
+// and STOP in its own corner. After a click, all elements keep their positions for half a second, so that a second
+// click does not hit another one.
 
 #include <QPointer>
 #include <QTimer>
@@ -24,7 +24,7 @@ class SpeedChip;
 class StateChip;
 class StopButton;
 
-/// What the header asks a session to do.
+/// Functions of the session used by the header.
 struct HeaderPort {
     std::function<void(RobotCommand)> perform;
     std::function<void()> takeControl;
@@ -37,20 +37,20 @@ class HeaderBar : public QWidget {
 
 public:
     explicit HeaderBar(HeaderPort port, QWidget* parent = nullptr);
-    /// Follows this session and asks it.
+    /// Shows the state of this session and sends requests to it.
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
-    /// The chip a menu opens below.
+    /// The chip below which a menu opens.
     enum class Menu { Robot, Power, Control };
     QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
-    /// note  asked for a sentence that says why nobody confirms that a key is held; empty: somebody does
+    /// note  returns the reason why key states are not verified; empty: they are verified
     void setHoldNote(std::function<QString()> note);
 
     static constexpr int kHeight = 76;
     QSize sizeHint() const override { return {1920, kHeight}; }
     QSize minimumSizeHint() const override { return {1200, kHeight}; }
-    /// How long everything stays where it is after a click [ms].
+    /// Time after a click during which positions do not change [ms].
     static constexpr int kKeepPlacesMs = 500;
 
 public Q_SLOTS:
@@ -88,9 +88,9 @@ private:
     std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
-    bool stepLostFocus_ = false;  ///< when it was greyed or hidden
+    bool stepLostFocus_ = false;  ///< when it was disabled or hidden
     QTimer linkPace_;
-    QTimer places_;  ///< runs while everything keeps its place
+    QTimer places_;  ///< active while positions must not change
 
     QHBoxLayout* layout_;
     QLabel* name_;
@@ -104,7 +104,7 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
-    /// A dialog keeps the mouse from this window: STOP stands above it then, in its usual place.
+    /// A modal dialog blocks this window: STOP is then shown above it at the same position.
     QPointer<StopButton> stopAbove_;
     QLabel* cap_;  ///< the banner below the bar; hidden unless the cap was raised
 };

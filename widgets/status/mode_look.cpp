@@ -17,12 +17,12 @@ namespace {
 using Emphasis = StateChip::Emphasis;
 using Shape = StateChip::Shape;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file for lupdate.
 struct ModeLookText {
     Q_DECLARE_TR_FUNCTIONS(ModeLook)
 };
 
-/// The words are those of robot/station/text/mode_words.h; this adds what the eye gets.
+/// Adds the appearance to the names in mode_words.h.
 template <class Mode>
 struct Row {
     Mode mode;
@@ -44,8 +44,8 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::UpdatingFirmware, Shape::DownArrow, Emphasis::Warning},
 });
 
-// A stop is an octagon. The common ones carry the letter of their name, those of newer software the number
-// the controller gives them.
+// Stops have the shape of an octagon. Common stops show the letter of their name, those of newer software their
+// number.
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Normal, Shape::Circle, Emphasis::Normal},
     {SafetyMode::Reduced, Shape::DownArrow, Emphasis::Normal},
@@ -71,7 +71,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {kIoPlaneStop, Shape::Octagon, Emphasis::Alarm, "23"},
 });
 
-// The dots say: not yet, but on its way.
+// Dots mean that the state is not reached yet.
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Stopping, Shape::Square, Emphasis::Normal, "…"},
     {RuntimeState::Stopped, Shape::Square, Emphasis::Muted},
@@ -111,7 +111,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
 }
 
 ModeLook safetyModeLook(SafetyStatus status) {
-    // A number from newer software is never taken for normal.
+    // An unknown number from newer software does not count as normal.
     return lookOf(kSafety, status, safetyWords(status), {status, Shape::Octagon, Emphasis::Alarm, "?"});
 }
 
@@ -133,7 +133,7 @@ ModeLook controlLook(const SessionState& state) {
     }
     const QString place = told.join(dot);
     if (state.link == LinkState::Lost) {
-        // Who is in control, and what runs, was true once.
+        // State of control and program are outdated.
         return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
     }
     if (state.hasData() && !state.isFresh() && state.control != ControlState::Taking) {
@@ -159,7 +159,7 @@ ModeLook controlLook(const SessionState& state) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped) {
-        // A program that is not ours: it is the one that moves the arm.
+        // A program other than Tiller's: it moves the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
@@ -176,8 +176,8 @@ namespace {
 enum class Worth { Good, Gaps, Slow };
 
 Worth worthOf(const LinkQuality& q) {
-    // A millisecond now and then, as on any PC, stops no jog: only lateness that is the rule, or loss that
-    // recurs.
+    // Single delays of a millisecond, normal on any PC, do not stop a jog: only frequent delays or repeated losses
+    // count.
     constexpr std::uint64_t kLostOf = 1000;
     constexpr std::uint64_t kLateOf = 5;
     const PacketCounts& now = q.recent;
@@ -188,7 +188,7 @@ Worth worthOf(const LinkQuality& q) {
     return q.roundTripMs > kNoticeableMs ? Worth::Slow : Worth::Good;
 }
 
-/// What a link of this quality means for the hand on the key.
+/// Consequence of the connection quality for jogging.
 QString linkConsequence(const LinkQuality& q) {
     const Worth worth = worthOf(q);
     if (worth == Worth::Gaps) {
@@ -237,7 +237,7 @@ ModeLook linkLook(const SessionState& state) {
     }
     QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
-        // Named only when they matter to the hand on the key.
+        // Only mentioned if relevant for jogging.
         text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
             text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);
@@ -286,7 +286,7 @@ NextStep nextStep(const SessionState& state) {
                        : NextStep::None;
         case dashboard::RecoveryStep::Look:
             return NextStep::None;
-        default:  // the safety system holds the arm
+        default:  // the safety system prevents motion
             return NextStep::Recover;
     }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How each mode of the controller looks in the header: its own words, its own shape, a colour only where a
-// person must look or act, and a sentence of advice. Also the one next step towards a robot that can be
-// moved.
+// Appearance of the controller's modes in the header: text, shape, a colour if attention or action is required, and
+// a suggested action. Also the next step towards a robot that can move.
 
 #include <QString>
 
@@ -17,30 +16,30 @@ struct ModeLook {
     StateChip::Shape shape = StateChip::Shape::None;
     StateChip::Emphasis emphasis = StateChip::Emphasis::Normal;
     QString advice;
-    QString mark{};  ///< tells shapes of one kind apart
+    QString mark{};  ///< distinguishes states with the same shape
 };
 
-/// moving     the robot confirms motion; counts only in Running
-/// freedrive  the hand may move the arm; so does this
+/// moving     the robot confirms motion; only relevant in Running
+/// freedrive  the arm can be moved by hand
 ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive = false);
 ModeLook safetyModeLook(SafetyStatus status);
-/// What runs on the robot.
+/// Appearance of the runtime state.
 ModeLook runtimeLook(RuntimeState state);
-/// Who is in control, and what for.
+/// Appearance of the control state.
 ModeLook controlLook(const SessionState& state);
-/// The link's rate, late and lost packets and round trip, or what is wrong with it.
+/// Rate, late and lost packets and round trip of the connection, or its problem.
 ModeLook linkLook(const SessionState& state);
-/// In two or three words, what the link's quality means for the hand on the key.
+/// The consequence of the connection quality for jogging, in two or three words.
 QString linkCaption(const SessionState& state);
 
-/// What the operator does next on the way to a robot that can be moved; one at a time.
+/// The next step of the operator towards a robot that can move.
 enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };
 
 NextStep nextStep(const SessionState& state);
-/// "Power on"; empty for None.
+/// e.g. "Power on"; empty for None.
 QString nextStepText(NextStep step);
 QString nextStepAdvice(NextStep step);
-/// Why it cannot be taken now, with what to do first; empty when it can.
+/// The reason why the step is not possible now, with a suggested action; empty if it is.
 QString nextStepObstacle(const SessionState& state);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Before the first connection to a robot: one line a condition, green, amber or red with a shape and a word,
-// and how to put it right. The same report as `tiller-cli doctor`.
+// Connection check before the first connection to a robot: one line per condition in green, amber or red with a
+// shape and a text, and a suggested action. Same report as `tiller-cli doctor`.
 
 #include <QDialog>
 #include <QVector>
@@ -16,7 +16,7 @@ class QVBoxLayout;
 
 namespace tiller {
 
-/// One condition with its sign, what was found, and the fix below it.
+/// One condition with its symbol, finding, and suggested action.
 class FindingRow : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
 private:
     class Sign;
 
-    /// Of all conditions in this language, so that what was found stands in one column [px].
+    /// Over all conditions in this language, for a common column [px].
     int widestTitle() const;
 
     doctor::Finding finding_;
@@ -44,7 +44,7 @@ class PreflightPage : public QDialog {
     Q_OBJECT
 
 public:
-    /// Begins at once. The examination runs on a thread of its own and is cancelled when the page goes.
+    /// Starts immediately. The examination runs in a worker thread and is cancelled when the page is destroyed.
     explicit PreflightPage(const doctor::Patient& patient, QWidget* parent = nullptr);
 
     bool isFinished() const { return finished_; }
@@ -52,7 +52,7 @@ public:
 
 Q_SIGNALS:
     void finished();
-    /// The operator wants to be connected.
+    /// The user wants to connect.
     void connectRequested();
 
 protected:
@@ -63,15 +63,15 @@ private:
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
-    /// The first thing to do is the dark key and the one for Return; the other is plain.
+    /// The suggested button is the default button; the other one is not emphasized.
     void offer(bool connecting);
-    /// Bad findings first, then those to look at; each group as examined.
+    /// Bad findings first, then those with Attention, each in their original order.
     void sortRows();
 
     doctor::Patient patient_;
     doctor::Report report_;
     bool finished_ = false;
-    std::uint64_t run_ = 0;  ///< findings of an earlier run are dropped
+    std::uint64_t run_ = 0;  ///< findings of an earlier run are ignored
 
     QVector<FindingRow*> rows_;
     QLabel* summary_;
@@ -80,7 +80,7 @@ private:
     QVBoxLayout* list_;
     QPushButton* again_;
     QPushButton* connect_;
-    SerialExecutor worker_;  // last: its job posts to this page
+    SerialExecutor worker_;  // last member: its job posts to this page
 };
 
 }  // namespace tiller

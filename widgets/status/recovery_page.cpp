@@ -22,19 +22,19 @@
 namespace tiller {
 namespace {
 
-// Below these the small plots show their values as small.
+// Minimum range of the scale of the small plots.
 constexpr double kLeastForce = 20.0;   // [N]
 constexpr double kLeastCurrent = 2.0;  // [A]
 constexpr double kLeastSpeed = 0.020;  // [m/s]
 
-/// "+200.0 mm"
+/// e.g. "+200.0 mm"
 QString signedLength(double metres) {
     return format::lengthNumber(metres, 1, true) + QLatin1Char(' ') + format::lengthUnit();
 }
 
 }  // namespace
 
-// ---- the small plots
+// ---- plots
 
 StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -42,7 +42,7 @@ StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), tit
 }
 
 QSize StopPlot::sizeHint() const {
-    // The checks below are as high as a finger then, and the page still has to be whole on a small screen.
+    // With touch the checks below are higher, and the page must fit on a small screen.
     return {420, currentDensity() == Density::Touch ? 56 : 74};
 }
 
@@ -90,7 +90,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
             area.left() + (point.x() + StopRecorder::kSeconds) / StopRecorder::kSeconds * area.width(),
             area.bottom() - 3 - (point.y() - low) / (high - low) * (area.height() - 6));
     };
-    // At most two points a column: the lowest and the highest.
+    // At most two points per column: minimum and maximum.
     QPolygonF line;
     for (qsizetype i = 0; i < curve_.size();) {
         const int column = static_cast<int>(at(curve_[i]).x());
@@ -119,7 +119,7 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
     connect(&session_, &RobotSession::message, this, [this](Severity severity) {
-        // A refusal: the operator may ask again.
+        // Refused: the user may try again.
         if (severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
@@ -149,7 +149,7 @@ void RecoveryPage::build() {
     title_ = label("recoveryTitle", "strong");
     title_->setFont(textFont(20, QFont::Bold));
     what_ = label("recoveryWhat", "");
-    // One line or three, the boxes below keep their places while somebody ticks.
+    // Constant height, so that the check boxes do not move when the text changes.
     constexpr int kLines = 3;
     what_->setMinimumHeight(kLines * what_->fontMetrics().lineSpacing());
     what_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -161,7 +161,7 @@ void RecoveryPage::build() {
         plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
         layout->addWidget(plots_[i]);
     }
-    layout->addStretch(1);  // what is said above may become less
+    layout->addStretch(1);  // the text above may become shorter
     checkLayout_ = new QVBoxLayout;
     checkLayout_->setSpacing(currentDensity() == Density::Touch ? 0 : 6);
     layout->addLayout(checkLayout_);
@@ -172,12 +172,12 @@ void RecoveryPage::build() {
     waiting_->setProperty("role", QStringLiteral("secondary"));
     key_ = new QPushButton(this);
     key_->setObjectName(QStringLiteral("recoveryKey"));
-    key_->setMinimumWidth(180);  // its words change; it stays where it is
+    key_->setMinimumWidth(180);  // its text changes, its position does not
     QSizePolicy keepsItsPlace = key_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     key_->setSizePolicy(keepsItsPlace);
     key_->setProperty("primary", true);
-    // A return key pressed by reflex must not unlock: the key takes a click, or Space with the focus on it.
+    // An accidental Return must not unlock: the button requires a click, or Space with the focus.
     key_->setAutoDefault(false);
     connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
     row->addWidget(waiting_, 1);
@@ -188,7 +188,7 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
-        // A gap of less than a second: nothing is known anew, and nothing that was looked at is undone.
+        // A gap of less than a second: neither new data nor discarded confirmations.
         guide_.waiting = tr("Waiting for data from the robot…");
         showKey();
         return;
@@ -201,7 +201,7 @@ void RecoveryPage::applyState(const SessionState& state) {
         setAccessibleName(guide_.title);
     }
     what_->setText(guide_.what);
-    // A new stop asks to be looked at anew, a link that was lost does not, unless the arm has moved meanwhile.
+    // A new stop requires new confirmations; a lost connection does not, unless the arm has moved meanwhile.
     const double stoppedAt = stops_.last() ? stops_.last()->stoppedAt : -1;
     if (state.link == LinkState::Live && (guide_.checks != asked_ || stoppedAt != askedFor_)) {
         asked_ = guide_.checks;
@@ -249,7 +249,7 @@ void RecoveryPage::showRecord() {
 
 void RecoveryPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && key_ != nullptr) {
-        recordShown_ = -1;  // other units
+        recordShown_ = -1;  // units may have changed
         showRecord();
     }
     QDialog::changeEvent(event);
@@ -262,7 +262,7 @@ void RecoveryPage::showChecks() {
         auto* box = new QCheckBox(text, this);
         box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
         box->setAccessibleName(text);
-        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // never narrower than its words
+        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // not narrower than its text
         connect(box, &QCheckBox::toggled, this, &RecoveryPage::showKey);
         checkLayout_->addWidget(box);
         checks_.append(box);
@@ -294,7 +294,7 @@ void RecoveryPage::takeStep() {
     switch (guide_.step) {
         case RecoveryStep::Unlock:
             session_.services().unlockProtectiveStop(UnlockConsent());
-            // A refusal leaves the arm as it is: the operator looks again, and ticks again.
+            // After a refusal the user has to inspect and confirm again.
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }
@@ -320,7 +320,7 @@ void RecoveryPage::takeStep() {
             }
             session_.takeControl();
             break;
-        default:  // no key
+        default:  // no button
             break;
     }
     showKey();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The way back from a stop of the safety system, one step at a time: what stopped the arm and where, the last
-// five seconds, what to look at, and one key. The key of a protective stop works once the five seconds are
-// over and everything is ticked; nothing else in the program unlocks.
+// Guided recovery from a safety stop: cause and position of the stop, the last five seconds, checks to confirm, and
+// one button. The button for a protective stop is enabled after five seconds and with all confirmations; no other
+// function of the program unlocks.
 
 #include <QDialog>
 #include <array>
@@ -20,7 +20,7 @@ class QVBoxLayout;
 
 namespace tiller {
 
-/// Five seconds of one value before a stop, small: the curve, its largest value, and where the stop was.
+/// A small plot of one value during five seconds before a stop: curve, maximum, and time of the stop.
 class StopPlot : public QWidget {
     Q_OBJECT
 
@@ -28,8 +28,8 @@ public:
     explicit StopPlot(const QString& title, QWidget* parent = nullptr);
 
     using Value = std::function<double(const StopRecord::Point&)>;
-    /// text   shows a value with its unit
-    /// least  the scale goes at least so far, so that noise looks like noise; in the value's unit
+    /// text   formats a value with its unit
+    /// least  minimum range of the scale, so that noise remains small; in the unit of the value
     void show(const StopRecord& record, const Value& value, const std::function<QString(double)>& text,
               double least);
     const QVector<QPointF>& curve() const { return curve_; }
@@ -45,7 +45,7 @@ private:
     QString title_;
     QString peak_;
     double least_ = 0;
-    QVector<QPointF> curve_;  ///< x: [s] before the stop, <= 0; y: the value
+    QVector<QPointF> curve_;  ///< x: time relative to the stop [s], <= 0; y: the value
 };
 
 class RecoveryPage : public QDialog {
@@ -72,10 +72,10 @@ private:
     RobotSession& session_;
     const StopRecorder& stops_;
     RecoveryGuide guide_;
-    bool sent_ = false;  ///< the step was taken; the key waits for the robot to follow
+    bool sent_ = false;  ///< the command was sent; waiting for the robot
     double recordShown_ = -1;
-    QStringList asked_;     ///< what is to be ticked
-    double askedFor_ = -1;  ///< the stop it is asked for, by the controller's time stamp [s]
+    QStringList asked_;     ///< required confirmations
+    double askedFor_ = -1;  ///< the stop they refer to, by the controller's time stamp [s]
 
     QLabel* title_;
     QLabel* what_;

@@ -21,10 +21,10 @@ namespace tiller {
 namespace {
 
 constexpr int kWidth = 460;       // [px]
-constexpr int kLeastMargin = 16;  // [px] to the edges of what it stands over
+constexpr int kLeastMargin = 16;  // [px] distance from the edges of the covered widget
 constexpr int kMargin = 16;
 constexpr int kSign = 22;
-constexpr qsizetype kLongest = 600;  // [characters]; the log has the rest
+constexpr qsizetype kLongest = 600;  // [characters]; the log has the complete text
 
 using script::MessageSeverity;
 
@@ -109,10 +109,10 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
     showSoon();
 }
 
-// The layout and the screen reader would take a core if each popup of a flood was shown.
+// During a flood of popups, showing each one would overload the layout and the screen reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // not the popup that could be closed until now
+        showKey();  // another popup than the one that could be closed
         return;
     }
     obstacle_ = obstacleNow(session_.state());
@@ -148,7 +148,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
         return;
     }
     const qsizetype newest = popups_.size() - 1;
-    // Another one may have been heard since. Closed by somebody else's command, it was the one on top.
+    // Another popup may have arrived since. If it was closed by another client, it was the topmost one.
     const qsizetype which = std::exchange(asked_, std::nullopt).value_or(newest);
     if (done) {
         remove(which);
@@ -160,7 +160,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // What was refused is the one that is shown.
+    // The refusal applies to the displayed popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows a popup of the teach pendant in the window: heading, text and a button that closes it on the robot. It covers
-// the view, takes no focus and moves nothing. A click that was meant for the covered widget does not close it, nor does
-// Space, which means stop: a program that waits for the popup would continue. Many popups at once, as from a program that
-// opens them in a loop, are kept up to a limit and shown a few times a second.
+// Shows a popup of the teach pendant in the window: heading, text and a button that closes it on the robot. It
+// covers the view, does not take the focus and moves nothing. A click intended for the covered widget does not
+// close it, nor does Space, which stops the arm: a program that waits for the popup would continue. Many popups in
+// a short time, e.g. from a loop, are limited in number and shown a few times per second.
 
 #include <QFrame>
 #include <QList>
@@ -23,19 +23,19 @@ class RobotPopup : public QFrame {
     Q_OBJECT
 
 public:
-    /// window  that it is a child of
-    /// over    in whose middle it stands, while that is shown
+    /// window  the parent
+    /// over    the widget it is centred on, while that is visible
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
-    /// Popups on the pendant that were reported, at most kMaxPopups; the newest is shown.
+    /// Number of reported popups on the pendant, at most kMaxPopups; the newest is shown.
     int count() const { return static_cast<int>(popups_.size()); }
-    /// How many times the shown popup was replaced, for tests of the load.
+    /// Number of replacements of the displayed popup, for load tests.
     int updates() const { return updates_; }
 
-    static constexpr int kMaxPopups = 100;    ///< beyond these the oldest are forgotten
+    static constexpr int kMaxPopups = 100;    ///< beyond this number the oldest are dropped
     static constexpr int kShowEveryMs = 200;  ///< [ms] between two updates of the widget
 
-    /// So long a new one cannot be closed [ms].
+    /// A new popup cannot be closed during this time [ms].
     static constexpr int kUnreadMs = 500;
 
 protected:
@@ -58,9 +58,9 @@ private:
     RobotSession& session_;
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
-    QString obstacle_;                ///< why it can only be closed on the pendant
-    std::optional<qsizetype> asked_;  ///< which the robot was asked to close, until it answers
-    bool refused_ = false;            ///< the robot did not close the one that is shown
+    QString obstacle_;                ///< the reason why it can only be closed on the pendant
+    std::optional<qsizetype> asked_;  ///< the popup that the robot was asked to close, until it responds
+    bool refused_ = false;            ///< the robot did not close the displayed popup
     QTimer unread_;
     QTimer nextUpdate_;
     int updates_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The hatched sign that is there whenever the robot is a simulated one.
+// The hatched sign that is shown for a simulated robot.
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The speed slider of the header, 2 to 100 %. It shows what the robot reports; a hand on it goes first. It is
-// drawn along, or moved by keys once it was clicked: a click alone changes nothing, and the wheel never does.
+// The speed slider of the header, 2 to 100 %. It shows the value reported by the robot; user input has priority. It
+// is dragged, or moved by keys after a click; a click alone and the mouse wheel do not change it.
 
 #include <QAbstractSlider>
 #include <QTimer>
@@ -15,16 +15,16 @@ class SpeedChip : public QAbstractSlider {
 public:
     explicit SpeedChip(QWidget* parent = nullptr);
 
-    /// What the robot reports, 0..1; valid false greys the chip.
+    /// The value reported by the robot, 0..1; valid false: grey.
     void setReported(double fraction, bool valid);
-    /// reason  why it cannot be moved, as a sentence; empty: it can
+    /// reason  why it cannot be changed, as a sentence; empty: it can
     void setLocked(const QString& reason);
 
     QSize sizeHint() const override { return {230, 47}; }
     QSize minimumSizeHint() const override { return {118, 47}; }
 
 Q_SIGNALS:
-    /// A hand asks for this fraction, 0.02 ... 1.
+    /// The user requests this fraction, 0.02 ... 1.
     void fractionChosen(double fraction);
 
 protected:
@@ -37,11 +37,11 @@ protected:
 private:
     QRectF groove() const;
 
-    QTimer settle_;  // how long a reported value waits for the robot to follow the hand
+    QTimer settle_;  // time during which the reported value may lag behind the input
     bool showing_ = false;
     bool valid_ = false;
     QString lock_;
-    int pressedAt_ = 0;  ///< where the hand took it [px]
+    int pressedAt_ = 0;  ///< position of the press [px]
     int pressedValue_ = 0;
 };
 

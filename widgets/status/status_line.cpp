@@ -20,7 +20,7 @@ namespace tiller {
 
 namespace {
 
-/// With a key for a finger and its frame.
+/// Including a button in touch size and its frame.
 int heightNow() {
     constexpr int kFrame = 6;
     return std::max(StatusLine::kHeight, touchHeight() > 0 ? touchHeight() + kFrame : 0);
@@ -28,7 +28,7 @@ int heightNow() {
 
 }  // namespace
 
-/// A small shape in front of words: the red dot of a recording, the triangle of a warning.
+/// A small symbol before a text: the red dot of a recording, the triangle of a warning.
 class StatusLine::Sign : public QWidget {
 public:
     explicit Sign(QWidget* parent) : QWidget(parent) {
@@ -74,7 +74,7 @@ StatusLine::StatusLine(QWidget* parent)
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // What there is to do stands at the end of a message.
+    // The suggested action is at the end of a message.
     message_->setElideMode(Qt::ElideMiddle);
     details_->setElideMode(Qt::ElideMiddle);
 
@@ -151,7 +151,7 @@ void StatusLine::showMessage(Severity severity, const QString& text) {
 
 void StatusLine::paintWords() {
     const Theme& theme = Theme::current();
-    // By role, so that the style sheet of either scheme colours the words.
+    // As a property, so that the style sheet of the theme sets the colour.
     const auto give = [](QWidget* widget, const char* role) {
         if (widget->property("role").toByteArray() != role) {
             widget->setProperty("role", QLatin1String(role));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line at the bottom: is it recording and into what, which project file, and the last message with its
-// time.
+// The status bar: recording and its file, project file, and the last message with its time.
 
 #include <QWidget>
 
@@ -19,12 +18,12 @@ class StatusLine : public QWidget {
 
 public:
     explicit StatusLine(QWidget* parent = nullptr);
-    /// Follows this session's state and messages.
+    /// Shows state and messages of this session.
     explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
 
-    /// text  the project's name and whether it is saved; empty for none
+    /// text  name of the project and whether it is saved; empty for none
     void setProjectText(const QString& text);
-    /// Puts a key of fixed width at the right end. The line becomes its parent.
+    /// Adds a button of fixed width at the right end and takes ownership.
     void addKey(QWidget* key);
     QString recordingText() const;
     QString messageText() const;

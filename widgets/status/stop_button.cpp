@@ -9,7 +9,7 @@
 namespace tiller {
 
 namespace {
-constexpr int kHintHeight = 18;  // of the line below the word [px]
+constexpr int kHintHeight = 18;  // height of the line below the text [px]
 }
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
@@ -19,7 +19,7 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    // A screen reader presses by click().
+    // Screen readers activate the button by click().
     connect(this, &QAbstractButton::clicked, this, &StopButton::stopRequested);
     setKeysStop(false);
 }

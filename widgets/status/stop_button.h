@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// STOP. It acts the moment it is touched, with any button or finger, and takes the focus from nobody. It names the keys
-// that do the same, or says that it has to be clicked.
+// The STOP button. It acts on press with any mouse button or finger, and does not take the focus. It shows the keys
+// with the same function, or that a click is required.
 
 #include <QAbstractButton>
 
@@ -14,7 +14,7 @@ class StopButton : public QAbstractButton {
 public:
     explicit StopButton(QWidget* parent = nullptr);
 
-    /// keys  Space and Esc stop as well; at first they do not
+    /// keys  Space and Esc stop as well; initially false
     void setKeysStop(bool keys);
     bool keysStop() const { return keysStop_; }
 

@@ -23,9 +23,9 @@ namespace tiller {
 namespace {
 
 constexpr double kFarthestInCell = 10;  ///< [m]
-constexpr double kNewEdge = 0.1;        ///< of a box [m]
+constexpr double kNewEdge = 0.1;        ///< initial size of a box [m]
 
-/// A pose at this point whose Z axis is the normal; of those, the one nearest to the base's axes.
+/// A pose at this point with the normal as Z axis, and otherwise minimum rotation relative to the base.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -34,7 +34,7 @@ Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     return pose;
 }
 
-/// Calls `use` with the box or the plane of that row.
+/// Calls `use` with the box or plane of this row.
 template <class Use>
 auto withRow(const project::CellGeometry& cell, int row, const Use& use) {
     const auto at = static_cast<std::size_t>(row);
@@ -93,7 +93,7 @@ PartModel* cellModel(ProjectDocument& document) {
 
 }  // namespace
 
-// ---- three figures ------------------------------------------------------------------------------------------
+// ---- vector editor ------------------------------------------------------------------------------------------
 
 VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QString, 3>& letters,
                            const std::array<QString, 3>& spoken, QWidget* parent)
@@ -144,7 +144,7 @@ void VectorEditor::showFigures() {
         box.setRange(kind_ == Kind::Size ? kLeastEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
-        shown_[i] = box.value();  // rounded: only what was typed counts as a change
+        shown_[i] = box.value();  // rounded: only edited values count as changed
     }
 }
 
@@ -244,7 +244,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // Where the panel is low, the figures scroll; the list and the row below keep their places.
+    // In a low panel the values scroll; the list and the row below do not move.
     auto* figures = new SteadyScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
@@ -270,7 +270,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
-            // The tool points at what it touches; the arm stays on its own side.
+            // The tool points at the surface; the arm stays on its side.
             addPlane(planePose(state_.tcpPose.position, -rotationMatrix(state_.tcpPose.rotation).col(2)));
         }
     };
@@ -557,7 +557,7 @@ void CellPage::onSelection() {
 
 void CellPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && distance_ != nullptr) {
-        shownDistance_ = -1;  // other units
+        shownDistance_ = -1;  // units may have changed
         refresh();
     }
     PartPage::changeEvent(event);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What stands around the arm: boxes, planes and the floor, each in figures or taught from the TCP, and the distance that
-// the arm keeps from all of it. What is edited here is drawn and checked at once.
+// The surroundings of the arm: boxes, planes and the floor, entered as numbers or taught from the TCP, and the
+// safety distance. Changes are displayed and checked immediately.
 
 #include <array>
 #include <optional>
@@ -19,21 +19,21 @@ class FigureBox;
 class PoseEditor;
 class ProjectDocument;
 
-/// Three figures in a row: a point or a size in the units of the settings, or a direction without a unit.
+/// Three numbers in a row: a point or a size in the units of the settings, or a direction without unit.
 class VectorEditor : public QWidget {
     Q_OBJECT
 
 public:
     enum class Kind { Point, Size, Direction };
-    /// name     its boxes are the objects name.0 ... name.2
-    /// letters  before the boxes: "X", "Y", "Z"
+    /// name     the boxes have the object names name.0 ... name.2
+    /// letters  labels of the boxes: "X", "Y", "Z"
     VectorEditor(Kind kind, const QString& name, const std::array<QString, 3>& letters,
                  const std::array<QString, 3>& spoken, QWidget* parent = nullptr);
 
     void setVector(const Eigen::Vector3d& vector);  ///< [m], or without a unit
 
 Q_SIGNALS:
-    /// A figure was finished; the other two keep the digits that are not shown.
+    /// A value was edited; the other two keep the digits that are not displayed.
     void entered(const Eigen::Vector3d& vector);
 
 protected:
@@ -54,7 +54,7 @@ class CellPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive it
+    /// document  must outlive the object
     CellPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
@@ -64,7 +64,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // Boxes come first in the list, planes after them. One of the two is null, both where nothing is selected.
+    // Boxes are first in the list, then planes. One of the two is null, both without a selection.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
     QString obstacle() const;
@@ -88,9 +88,9 @@ private:
 
     ProjectDocument& document_;
     SessionState state_;
-    std::optional<Eigen::Vector3d> corner_;  ///< the first of a box, base frame [m]
+    std::optional<Eigen::Vector3d> corner_;  ///< first corner of a box, base frame [m]
     QPushButton* cornerKey_ = nullptr;
-    QWidget* selected_;  ///< all that is about the selected one
+    QWidget* selected_;  ///< widgets for the selected object
     QLabel* facts_;
     QCheckBox* enabled_;
     PoseEditor* pose_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A list of named things of the project as a table: which of them is in use, the name, and its figures. The name can
-// be typed; what it means for the project is told by functions.
+// Table model for a list of named objects of the project: mark of the active one, name, and values. The name is
+// editable; functions provide the connection to the project.
 
 #include <QAbstractTableModel>
 #include <QStringList>
@@ -20,16 +20,16 @@ public:
         std::function<QStringList()> figureHeadings;
         std::function<int()> count;
         std::function<bool(int row)> isInUse;
-        QString inUse;  ///< what the mark means: "In use"
+        QString inUse;  ///< text of the mark: "In use"
         std::function<QString(int row)> name;
-        std::function<QStringList(int row)> figures;  ///< as many as there are headings
-        /// Why the row cannot have that name, as a sentence; empty when it can.
+        std::function<QStringList(int row)> figures;  ///< one text per column
+        /// The reason why the row cannot have this name, as a sentence; empty if it can.
         std::function<QString(int row, const QString& name)> nameProblem;
         std::function<void(int row, const QString& name)> rename;
     };
     explicit PartModel(Content content, QObject* parent = nullptr);
 
-    /// The list is another one, or says something else.
+    /// The list or its content has changed.
     void follow();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -40,12 +40,12 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was refused, and why.
+    /// An edit was refused, with the reason.
     void editRefused(const QString& reason);
 
 private:
     Content content_;
-    int rows_ = 0;  ///< as the views know them
+    int rows_ = 0;  ///< as known to the views
 };
 
 }  // namespace tiller

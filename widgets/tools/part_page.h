@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the pages of the tab "Tools" have in common: keys above, the list, the details of the selected row below, and a
-// notice at the lower edge. A page may show something else in place of the list, such as teaching.
+// Base of the pages of the tab "Tools": buttons at the top, the list, details of the selected row below, and a
+// notice at the bottom. A page may replace the list, e.g. for teaching.
 
 #include <QUuid>
 #include <QWidget>
@@ -27,21 +27,21 @@ class PartPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// Row of the selected one; -1 for none.
+    /// The selected row; -1: none.
     int currentRow() const;
     void selectRow(int row);
-    /// Every action, for menus, the command palette and the help.
+    /// All actions for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
 
 Q_SIGNALS:
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
-    /// A command was given that goes on in this page.
+    /// A command needs this page to be visible.
     void frontWanted();
 
 protected:
-    /// name     "tcp": its parts are the objects tcp.table, tcp.more ...
-    /// empty    what to do when there is none
+    /// name     e.g. "tcp": the parts have the object names tcp.table, tcp.more ...
+    /// empty    suggested action for an empty list
     /// details  below the list
     PartPage(const QString& name, const QString& title, PartModel* model, const QString& empty,
              QWidget* details, QWidget* parent);
@@ -49,22 +49,22 @@ protected:
 
     QPushButton* addKey(const QString& name, const QString& text, const QString& spoken, int stretch,
                         std::function<void()> run);
-    /// needsRow  greyed while nothing is selected
+    /// needsRow  disabled without a selection
     QAction* addCommand(const QString& name, const QString& text, bool needsRow, std::function<void()> run);
     QMenu* menu() { return menu_; }
-    /// In place of keys, list and details; null: those again.
+    /// Replaces buttons, list and details; null: restores them.
     void showInstead(QWidget* widget);
     PartModel& model() { return *model_; }
     RowTable& table() { return *table_; }
     NoticeBar& notice() { return *notice_; }
     QWidget& details() { return *details_; }
     void showProblem(const QString& text);
-    /// The list is another one.
+    /// The list has changed.
     void followList();
-    /// The details say something without a row, too.
+    /// Keeps the details visible without a selection.
     void keepDetails() { detailsAlways_ = true; }
 
-    /// Another row, or none, is selected, or its figures are others.
+    /// The selection or the values of the selected object have changed.
     virtual void onSelection() = 0;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The payload, found by the force sensor in four or more poses of the arm. Between them the arm is jogged, or taken to
-// the next of the poses proposed here while a key is held. It says how well the poses agree and which fits least.
+// Estimates the payload by the force sensor in four or more poses. Between them the arm is jogged, or moved to a
+// suggested pose while a button is held. Shows the consistency of the poses and the one with the largest residual.
 
 #include <QWidget>
 #include <vector>
@@ -27,7 +27,7 @@ public:
     explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 
-    /// Begins anew, around where the arm stands now.
+    /// Restarts with the current position.
     void begin();
     void setState(const SessionState& state);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { heldSpeed_ = std::move(speed); }

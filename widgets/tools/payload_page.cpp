@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about what robot and project have differently.
+/// Cause of the notice about different values in robot and project.
 constexpr char kPayloadDifference[] = "robot.payload";
 
 PartModel* payloadModel(ProjectDocument& document) {
@@ -63,9 +63,9 @@ PartModel* payloadModel(ProjectDocument& document) {
 struct Preset {
     const char* name;
     double mass;    ///< [kg]
-    double height;  ///< of the centre above the flange [m]
+    double height;  ///< height of the centre of gravity above the flange [m]
 };
-/// Source: estimates, not compared with the data sheets of the makers yet; with coupling, without a part.
+/// Source: estimates, not yet compared with the manufacturers' data sheets; with coupling, without a part.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
@@ -190,7 +190,7 @@ void PayloadPage::takeFigure(int figure) {
     const project::Payload* payload = current();
     const auto at = static_cast<std::size_t>(figure);
     if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
-        return;  // the digits that are not shown stay
+        return;  // keep the digits that are not displayed
     }
     project::Payload after = *payload;
     if (figure == 0) {
@@ -198,7 +198,7 @@ void PayloadPage::takeFigure(int figure) {
     } else {
         after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
     }
-    // It belonged to the mass before.
+    // It was valid for the previous mass.
     after.inertia.reset();
     change(after, tr("Change the payload “%1”").arg(payload->name));
 }
@@ -222,7 +222,7 @@ void PayloadPage::use() {
         return;
     }
     const project::Payload chosen = *payload;
-    // What is about to be set needs no question.
+    // No question about a value that is about to be set.
     asked_ = chosen;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
@@ -297,7 +297,8 @@ void PayloadPage::followCheck() {
                 notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);
                 break;
             }
-            // What pulls down is weight the robot was not told of, what pushes up weight that is not there.
+            // A downward force means that the configured payload is too small, an upward force that it is too
+            // large.
             const double missing = -left.force.z() / kinematics::kStandardGravity;
             const QString advice =
                 std::abs(missing) > 0.1
@@ -347,7 +348,7 @@ void PayloadPage::refresh() {
 void PayloadPage::showFigures(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
-        return;  // what is being typed stays
+        return;  // keep a value that is being edited
     }
     shownPayload_ = payload;
     shownUnit_ = perUnit;

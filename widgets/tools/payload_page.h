@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The payloads of the project: in figures, from presets, or weighed with the arm; one of them in use. What the robot was
-// told is compared with it, and with what the arm feels.
+// The payloads of the project: entered, from presets, or measured with the arm; one of them is active. The payload
+// configured in the robot is compared with it, and with the measured forces.
 
 #include <array>
 #include <optional>
@@ -22,20 +22,20 @@ class PayloadPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive it
+    /// document  must outlive the object
     PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// After undo or redo: selects what changed, and asks when the robot has another one than the project.
+    /// After undo or redo: selects the changed payload, and asks if the robot has a different one.
     void followStep(const QUuid& id);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { estimator_->setHeldSpeed(std::move(speed)); }
-    /// Weighs for a second and says whether the payload the robot was told of explains what the arm feels.
+    /// Measures for a second, and shows whether the configured payload explains the forces.
     void checkTruth();
 
-    /// Larger differences are told [kg, m].
+    /// Larger differences are reported [kg, m].
     static constexpr double kSameMass = 0.005;
     static constexpr double kSameCentre = 0.0005;
-    /// What a true payload may leave of the forces at rest [N, Nm].
+    /// Permitted force at rest with a correct payload [N, Nm].
     static constexpr double kTrueForce = 3.0;
     static constexpr double kTrueTorque = 0.5;
 
@@ -60,7 +60,7 @@ private:
     ProjectDocument& document_;
     SessionState state_;
     QLabel* facts_;
-    std::array<FigureBox*, 4> boxes_{};  ///< mass, then the centre
+    std::array<FigureBox*, 4> boxes_{};  ///< mass, then the centre of gravity
     std::array<double, 4> shown_{};
     std::optional<project::Payload> shownPayload_;
     double shownUnit_ = 0;

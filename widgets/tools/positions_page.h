@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Joint positions with a name, one of them Home, and the height above which the arm may travel.
+// Named joint positions, one of them Home, and the safe height for travel.
 
 #include <array>
 
@@ -20,11 +20,11 @@ class PositionsPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive it
+    /// document  must outlive the object
     PositionsPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// Keeps where the arm stands, and makes it Home: the one there is, or a new one.
+    /// Stores the current position as Home, replacing an existing one.
     void setHomeHere();
 
 protected:

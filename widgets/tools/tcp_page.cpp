@@ -18,7 +18,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about what robot and project have differently.
+/// Cause of the notice about different values in robot and project.
 constexpr char kTcpDifference[] = "robot.tcp";
 
 PartModel* tcpModel(ProjectDocument& document) {
@@ -186,7 +186,7 @@ void TcpPage::use() {
         return;
     }
     const project::Tool chosen = *tool;
-    // What is about to be set needs no question.
+    // No question about a value that is about to be set.
     asked_ = chosen;
     askedAbout_ = state_.tcpOffset;
     project::Tooling after = document_.tooling();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tool centre points of the project: named, typed or taught, one of them in use. What the robot has is shown beside
-// it; where the two differ it is said and asked about, and neither is changed by itself.
+// The tool centre points of the project: named, entered or taught, one of them active. The TCP of the robot is also
+// displayed; if the two differ, the user is asked, and neither is changed automatically.
 
 #include <optional>
 
@@ -21,14 +21,14 @@ class TcpPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive it
+    /// document  must outlive the object
     TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// After undo or redo: selects what changed, and asks when the robot has another one than the project.
+    /// After undo or redo: selects the changed TCP, and asks if the robot has a different one.
     void followStep(const QUuid& id);
 
-    /// Larger differences are told [m, rad].
+    /// Larger differences are reported [m, rad].
     static constexpr double kSameDistance = 5e-5;
     static constexpr double kSameAngle = 1e-3;
 
@@ -54,8 +54,8 @@ private:
     QLabel* facts_;
     TcpTeacher* teacher_;
     QUuid teachingInto_;
-    std::optional<project::Tool> asked_;  ///< the operator was asked about the difference of this tool
-    Pose askedAbout_;                     ///< to this TCP of the robot
+    std::optional<project::Tool> asked_;  ///< the tool for which the user was asked
+    Pose askedAbout_;                     ///< with this TCP of the robot
 };
 
 }  // namespace tiller

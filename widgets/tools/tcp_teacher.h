@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The TCP of a tool, taught with the arm: its tip from four or more poses in which it stands on one point, and how it
-// is turned from one pose or three. It says at any time what is missing, how well the poses agree, and which one
-// fits least.
+// Teaches a TCP with the arm: the tip from four or more poses with the tip at the same point, and the rotation from
+// one or three poses. Shows the next pose, the consistency of the poses, and the one with the largest residual.
 
 #include <QWidget>
 #include <array>
@@ -26,16 +25,16 @@ class TcpTeacher : public QWidget {
 public:
     explicit TcpTeacher(QWidget* parent = nullptr);
 
-    /// Begins anew.
-    /// rotation  of the tool, kept where no other is taught
+    /// Restarts teaching.
+    /// rotation  of the tool, kept if no other is taught
     void begin(const QString& title, const Eigen::Vector3d& rotation);
-    /// Where the flange stands; poses can be taken while there are live data.
+    /// The current flange pose; poses can be recorded while data are live.
     void setLive(const SessionState& state);
-    /// The next pose of the tip, or of the rotation once the tip is known.
+    /// Records the next pose of the tip, or of the rotation after the tip is complete.
     void takeNext();
     void finish();
 
-    /// What the poses give so far.
+    /// The result of the poses so far.
     std::optional<Pose> tcp() const;
 
 Q_SIGNALS:
@@ -43,7 +42,7 @@ Q_SIGNALS:
     void cancelled();
 
 private:
-    /// What the rotation is taken from.
+    /// Source of the rotation.
     enum Turning { AsItIs, StraightDown, ThreePoses };
 
     std::optional<Eigen::Isometry3d> flange() const;
@@ -58,7 +57,7 @@ private:
     SessionState state_;
     Eigen::Vector3d before_ = Eigen::Vector3d::Zero();
     std::vector<Eigen::Isometry3d> tips_;
-    std::vector<Eigen::Isometry3d> turns_;  ///< one or three
+    std::vector<Eigen::Isometry3d> turns_;  ///< one or three poses
     kinematics::TipFit fit_;
     QLabel* title_;
     QPushButton* take_;

@@ -79,7 +79,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
         }
     });
 
-    // Figures that change sixty times a second cannot be read; what is weighed needs every state.
+    // Values that change sixty times per second are not legible; measurements need every state.
     liveTimer_.setSingleShot(true);
     liveTimer_.setInterval(100);
     connect(&liveTimer_, &QTimer::timeout, this, [this] {

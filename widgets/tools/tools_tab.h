@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Tools": TCPs, payloads, named positions and the cell of the project, a page each.
+// The tab "Tools", with one page each for TCPs, payloads, named positions and the cell of the project.
 
 #include <QTimer>
 #include <QWidget>
@@ -28,7 +28,7 @@ class ToolsTab : public QWidget {
 public:
     /// document  must outlive the tab
     ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
-    /// For tests: moves go through `port`, states still come from the session.
+    /// For tests: `port` replaces the motion functions of the session.
     ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
 
     enum Page { Tcps, Payloads, Positions, Cell };
@@ -38,17 +38,17 @@ public:
     PayloadPage& payloads() { return *payloads_; }
     PositionsPage& positions() { return *positions_; }
     CellPage& cell() { return *cell_; }
-    /// Every action, for menus, the command palette and the help.
+    /// All actions for menus, the command palette and the help.
     QList<QAction*> commandActions() const;
-    /// The speed that proposed poses keep below, asked at each press; none unless told.
+    /// Returns the speed limit for suggested poses, at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 
 Q_SIGNALS:
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
-    /// A command was given that goes on in this tab.
+    /// A command needs this tab to be visible.
     void frontWanted();
-    /// Another page is in front: what is held ends.
+    /// Another page was selected: hold-to-run operation ends.
     void pageChanged();
 
 private:

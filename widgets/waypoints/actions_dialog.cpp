@@ -22,7 +22,7 @@ namespace {
 using project::IoGroup;
 using Action = project::WaypointAction;
 
-/// A sensor that needs longer has usually something wrong [s].
+/// A longer delay of a sensor usually indicates a fault [s].
 constexpr double kUsualWait = 10;
 constexpr double kUsualPulse = 0.5;  // [s]
 
@@ -96,7 +96,7 @@ QPushButton* ActionsDialog::addKey(const char* name, const QString& text, const 
     key->setObjectName(QStringLiteral("waypoint.actions.") + QLatin1String(name));
     key->setAccessibleName(toolTip);
     key->setToolTip(toolTip);
-    key->setAutoDefault(true);  // Return presses it: Space stops the robot
+    key->setAutoDefault(true);  // Default button for Return, because Space stops the robot
     connect(key, &QPushButton::clicked, this, pressed);
     return key;
 }
@@ -151,7 +151,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // Nothing moves when another action needs other fields.
+        // Fields do not move when the action type changes.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -164,7 +164,7 @@ QWidget* ActionsDialog::buildFields() {
 void ActionsDialog::add() {
     Action action;
     action.kind = Action::Kind::SetOutput;
-    // After the last one of a kind usually comes another of it.
+    // The next action is usually of the same type as the last one.
     const int row = list_->currentRow();
     if (row >= 0) {
         action = actions_[static_cast<std::size_t>(row)];
@@ -217,7 +217,7 @@ void ActionsDialog::change() {
     refresh();
 }
 
-/// Outputs or inputs, as the chosen action needs them.
+/// Lists outputs or inputs, depending on the action.
 void ActionsDialog::listPins() {
     const int row = list_->currentRow();
     Action action = actions_[static_cast<std::size_t>(row)];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is done at one or several waypoints once the arm has come there: a list of actions in their order, and what
-// the chosen one does. Nothing is done here.
+// Edits the actions at one or several waypoints: a list in execution order, and the parameters of the selected
+// action. The dialog executes no action.
 
 #include <QDialog>
 #include <functional>
@@ -23,10 +23,10 @@ class ActionsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// waypoints  at least one; it begins with what is done at the first
+    /// waypoints  at least one; the actions of the first one are shown initially
     explicit ActionsDialog(const std::vector<project::Waypoint>& waypoints, QWidget* parent = nullptr);
 
-    /// As they are to be, at each of them.
+    /// The edited actions for each waypoint.
     const project::WaypointActions& actions() const { return actions_; }
 
     void accept() override;
@@ -45,7 +45,7 @@ private:
     void refresh();
 
     project::WaypointActions actions_;
-    bool filling_ = false;  ///< the fields follow the list, not the hand
+    bool filling_ = false;  ///< the fields are updated by the program, not by the user
     QListWidget* list_;
     QPushButton* remove_ = nullptr;
     QPushButton* up_ = nullptr;

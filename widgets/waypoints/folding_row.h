@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of keys that is there only where there is room for it: it never makes a panel larger.
+// A row of buttons that is hidden if there is not enough space, so that it does not enlarge a panel.
 
 #include <QWidget>
 
@@ -14,7 +14,7 @@ public:
     }
 
     QSize minimumSizeHint() const override { return {0, 0}; }
-    /// room  in the panel, without what else it has to show [px]. What is held in a row that goes away ends.
+    /// room  space in the panel without its other content [px]. Hiding the row ends hold-to-run operation in it.
     void fitInto(const QSize& room) {
         const QSize wanted = sizeHint();
         setVisible(room.width() >= wanted.width() && room.height() >= wanted.height());

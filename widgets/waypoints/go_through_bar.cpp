@@ -138,7 +138,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // What ends by itself is not to be greyed under the finger.
+        // Do not disable a held button: the motion ends by itself.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }
@@ -180,7 +180,7 @@ HoldButton& GoThroughBar::through() {
 
 void GoThroughBar::showSpeed() {
     if (isHolding()) {
-        return;  // what is under way goes on as fast as it was begun
+        return;  // the current motion keeps its speed
     }
     const bool known = state_.hasData() && obstacles_[static_cast<std::size_t>(Way::Through)].isEmpty();
     const Result<MoveRequest> move =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The line of keys for "Go through": hold to go, one waypoint back, one on, which waypoints, once or in a loop, and
-// which one is the coming one. The rules are those of HoldRules.
+// The buttons for "Go through": hold to run, one waypoint back, one forward, selection of waypoints, once or in a
+// loop, and the next waypoint. The rules are those of HoldRules.
 
 #include <QWidget>
 #include <array>
@@ -21,35 +21,35 @@ class GoThroughBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// Which waypoints it goes through; as in the list of choices.
+    /// The selection of waypoints, in the order of the list.
     enum class Scope { FromHere, Selection, All };
 
-    /// As those of RouteRunner.
+    /// Arguments as for RouteRunner.
     GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
     ~GoThroughBar() override;
 
     void setState(const SessionState& state);
     void setGripper(GripperPort gripper) { actions_.gripper = std::move(gripper); }
-    /// The operator selected other rows: the way begins anew.
+    /// The selection has changed: the route restarts.
     /// current  -1 for none
     void setSelection(int current, const QList<int>& selected);
-    /// The document was edited; the selection is this one now.
+    /// The document was edited, with this selection.
     void followDocument(int current, const QList<int>& selected);
-    /// Shows the speed of a press now.
+    /// Updates the displayed speed.
     void showSpeed();
-    /// Ends the motion under way, if any.
+    /// Ends the active motion, if any.
     void stop(control::StopCause cause);
     bool isHolding() const;
 
-    /// Row of the coming waypoint while the way is under way or paused; -1 otherwise.
+    /// Row of the next waypoint while running or paused; -1 otherwise.
     int comingRow() const;
     const RouteRunner& goThrough() const { return goThrough_; }
 
 Q_SIGNALS:
-    /// Another waypoint is the coming one, or a key was pressed or let go.
+    /// The next waypoint has changed, or a button was pressed or released.
     void comingChanged();
-    /// A press moved nothing, or it ended before its end: why.
+    /// A press had no effect, or the run aborted, with the reason.
     void refused(const QString& reason);
 
 private:
@@ -70,7 +70,7 @@ private:
     QList<int> selected_;
     std::array<QString, 3> obstacles_;  ///< of the route, by RouteRunner::Way
 
-    QString place_;  ///< "2 of 7"
+    QString place_;  ///< e.g. "2 of 7"
     QString speed_;
 
     std::array<HoldButton*, 3> keys_{};  ///< by RouteRunner::Way

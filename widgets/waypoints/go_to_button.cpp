@@ -67,15 +67,15 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
     const KeyCode code = PhysicalKeys::codeOf(key);
     const bool press = key.type() == QEvent::KeyPress;
     if (!key_.isEmpty() && !key_.isDown(code)) {
-        // Another key than the one that holds: two hands on the keyboard are no hold, and a release nobody
-        // can place may have been that of the key itself.
+        // Another key in addition to the held one: two keys do not count as holding, and an unmatched release may
+        // have been that of the held key.
         if (!key.isAutoRepeat()) {
             guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
         }
         return false;
     }
     if (key_.isDown(code)) {
-        // The key that holds, whatever modifier or layout it now comes with.
+        // The held key, independent of modifiers and layout.
         switch (key_.take(key, Qt::Key_G)) {
             case PhysicalKeys::Change::Up:
                 guard().release();
@@ -101,14 +101,14 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
 
 bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    // A key passes the native window first and the widget then: once is enough.
+    // A key event is sent to the native window and then to the widget: process it once.
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    // Of whatever window: the panel of this key may have changed to another one since the press.
+    // Of any window: the panel of this button may have moved to another one since the press.
     if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
         static_cast<QWidget*>(watched)->isWindow()) {
-        key_.clear();  // its release will not be seen
+        key_.clear();  // its release will not be received
         if (watched != window()) {
             guard().stop(control::StopCause::WindowDeactivated);
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The key "Go to (hold)": while it or the key G is held the arm moves to a waypoint. The rules are those of
-// HoldRules. It listens to G wherever the focus is in its window, except in fields that take text.
+// The button "Go to (hold)": while it or the key G is held, the arm moves to a waypoint. The rules are those of
+// HoldRules. G works anywhere in the window except in text fields.
 
 #include <functional>
 
@@ -16,18 +16,18 @@ class GoToButton : public HoldButton {
     Q_OBJECT
 
 public:
-    /// The move that a press begins, or why there is none, in words an operator can use (NoSolution).
+    /// Returns the move for a press, or the reason why there is none, as text for the operator (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
     GoToButton(MotionPort port, Target target, QWidget* parent = nullptr);
     ~GoToButton() override;
 
     void setState(const SessionState& state);
-    /// Ends the motion under way, if any.
+    /// Ends the active motion, if any.
     void stop(control::StopCause cause) { guard().stop(cause); }
 
 Q_SIGNALS:
-    /// A press moved nothing: why.
+    /// A press had no effect, with the reason.
     void refused(const QString& reason);
 
 protected:
@@ -43,7 +43,7 @@ private:
     Target target_;
     SessionState state_;
     HoldBounds bounds_;
-    PhysicalKeys key_;  ///< the key that holds, while it is down
+    PhysicalKeys key_;  ///< the held key, while it is down
 };
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What an operator does with recorded paths: the key that begins and ends a recording and shows how long it lasts,
-// the tolerance, and the way into a file and out of one.
+// Controls for recorded paths: the button that starts and stops a recording and shows its duration, the tolerance,
+// and export and import.
 
 #include <QList>
 #include <QWidget>
@@ -20,7 +20,7 @@ class PathControls : public QWidget {
     Q_OBJECT
 
 public:
-    /// What is selected in the list.
+    /// The selection in the list.
     struct Selection {
         std::function<int()> currentRow;  ///< -1 for none
         std::function<QList<int>()> rows;
@@ -30,13 +30,13 @@ public:
                  QWidget* parent = nullptr);
 
     PathRecorder& recorder() { return recorder_; }
-    /// Record, export, import: for menus, the palette and the help.
+    /// Record, export, import, for menus, the palette and the help.
     QList<QAction*> actions() const { return actions_; }
-    /// How far a recorded place may be from what is kept of it.
+    /// Permitted deviation of the recorded positions from the reduced path.
     QMenu* toleranceMenu() { return tolerances_; }
     void setState(const SessionState& state);
 
-    /// As the commands do once a file is chosen.
+    /// Called by the commands after a file was selected.
     void exportTo(const QString& path);
     void importFrom(const QString& path);
 

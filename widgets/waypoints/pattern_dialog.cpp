@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kLeastSide = 0.001;  ///< between two corners [m]
+constexpr double kLeastSide = 0.001;  ///< minimum distance of two corners [m]
 
 class CountBox : public QSpinBox {
 public:

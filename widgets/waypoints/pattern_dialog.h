@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pattern of places between three corners: which waypoints they are, how many places, in which order, which are left
-// out, how many layers. For a new pattern, and for one that is changed later.
+// Edits a pattern between three corners: corner waypoints, number of positions, order, skipped positions, layers.
+// For new and existing patterns.
 
 #include <QDialog>
 #include <array>
@@ -25,14 +25,14 @@ class PatternDialog : public QDialog {
 
 public:
     /// A new pattern.
-    /// corners  the waypoints it is taught at: first place, end of the first row, beginning of the last row; those that
-    ///          are missing can be chosen
+    /// corners  waypoints of the first position, the end of the first row, and the start of the last row; missing
+    ///          ones can be selected
     PatternDialog(const ProjectDocument& document, const QVector<QUuid>& corners, QWidget* parent = nullptr);
-    /// The one of the document with that id.
+    /// An existing pattern of the document.
     PatternDialog(const ProjectDocument& document, const project::Pattern& pattern,
                   QWidget* parent = nullptr);
 
-    /// As it is to be.
+    /// The edited pattern.
     const project::Pattern& pattern() const { return pattern_; }
     void accept() override;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pattern seen from above: a square for each place, with its number in the order they are visited. A click, or Space on
-// the marked one, leaves a place out or takes it in again.
+// A pattern in top view: a square per position, with its number in execution order. A click, or Space on the
+// current one, skips or includes a position.
 
 #include <QWidget>
 
@@ -16,7 +16,7 @@ class PatternGrid : public QWidget {
 public:
     explicit PatternGrid(QWidget* parent = nullptr);
 
-    /// Its places and order; what is excluded is kept as far as it is on the grid.
+    /// Sets positions and order; excluded positions are kept if they are in the grid.
     void setPattern(const project::Pattern& pattern);
     const std::vector<project::PatternCell>& excluded() const { return pattern_.excluded; }
     QRect rectOf(const project::PatternCell& cell) const;

@@ -52,7 +52,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
     advice_->setFont(textFont(12));
-    advice_->setWordWrap(true);  // whole: it is what helps
+    advice_->setWordWrap(true);  // not elided, because it contains the suggested action
 
     frame_->setObjectName(QStringLiteral("waypoint.details.frame"));
     frame_->setAccessibleName(tr("Frame of the waypoint"));
@@ -76,13 +76,13 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     place_->setCheckable(true);
     place_->setFocusPolicy(Qt::TabFocus);
     place_->hide();
-    // It says what a press brings.
+    // Describes the effect of a press.
     const auto name = [this](bool keysShown) {
         place_->setText(keysShown ? tr("Values") : tr("Go through"));
         place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
                                      : tr("Shows the Go through controls instead of the values."));
     };
-    // As wide as its longer text: it keeps its position when it is pressed.
+    // The width of its longer text: it keeps its position when pressed.
     name(true);
     const int valuesWidth = place_->sizeHint().width();
     name(false);
@@ -111,7 +111,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    // Keys below keep their places, whatever there is to say.
+    // Buttons below do not move, independent of the texts.
     for (QWidget* part :
          {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -158,7 +158,7 @@ void WaypointDetails::setFiguresShown(bool shown) {
     policy.setRetainSizeWhenHidden(shown);
     pose_->setSizePolicy(policy);
     refresh();
-    layout()->activate();  // now: a panel that is asked meanwhile would make room for what has gone
+    layout()->activate();  // immediately: otherwise the panel would use the size of the previous content
 }
 
 int WaypointDetails::figuresHeight() const {
@@ -179,7 +179,7 @@ void WaypointDetails::refresh() {
     }
     const project::Waypoint& point = document_.waypoints().at(row_);
     const bool joints = point.ruling == project::Ruling::Joints;
-    // Where the joints rule, the place is where they bring this arm, whatever pose was remembered.
+    // With a joint target, the position results from the joints and the current arm, not from the stored pose.
     const std::optional<Pose> place =
         joints ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
                : project::poseInBase(point, document_.frames());

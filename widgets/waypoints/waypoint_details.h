@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The lower end of the tab: the selected waypoint in figures, which can be typed, how far it is from where the
-// arm stands, and the frame it is given in, which can be chosen. Typing moves nothing but the waypoint.
+// Details of the selected waypoint below the list: editable values, distance from the current position, and its
+// frame. Editing only changes the waypoint.
 
 #include <QWidget>
 #include <optional>
@@ -31,20 +31,21 @@ public:
     /// row  -1 for none
     void setWaypoint(int row);
     void setLive(const SessionState& state);
-    /// What stands in the way from here to the waypoint; empty when nothing does.
+    /// The limitation of the path to the waypoint; empty if none.
     void setWayLimit(const QString& text);
-    /// How many program steps use the waypoint; nothing is said before this has been told.
+    /// Number of program steps that use the waypoint; initially not displayed.
     void setUsedIn(std::optional<int> steps);
-    /// A key that lets other keys of the tab take the place of the figures, where there is no room for both.
+    /// Shows a button that switches between the values and other buttons of the tab, if there is not enough space
+    /// for both.
     void offerPlace(bool offered);
-    /// The operator wants that place for those keys.
+    /// True if the user selected the other buttons.
     bool isPlaceWanted() const;
     void setFiguresShown(bool shown);
     bool areFiguresShown() const { return figuresShown_; }
-    int figuresHeight() const;  ///< With what is between them and the headline [px].
+    int figuresHeight() const;  ///< Including the spacing to the headline [px].
 
     QString headline() const;
-    /// Its pose in words, for screen readers.
+    /// The pose as text, for screen readers.
     QString poseLine() const { return poseLine_; }
 
 Q_SIGNALS:
@@ -64,7 +65,7 @@ private:
     std::optional<int> usedIn_;
     SessionState live_;
     QString wayLimit_;
-    QStackedWidget* headlines_;  ///< name and facts, or what stands in the way
+    QStackedWidget* headlines_;  ///< name and properties, or the limitation of the path
     QLabel* name_;
     ElidedLabel* facts_;
     QLabel* advice_;

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Larger files are no lists of waypoints.
+/// Larger files are not lists of waypoints.
 constexpr qint64 kMostImportBytes = 64LL * 1024 * 1024;
 
 bool isJson(const QString& path) {

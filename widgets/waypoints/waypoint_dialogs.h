@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is done to waypoints through a question of its own: properties of many, moves of a selection, patterns, history,
-// files. Every answer is one edit of the document, which can be undone.
+// Functions for waypoints that use dialogs: properties, moving a selection, patterns, history, files. Each is one
+// undoable edit of the document.
 
 #include <QObject>
 #include <vector>
@@ -21,31 +21,31 @@ class WaypointDialogs : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive it; the table's selection is what is edited
+    /// document, table  must outlive the object; the selection of the table is edited
     WaypointDialogs(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void properties();
-    /// What is done at the selected waypoints.
+    /// Edits the actions of the selected waypoints.
     void actions();
     void moveSelection();
-    /// A new pattern at the selected waypoints; the pattern itself where the selected one is a place of it.
+    /// Creates a pattern at the selected waypoints, or edits the pattern of the selected waypoint.
     void pattern();
     void dissolvePattern();
     void removePattern();
     void history();
     void importFile();
     void exportFile();
-    /// Names ending in .json are JSON, all others CSV. Nothing of a file with an error is used.
+    /// Names ending in .json are JSON, all others CSV. A file with an error is not imported.
     void importFrom(const QString& path);
-    /// The selected waypoints, or all where none or one is selected.
+    /// Exports the selected waypoints, or all if none or one is selected.
     void exportTo(const QString& path);
-    /// Where the arm is [rad], with which TCP: for poses that come without joints.
+    /// Current joint positions [rad] and TCP, for poses without joint positions.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// Nothing was done: a sentence that says why, and figures or rows of the text that was not understood.
+    /// No change was made: a sentence with the reason, and the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
-    /// Something was done that cannot be seen in the list.
+    /// A change was made that is not visible in the list.
     void done(const QString& text);
 
 private:
@@ -54,8 +54,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0,     -1.57, 1.57,
-                               -1.57, -1.57, 0};  ///< until there are data: the arm bent forward
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< until data arrive: a typical position
     Pose liveTcp_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is done to the selected waypoints apart from teaching: duplicate, delete, move, copy and paste. Every
-// step is one edit of the document, which can be undone.
+// Edits the selected waypoints other than by teaching: duplicate, delete, move, copy and paste. Each is one
+// undoable edit of the document.
 
 #include <QObject>
 
@@ -20,25 +20,25 @@ class WaypointEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive it; the table's selection is what is edited
+    /// document, table  must outlive the object; the selection of the table is edited
     WaypointEditing(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void duplicate();
     void remove();
     /// by  -1: one row up, 1: one row down
     void move(int by);
-    /// As a table that a spreadsheet takes, too.
+    /// As a table for spreadsheets.
     void copy() const;
-    /// After the current row. A pose that comes without joints gets the posture nearest to the current row's, or
-    /// else to the arm's.
+    /// Inserts after the current row. A pose without joint positions gets those nearest to the current row, or to
+    /// the arm.
     void paste();
-    /// Where the arm is [rad], with which TCP.
+    /// Current joint positions [rad] and TCP.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// Nothing was done: a sentence that says why, and figures or rows of the text that was not understood.
+    /// No change was made: a sentence with the reason, and the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
-    /// The row to be selected now; -1 for none.
+    /// The row to select; -1 for none.
     void rowWanted(int row);
 
 private:
@@ -46,8 +46,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0,     -1.57, 1.57,
-                               -1.57, -1.57, 0};  ///< until there are data: the arm bent forward
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< until data arrive: a typical position
     Pose liveTcp_;
 };
 

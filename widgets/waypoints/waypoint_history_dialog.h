@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a waypoint was before each of its latest changes: who changed it, when, and what is different now. Any earlier
-// one can come back.
+// The latest changes of a waypoint: author, time, and differences from the current state. An earlier state can be
+// restored.
 
 #include <QDialog>
 
@@ -23,10 +23,10 @@ public:
     WaypointHistoryDialog(const ProjectDocument& document, const project::Waypoint& waypoint,
                           QWidget* parent = nullptr);
 
-    /// The waypoint as it was before the chosen change, with its history.
+    /// The waypoint before the selected change, with its history.
     project::Waypoint chosen() const;
 
-    /// What is different, one sentence a line; empty when nothing is.
+    /// The differences, one sentence per line; empty if none.
     static QStringList differences(const project::Waypoint& before, const project::Waypoint& now,
                                    const ProjectDocument& document);
 

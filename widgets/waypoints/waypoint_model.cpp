@@ -26,13 +26,13 @@ constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
 constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
 constexpr double kMostBlend = 1.0;         ///< [m]
 
-/// The palette of the curves: it can be told apart with every kind of sight.
+/// The colours of the curves, which are distinguishable with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);
 }
 
-/// With what the row shows besides: that it is the coming one, and how many things are done there.
+/// With additional information: the next waypoint, and the number of actions.
 QString shownName(const project::Waypoint& point, bool coming) {
     QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
     if (!point.actions.empty()) {
@@ -41,7 +41,7 @@ QString shownName(const project::Waypoint& point, bool coming) {
     return text;
 }
 
-/// "250", "250,5", "250 mm/s" -> 250; nothing when there is no number in front.
+/// "250", "250,5", "250 mm/s" -> 250; empty without a leading number.
 std::optional<double> leadingNumber(const QString& text) {
     QString figure;
     for (const QChar c : text.trimmed()) {
@@ -205,7 +205,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                              (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
-            // A number would be other data after every insertion above it: the view writes it.
+            // The view displays the row number, because it would change with every insertion above.
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
@@ -287,7 +287,7 @@ Qt::ItemFlags WaypointModel::flags(const QModelIndex& index) const {
     return flags;
 }
 
-// ---- what is typed in it ---------------------------------------------------------------------------
+// ---- editing ---------------------------------------------------------------------------------------
 
 bool WaypointModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !index.isValid() || index.row() >= rowCount()) {
@@ -385,7 +385,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         return true;
     }
     if (text == QStringLiteral("—")) {
-        // The joints take over where the pose would have brought the arm.
+        // The joint positions become those of the current pose.
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
@@ -398,7 +398,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         Q_EMIT editRefused(tr("There is no frame “%1” in this project.").arg(text));
         return false;
     }
-    // The place stays where it is: only the axes it is given in change.
+    // The position is unchanged: only its frame changes.
     const std::optional<Pose> place =
         point.ruling == project::Ruling::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
@@ -415,7 +415,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
 bool WaypointModel::setFigure(int row, int column, const QString& text) {
     project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
-        return true;  // the digits that are not shown stay
+        return true;  // keep the digits that are not displayed
     }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {

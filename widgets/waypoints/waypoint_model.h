@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The waypoints of the project as a table. What is typed or dragged in it becomes an edit of the document.
+// Table model of the waypoints of the project. Editing and dragging change the document.
 
 #include <QAbstractTableModel>
 #include <QHash>
@@ -23,14 +23,14 @@ public:
     /// The names a frame column can hold: "—" (the joints rule), "Base" and the taught frames.
     QStringList frameChoices() const;
 
-    /// The waypoint shall be here: in its frame, or in Base where the joints rule. Its joints become those of the
-    /// nearest posture that gets there. A place out of reach is kept, marked, where the pose rules, and refused
-    /// where the joints do.
+    /// Sets the position of the waypoint: in its frame, or in Base with a joint target. Its joint positions become
+    /// the nearest solution. An unreachable position is kept and marked with a pose target, and refused with a
+    /// joint target.
     void setPose(int row, const Pose& pose);
 
-    /// The waypoint that the arm goes to next, to be seen as such; null for none.
+    /// Highlights the next waypoint of the route; null for none.
     void setComing(const QUuid& id);
-    /// Why the arm would be refused to go there from where it is, as a sentence; empty: nothing is in the way.
+    /// The reason why the arm may not move there from its position, as a sentence; empty: no limitation.
     void setPathLimit(const QUuid& id, const QString& limit);
     QString pathLimit(int row) const { return pathLimits_.value(waypointAt(row).id); }
 
@@ -49,7 +49,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// An edit was refused, and why.
+    /// An edit was refused, with the reason.
     void editRefused(const QString& reason);
 
 private:
@@ -64,8 +64,8 @@ private:
 
     ProjectDocument& document_;
     QUuid coming_;
-    QHash<QUuid, QString> pathLimits_;  ///< of those that have one
-    QVector<QUuid> orderBefore_;        ///< of the persistent indexes, while the order changes
+    QHash<QUuid, QString> pathLimits_;  ///< only non-empty texts
+    QVector<QUuid> orderBefore_;        ///< for the persistent indexes while the order changes
 };
 
 }  // namespace tiller

@@ -78,7 +78,7 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     blend_ = addFigure(*grid, QStringLiteral("blend"), tr("Blend"), format::lengthUnit(), 0, 1.0 / perUnit,
                        blendTick_);
 
-    // What the first one has; of several, what differs is for the ticks to say.
+    // The values of the first one; different values are indicated by the check boxes.
     const project::Waypoint& first = waypoints.front();
     group_->setCurrentText(first.group);
     colour_->setCurrentIndex(static_cast<int>(first.colour));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What one or several waypoints have besides their place: group, colour, note, kind of move, speeds, blend. Only what is
-// ticked is changed, so that many can be edited together.
+// Edits properties of one or several waypoints: group, colour, note, move type, speeds, blend. Only checked
+// properties are changed, so that many waypoints can be edited together.
 
 #include <QDialog>
 #include <vector>
@@ -23,15 +23,15 @@ class WaypointProperties : public QDialog {
     Q_OBJECT
 
 public:
-    /// groups     that there are, to choose from
+    /// groups     existing groups to select from
     /// waypoints  at least one
     WaypointProperties(const std::vector<project::Waypoint>& waypoints, const QStringList& groups,
                        double mostJointSpeed, QWidget* parent = nullptr);
 
-    /// As they are to be.
+    /// The edited waypoints.
     std::vector<project::Waypoint> changed() const;
 
-    /// "None", "Blue" ...; as many as there are colours.
+    /// "None", "Blue" ...; one per colour.
     static QStringList colourNames();
 
     void accept() override;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds waypoints by name, group or note: rows that do not match are hidden while the field is open. Return goes to the
-// next one, Esc closes it and shows all again. It lies over the lower edge of the list and moves no row by itself.
+// Finds waypoints by name, group or note: other rows are hidden while the field is open. Return selects the next
+// match, Esc closes the field and shows all rows. It is an overlay at the bottom of the list.
 
 #include <QFrame>
 
@@ -18,7 +18,7 @@ class WaypointSearch : public QFrame {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive it
+    /// document, table  must outlive the object
     WaypointSearch(ProjectDocument& document, WaypointTable& table, QWidget* parent = nullptr);
 
     void open();
@@ -26,7 +26,7 @@ public:
     bool matches(int row) const;
 
 Q_SIGNALS:
-    /// A row to be selected.
+    /// A row to select.
     void rowWanted(int row);
 
 protected:
@@ -40,7 +40,7 @@ private:
     WaypointTable& table_;
     QLineEdit* field_;
     QLabel* count_;
-    QString words_;  ///< lower case; empty: everything matches
+    QString words_;  ///< lower case; empty: no filter
     bool filtered_ = false;
 };
 

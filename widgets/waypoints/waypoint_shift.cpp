@@ -17,7 +17,7 @@ namespace tiller {
 namespace {
 
 enum ShiftKind { kOffset, kTurn, kMirror };
-constexpr int kToolAxes = 1;  ///< in the list of axes, behind the base
+constexpr int kToolAxes = 1;  ///< in the list of axes, after the base
 constexpr int kFirstFrameAxes = 2;
 
 }  // namespace
@@ -61,7 +61,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
         box->setAccessibleName(tr("Offset %1").arg(QLatin1String(kLetters[i]).toString().toUpper()));
         box->setRange(-most, most);
         box->setSuffix(QLatin1Char(' ') + format::lengthUnit());
-        box->setKeyboardTracking(true);  // what is told below is of what stands here, at every digit
+        box->setKeyboardTracking(true);  // the text below is updated for every digit
         grid->addWidget(box, 2, 1 + i);
         offset_[static_cast<std::size_t>(i)] = box;
         connect(box, &QDoubleSpinBox::valueChanged, this, &WaypointShift::refresh);

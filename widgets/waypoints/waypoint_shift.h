@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Asks how the selected waypoints are moved together: offset, turn or mirror image, in the axes of which frame.
+// Dialog for moving the selected waypoints together: offset, rotation or mirror image, and its frame.
 
 #include <QDialog>
 #include <array>
@@ -25,7 +25,7 @@ public:
                   QWidget* parent = nullptr);
 
     project::RelativeMove move() const;
-    /// As they are after the move; the error says why there is none.
+    /// The waypoints after the move, or the reason why it is not possible.
     Result<std::vector<project::Waypoint>> moved() const;
 
     void accept() override;

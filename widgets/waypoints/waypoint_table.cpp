@@ -11,7 +11,7 @@
 namespace tiller {
 namespace {
 
-/// Move and frame are chosen from a list, the rest is typed.
+/// Move and frame are selected from a list; other values are typed.
 class WaypointDelegate : public RowDelegate {
 public:
     explicit WaypointDelegate(WaypointModel& model, QObject* parent)
@@ -88,7 +88,7 @@ QList<int> WaypointTable::selectedRows() const {
 }
 
 void WaypointTable::resizeEvent(QResizeEvent* event) {
-    // Every column as wide as its longest usual text, the name as wide as the rest allows.
+    // Columns have the width of their longest usual text; the name column takes the rest.
     struct Width {
         int column;
         int wide;
@@ -98,7 +98,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
         {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
         {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 92, 90}};
-    // Titles are longer in some languages; what they take is not there for the rest.
+    // Titles are longer in some languages and reduce the remaining width.
     constexpr int kMargins = 12;
     const QFontMetrics metrics = horizontalHeader()->fontMetrics();
     const auto titleWidth = [&](int column) {
@@ -114,7 +114,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         setColumnWidth(width.column,
                        std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
-    // The name needs its room; what goes first can be seen elsewhere.
+    // The name needs a minimum width; hidden columns are displayed elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
     RowTable::resizeEvent(event);
@@ -132,7 +132,7 @@ void WaypointTable::dropEvent(QDropEvent* event) {
         before = event->position().y() < rect.center().y() ? over.row() : over.row() + 1;
     }
     model_.dropMimeData(event->mimeData(), Qt::MoveAction, before, 0, {});
-    // The model has moved the rows; a MoveAction would make the view delete them as well.
+    // The model has moved the rows; with MoveAction the view would delete them as well.
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }

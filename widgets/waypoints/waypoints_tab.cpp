@@ -58,7 +58,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, Mo
     buildLayout(std::move(port));
     buildActions();
 
-    // Figures that change sixty times a second cannot be read.
+    // Values that change sixty times per second are not legible.
     detailsTimer_.setSingleShot(true);
     detailsTimer_.setInterval(100);
     connect(&detailsTimer_, &QTimer::timeout, this, [this] {
@@ -241,7 +241,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointsTab::fitRoutes() {
-    // In a narrow panel "Record path" is left to the menu.
+    // In a narrow panel "Record path" is only in the menu.
     paths_->setVisible(true);
     paths_->setVisible(routes_->sizeHint().width() <= width());
     const int spare = height() - minimumSizeHint().height();
@@ -249,7 +249,7 @@ void WaypointsTab::fitRoutes() {
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
     details_->setFiguresShown(!instead);
-    // Below the headline, where the values were: the key that was just pressed keeps its position.
+    // Below the headline, in place of the values: the pressed button keeps its position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
     if (instead != below) {
@@ -261,17 +261,17 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // Also while Go through has the place of the figures: the panel stays as it is.
+    // Even while Go through replaces the values, so that the panel does not change.
     least.rheight() += details_->areFiguresShown() ? 0 : details_->figuresHeight();
     if (details_->isHidden()) {
-        // They come with the first waypoint; a low panel then moves no key from under the pointer.
+        // They appear with the first waypoint; this does not move buttons in a low panel.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
     return least;
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // However the question was answered.
+    // After any answer to the question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -317,7 +317,7 @@ void WaypointsTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view: it would let the modifiers of the shortcut under way extend the selection.
+        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, WaypointModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -327,7 +327,7 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    // While the arm goes through the waypoints, the one it goes to.
+    // While the arm moves through the waypoints, the next one.
     const int row =
         goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
@@ -430,16 +430,17 @@ void WaypointsTab::setGripper(GripperPort gripper) {
 }
 
 void WaypointsTab::followSpeed() {
-    goThrough_->stop(control::StopCause::SelectionChanged);  // under way it would take the new speed half way
+    goThrough_->stop(
+        control::StopCause::SelectionChanged);  // the current motion would otherwise change its speed
     showSpeed();
     goThrough_->showSpeed();
     Q_EMIT ghostChanged();
 }
 
-/// On the key: how fast the arm would go.
+/// Displays the speed of the arm on the button.
 void WaypointsTab::showSpeed() {
     if (goTo_->isHolding()) {
-        return;  // what is under way goes on as fast as it was begun
+        return;  // the current motion keeps its speed
     }
     const Result<MoveRequest> move =
         currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
@@ -468,7 +469,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // Everywhere in the window: the hand is on the jog pad while teaching.
+    // In the whole window: the focus may be on the jog pad while teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -507,7 +508,7 @@ void WaypointsTab::buildActions() {
     add(onSelected(addCommand("waypoint.action.history", tr("History…"), QKeySequence(Qt::ALT | Qt::Key_H),
                               [this] { dialogs_->history(); })));
     menu->addSeparator();
-    // What is used now and then stands behind a name, so that all of it fits on the smallest screen.
+    // Rarely used functions are in a menu, so that the buttons fit on the smallest screen.
     const auto addMenu = [menu](const char* name, const QString& text) {
         QMenu* part = menu->addMenu(text);
         part->setObjectName(QLatin1String(name));
@@ -537,7 +538,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Through the document, which reports what changed.
+        // Through the document, which reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -572,7 +573,7 @@ void WaypointsTab::teach() {
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
-        // A neighbour usually wants the same kind of move, frame and speed.
+        // Neighbouring waypoints usually have the same move type, frame and speed.
         point = document_.waypoints().at(row);
         point.extra = {};
         point.note.clear();
@@ -624,7 +625,7 @@ void WaypointsTab::touchUp() {
 }
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
-    // What was shown is what is kept, even if the arm has moved on since.
+    // The displayed position is used, even if the arm has moved since.
     const int row = document_.waypoints().indexOf(id);
     if (row >= 0) {
         document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));

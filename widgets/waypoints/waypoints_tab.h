@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Waypoints": teach, touch up, order and edit the places of a cell, and go to one while a key is
-// held. What it shows of a waypoint before the arm moves (ghost, marks) others draw.
+// The tab "Waypoints": teach, touch up, order and edit waypoints, and move to one while a button is held. The
+// preview of a waypoint (ghost, marks) is drawn by the view.
 
 #include <QTimer>
 #include <QUuid>
@@ -53,28 +53,28 @@ public:
     WaypointModel& model() { return *model_; }
     WaypointDialogs& dialogs() { return *dialogs_; }
 
-    /// Every action with its shortcut, for menus, the command palette and the help.
+    /// All actions with their shortcuts for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
 
-    /// Adds what concerns the whole project to the tab's own menu, behind "Project" at its end.
+    /// Adds actions of the whole project to the menu of the tab, in "Project" at its end.
     void addToMenu(const QList<QAction*>& actions);
 
-    /// What stands in the way to the selected waypoint, said beside the key; empty when nothing does.
+    /// The limitation of the path to the selected waypoint, shown next to the button; empty if none.
     void setWayLimit(const QString& text);
-    /// The speed that "Go to" keeps below, asked at each press; none unless told.
+    /// Returns the speed limit for "Go to", at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
-    /// What "Go through" opens and closes; none unless told.
+    /// The gripper used by "Go through"; initially none.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
-    /// While it is asked whether to touch up: where the waypoint would be; ghost() is where it is.
+    /// During the confirmation of a touch up: the new position of the waypoint; ghost() is the current one.
     const std::optional<Ghost>& touchUpGhost() const { return touchUpGhost_; }
     std::vector<WaypointMark> marks() const;
 
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
-    /// With room for the details, shown or not.
+    /// Including the details, whether visible or not.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -82,26 +82,26 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
-    /// Adds the live place after the selection.
+    /// Adds the current position after the selection.
     void teach();
-    /// Shows how far the live place is from the selected waypoint and asks before it replaces it.
+    /// Shows the distance of the current position from the selected waypoint and asks before replacing it.
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// The speed that "Go to" keeps below is another one.
+    /// The speed limit for "Go to" has changed.
     void followSpeed();
     void showNotice(const Notice& notice);
     /// Removes the notice with this cause.
     void resolveNotice(const QString& cause);
 
 Q_SIGNALS:
-    /// Another waypoint, or none (null), is selected.
+    /// The selection has changed; null: none.
     void selectionChanged(const QUuid& waypoint);
-    /// ghost() is another one, or touchUpGhost().
+    /// ghost() or touchUpGhost() has changed.
     void ghostChanged();
-    /// marks() are others.
+    /// marks() has changed.
     void marksChanged();
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
 
 private:
@@ -140,7 +140,7 @@ private:
     GoToButton* goTo_ = nullptr;
     GoThroughBar* goThrough_ = nullptr;
     PathControls* paths_ = nullptr;
-    FoldingRow* routes_ = nullptr;  ///< of these two
+    FoldingRow* routes_ = nullptr;  ///< owned by these two
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;

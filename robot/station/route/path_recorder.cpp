@@ -19,10 +19,10 @@
 namespace tiller {
 namespace {
 
-/// A hand that waits shall not make a waypoint for which the arm creeps [rad/s].
+/// A pause during teaching must not create a waypoint with a very low speed [rad/s].
 const double kSlowest = toRadians(2);
 
-/// What was recorded moves less than that: the arm stood [rad].
+/// Smaller changes are standstill [rad].
 constexpr double kNoPath = 0.005;
 
 double largestTurn(const JointPositions& a, const JointPositions& b) {
@@ -107,7 +107,7 @@ void PathRecorder::take(const SampleBatch& batch) {
     lost_ += batch.lost;
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        // A controller that was started anew counts from the beginning: what comes now is another motion.
+        // After a restart of the controller the time starts again: another motion.
         if (shown_.size() > 0 && robot.timestamp() <= shown_.times.back()) {
             if (robot.timestamp() < shown_.times.back() - 1) {
                 Q_EMIT ended();
@@ -170,7 +170,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
 void PathRecorder::thin(project::Demonstration shown, int afterRow) {
     busy_ = true;
     Q_EMIT changed();
-    // Some thousand places are looked at again and again: not here.
+    // In the worker, because the reduction evaluates thousands of positions repeatedly.
     worker_.post(this, [this, afterRow, shown = std::move(shown), dh = document_.robot().dh,
                         tcpOffset = tcpOffset_, tolerance = tolerance_](const CancelToken&) {
         const project::Demonstration moving = project::withoutPauses(shown);
@@ -260,7 +260,7 @@ Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows)
                                                  kinematics::forwardTcp(dh, q, point.tcpOffset)) /
                           point.toolSpeed;
             }
-            // Two of the same place are one after the other all the same.
+            // Two equal positions still need increasing times.
             time = places.back().time + std::max(seconds, kExportPeriod);
         }
         places.push_back({time, q});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Record path": what the arm does, led by hand or jogged, from the press on the key until the next one, kept as
-// waypoints that come within a stated tolerance of every place that was recorded. Recording moves nothing. The same
-// for a demonstration from a file, and the way back into one.
+// "Record path": records the motion of the arm, guided by hand or jogged, between two presses of the button, and
+// reduces it to waypoints within a stated tolerance. Recording does not move the arm. Also imports and exports
+// demonstrations.
 
 #include <QObject>
 #include <memory>
@@ -21,44 +21,44 @@ class PathRecorder : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     PathRecorder(RobotSession& session, ProjectDocument& document, QObject* parent = nullptr);
     ~PathRecorder() override;
 
     bool isRecording() const { return recording_; }
-    /// Of what is being recorded [s].
+    /// Duration of the current recording [s].
     double seconds() const;
-    /// While what was recorded or read is being thinned.
+    /// True while a recording or imported file is being reduced.
     bool isBusy() const { return busy_; }
 
     const project::PathTolerance& tolerance() const { return tolerance_; }
     void setTolerance(const project::PathTolerance& tolerance) { tolerance_ = tolerance; }
 
-    /// Does nothing, and says why by refused(), where no data come.
+    /// Without data, emits refused() with the reason.
     void start();
-    /// Keeps what was recorded, behind this row (-1: at the end).
+    /// Adds the recorded path after this row (-1: at the end).
     void stop(int afterRow);
-    /// Forgets it.
+    /// Discards the recording.
     void abandon();
-    /// Reads a demonstration and keeps it behind this row.
+    /// Imports a demonstration and adds it after this row.
     void importFrom(const QString& path, int afterRow);
-    /// The way along these rows as a demonstration: straight between them in joint space, at their own speeds.
-    /// Errors  InvalidArgument (fewer than two rows, one out of reach), FileNotWritable, DiskFull
+    /// Exports the path through these rows as a demonstration: linear in joint space, with their speeds.
+    /// Errors  InvalidArgument (fewer than two rows, an unreachable one), FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path, const QList<int>& rows) const;
 
-    /// What a recording that is not ended ends by itself [s].
+    /// Maximum duration of a recording [s].
     static constexpr double kLongest = 600;
-    /// Of the samples of an exported demonstration [s].
+    /// Sample period of an exported demonstration [s].
     static constexpr double kExportPeriod = 0.008;
 
 Q_SIGNALS:
-    /// isRecording(), seconds() or isBusy() is another one.
+    /// isRecording(), seconds() or isBusy() has changed.
     void changed();
-    /// It ended by itself: the data stopped, or it was too long. stop() has to be called to keep it.
+    /// The recording ended: no more data, or maximum duration. Call stop() to keep it.
     void ended();
-    /// A path was kept: what was recorded and what became of it, as a sentence.
+    /// A path was added: a sentence about the recording and the result.
     void kept(const QString& summary);
-    /// Nothing was kept: why.
+    /// No path was added, with the reason.
     void refused(const QString& reason, const QString& details);
 
 private:
@@ -76,7 +76,7 @@ private:
     bool busy_ = false;
     std::uint64_t lost_ = 0;
     int shownSecond_ = -1;
-    SerialExecutor worker_;  // last: its jobs use what stands above
+    SerialExecutor worker_;  // last member: its jobs use the members above
 };
 
 }  // namespace tiller

@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPathLookMs = 40;
-constexpr int kAtOnceMs = 4;             ///< longest time of one look
+constexpr int kAtOnceMs = 4;             ///< time limit per update
 constexpr double kSamePosition = 0.002;  ///< [rad] of the joint that moved most
 
 }  // namespace
@@ -25,14 +25,14 @@ PathWatch::PathWatch(const ProjectDocument& document, Permits permits, QObject* 
 }
 
 void PathWatch::setState(const SessionState& state) {
-    // Without data there is no position to go from, and no check.
+    // Without data there is no position and no check.
     const auto check = state.hasData() ? state.check : nullptr;
     if (check != lookedWith_ || (state.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePosition) {
         lookedWith_ = check;
         lookedFrom_ = state.q;
         isOutdated_ = true;
     }
-    // While the arm moves, the next look would be outdated as soon as it is done.
+    // While the arm moves, results would be outdated immediately.
     if (isOutdated_ && !state.moving) {
         isOutdated_ = false;
         lookAgain();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Whether the arm may go to each waypoint from where it is, a few waypoints at a time, so that no frame has to wait for
-// all of them.
+// Checks for each waypoint whether the arm may move to it from its current position, a few waypoints at a time, so
+// that no frame has to wait for all.
 
 #include <QObject>
 #include <QTimer>
@@ -43,8 +43,8 @@ private:
     JointPositions lookedFrom_;
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
     bool isOutdated_ = false;
-    int next_ = 0;  ///< the row looked at next
-    int left_ = 0;  ///< how many are still to be looked at
+    int next_ = 0;  ///< the next row
+    int left_ = 0;  ///< number of rows still to check
 };
 
 }  // namespace tiller

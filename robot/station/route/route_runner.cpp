@@ -13,14 +13,14 @@
 namespace tiller {
 namespace {
 
-/// Two blends may not overlap: each ends before the middle of the way [part of the way].
+/// Two blends must not overlap: each ends before the middle of the segment [fraction].
 constexpr double kBlendShare = 0.49;
-/// Less is no blend [m].
+/// Smaller blends are ignored [m].
 constexpr double kLeastBlend = 1e-4;
-/// So many ways are looked at closely to know how long all of them take.
+/// Number of segments examined in detail to estimate the total duration.
 constexpr int kLookedAt = 32;
 
-/// Where the arm is after the move.
+/// State of the arm after the move.
 SessionState after(const MoveRequest& move, SessionState state) {
     state.q = move.q;
     state.tcpPose = kinematics::forwardTcp(state.dh, move.q, state.tcpOffset);
@@ -47,7 +47,7 @@ RouteRunner::RouteRunner(const MotionPort& port, const ActionPort& actions, cons
           [this](const Error& error) { fail(error); }) {}
 
 QString RouteRunner::whyNot(const Error& error) {
-    // These are sentences already.
+    // These errors are already sentences.
     const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
     return said && error.controllerMessage.isEmpty() ? error.context : texts::errorText(error);
 }
@@ -76,7 +76,7 @@ HoldMotion RouteRunner::motion(Way way) {
         }
         return begin();
     };
-    // However it ends, nothing is being done any more.
+    // At any end, no action is active.
     motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
         const bool alive = hold(id);
         if (!alive) {
@@ -165,7 +165,7 @@ QString RouteRunner::obstacle(Way way) const {
         document_.waypoints().at(rowOf(0)).actions.empty()) {
         return tr("A loop needs at least two waypoints. Select more waypoints, or turn the loop off.");
     }
-    // What cannot be gone to its end is not begun.
+    // A route that cannot be completed is not started.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
@@ -183,7 +183,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// Which gripper there is may change at any time: asked at the press only.
+/// The gripper may change at any time: checked at each press.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -200,7 +200,7 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// What leads into a collision is not begun. Those that are not looked at are checked when their turn comes.
+/// A move into a collision is not started. Moves that are not examined now are checked when they start.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
     SessionState from = state_;
@@ -216,7 +216,7 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The places that are gone to without a stop between them.
+/// The waypoints reached without a stop in between.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
@@ -307,7 +307,7 @@ void RouteRunner::endActing() {
     acting_.reset();
 }
 
-/// The step that was under way has come to its end.
+/// The current step is complete.
 void RouteRunner::finishStep(Way way) {
     if (acting_) {
         done_.push_back(*acting_);
@@ -321,7 +321,7 @@ void RouteRunner::finishStep(Way way) {
     if (way == Way::StepBack) {
         route_.reach(place);
     } else {
-        route_.headOnTo(place);  // the end of a path may come before it is seen to head for its last place
+        route_.headOnTo(place);  // a path may end before its last target is reported
         if (!isActingAt(place)) {
             actingAt_ = route_.at(place);
             done_.clear();
@@ -330,10 +330,10 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// Of the coming one, where the arm has come; null when all is done there.
+/// The next action at the reached waypoint; null if all are complete.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
-    // They may have been edited since: then all are done anew.
+    // After an edit of the actions, all are executed again.
     if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
         done_.clear();
     }
@@ -411,7 +411,7 @@ HoldBounds RouteRunner::bounds(Way way) const {
     bounds.silenceNs = HoldBounds::silenceAt(linear, angular);
     // A loop has no end of its own.
     if (way != Way::Through || !route_.isLoop()) {
-        // Those that were not looked at may take twice as long as these.
+        // The remaining moves may take twice as long as the examined ones.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
             acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));

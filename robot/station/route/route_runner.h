@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Go through": the waypoints of a route one after the other while a key is held, each by its own kind of move, at its
-// own speed under the chosen one, and with its own blend. Let go is pause: the next press goes on to the coming
-// waypoint, and two more keys go one waypoint on or back. Waypoints with a blend are joined into one path that the
-// controller follows; where the arm stops anyway, or something is to be done, each way is a move of its own.
+// "Go through": moves through the waypoints of a route while a button is held, each with its move type, its speed
+// (limited by the selected one), and its blend. Releasing the button pauses: the next press continues to the next
+// waypoint, and two more buttons move one waypoint forward or back. Waypoints with a blend are combined into one
+// path of the controller; where the arm stops anyway or an action is executed, each segment is a separate move.
 //
-// What is to be done at a waypoint is done when the arm has come there, going on; going back does nothing. Let go
-// in the middle of it, the next press brings the arm back there, if it has been moved away, and begins the action
-// that was not ended anew.
+// Actions of a waypoint are executed on arrival in forward direction, not backwards. If the button is released
+// during an action, the next press moves the arm back to the waypoint if necessary, and restarts the incomplete
+// action.
 
 #include <QObject>
 #include <QVector>
@@ -31,40 +31,41 @@ class RouteRunner : public QObject {
 public:
     enum class Way { Through, StepOn, StepBack };
 
-    /// All must outlive it.
-    /// state      where the arm is now
-    /// heldSpeed  the speed that every move keeps below, asked at each
+    /// All arguments must outlive the object.
+    /// state      current position of the arm
+    /// heldSpeed  returns the speed limit, called for each move
     RouteRunner(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
-                const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
-                QObject* parent = nullptr);
+              const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
+              QObject* parent = nullptr);
     ~RouteRunner() override;
 
-    /// The way goes through these rows of the document, and begins anew.
+    /// Sets the waypoint rows to run and restarts the route.
     void setRows(const QVector<int>& rows);
-    /// After an edit of the document: the way goes through these rows now, and the coming one stays the coming one.
+    /// After an edit of the document: sets the rows and keeps the next waypoint.
     void followRows(const QVector<int>& rows);
     void setLoop(bool loop);
     const WaypointRoute& route() const { return route_; }
-    /// True from the first step on, until it begins anew.
+    /// True from the first step until a restart.
     bool isUnderWay() const { return route_.isUnderWay(); }
-    /// Row of the coming one; -1 behind the last.
+    /// Row of the next waypoint; -1 after the last.
     int comingRow() const;
-    /// What is being done at it now; null for none.
+    /// The action being executed; null for none.
     const project::WaypointAction* acting() const;
 
-    /// For the key of that way.
+    /// The motion for a button.
     HoldMotion motion(Way way);
-    /// Why it cannot go that way now, as a sentence; empty when it can. Of the route, not of the robot.
+    /// The reason why the route does not allow this direction, as a sentence; empty if it does. Independent of the
+    /// robot.
     QString obstacle(Way way) const;
-    /// The same for what was said when it could not begin or go on.
+    /// The text for an error at the start or during the motion.
     static QString whyNot(const Error& error);
-    /// What a press would begin with, or goes on with now.
+    /// The move that a press would start with, or the current one.
     Result<MoveRequest> firstMove(Way way) const;
 
 Q_SIGNALS:
-    /// Another waypoint is the coming one.
+    /// The next waypoint has changed.
     void routeChanged();
-    /// It ended before its end: a sentence that says why.
+    /// Emitted when the run aborts; `reason` is a translated sentence.
     void failed(const QString& reason);
 
 private:
@@ -87,7 +88,7 @@ private:
     control::MotionPath pathOf(const QVector<int>& leg, const std::vector<MoveRequest>& moves) const;
     HoldBounds bounds(Way way) const;
     void headFor(int place, Way way);
-    /// -1 when it has gone.
+    /// -1 if it was removed.
     int rowOf(int place) const;
     QVector<QUuid> idsOf(const QVector<int>& rows) const;
 
@@ -97,11 +98,11 @@ private:
     const SessionState& state_;
     const std::function<HeldSpeed()>& heldSpeed_;
     WaypointRoute route_;
-    QVector<int> rows_;              ///< of the route's places
-    QVector<int> leg_;               ///< the places of the way under way
-    int legs_ = 0;                   ///< begun since the press
-    QUuid actingAt_;                 ///< the coming one, once the arm has come there and not all is done
-    project::WaypointActions done_;  ///< there
+    QVector<int> rows_;              ///< of the waypoints of the route
+    QVector<int> leg_;               ///< the waypoints of the current segment
+    int legs_ = 0;                   ///< segments started since the press
+    QUuid actingAt_;                 ///< the reached waypoint, while its actions are incomplete
+    project::WaypointActions done_;  ///< completed actions
     std::optional<project::WaypointAction> acting_;
     HoldToRunSequence through_;
     HoldToRunSequence stepOn_;

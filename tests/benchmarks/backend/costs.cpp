@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What decoding a package and a control tick cost, in time and in instructions, and the share of a core that
-// receiving takes.
+// Time and instruction counts of decoding a package and of a control tick, and the CPU share of receiving.
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -59,7 +58,7 @@ const std::vector<std::string>& twentyFields() {
     return names;
 }
 
-/// One package of the recipe. A function of its own, so that callgrind can count it.
+/// Decodes one package of the recipe. A separate function, so that callgrind can count it.
 [[gnu::noinline]] bool oneDecode(const rtde::ValueLayout& layout, rtde::ByteView wire,
                                  std::span<double> values) {
     return rtde::decodeValues(layout, wire, values);
@@ -83,7 +82,7 @@ private:
     }
 };
 
-/// The robot's side of the loop is one line; it is part of what is measured.
+/// The robot's side of the loop is one line and is included in the measurement.
 struct Ticking {
     control::Mailbox mailbox;
     control::ControlLoop loop{mailbox, {}};
@@ -115,9 +114,9 @@ struct Ticking {
     }
 };
 
-/// A jog just above a floor: everything that slows it down is worked out in each tick.
+/// A jog just above a floor: all limits are evaluated in each tick.
 struct Jogging : Ticking {
-    /// boxes  around the arm, near it; below 0: no collision check at all
+    /// boxes  number of nearby boxes; negative: no collision check
     explicit Jogging(int boxes) {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         data.q = JointPositions(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
@@ -147,7 +146,7 @@ double nanoseconds(int times, const std::function<void(int)>& work) {
     return static_cast<double>(std::chrono::nanoseconds(SteadyTime::now() - begin).count()) / times;
 }
 
-/// By the processor's own counter; nothing where it is not for us, as in most virtual machines.
+/// From the performance counter of the CPU; empty if not accessible, as in most virtual machines.
 std::optional<double> instructions([[maybe_unused]] int times,
                                    [[maybe_unused]] const std::function<void(int)>& work) {
 #ifdef __linux__
@@ -176,7 +175,7 @@ std::optional<double> instructions([[maybe_unused]] int times,
     return {};
 }
 
-/// By callgrind, which runs this very program again.
+/// By callgrind, which runs this program again.
 std::optional<double> decodeInstructionsByCallgrind() {
     constexpr int kTimes = 1000;
     const QString valgrind = QStandardPaths::findExecutable(QStringLiteral("valgrind"));
@@ -196,7 +195,7 @@ std::optional<double> decodeInstructionsByCallgrind() {
                : std::nullopt;
 }
 
-/// Time the threads of this name have been running so far [s].
+/// Accumulated run time of the threads with this name [s].
 double cpuSeconds(const QByteArray& thread) {
     double seconds = 0;
     const QDir tasks(QStringLiteral("/proc/self/task"));
@@ -211,7 +210,7 @@ double cpuSeconds(const QByteArray& thread) {
     return seconds;
 }
 
-/// As many of the catalogue as fit into one request.
+/// As many fields of the catalogue as fit into one request.
 std::vector<std::string> allFields() {
     std::vector<std::string> names;
     std::size_t bytes = 0;

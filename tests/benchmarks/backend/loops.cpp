@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The circle with a timer and with the packet-locked loop, and the speed slider's round trip; with and
-// without real-time priority, idle and under load.
+// The circle with a timer and with the packet-locked loop, and the round trip of the speed slider; with and without
+// real-time priority, idle and under load.
 #include <QTextStream>
 #include <atomic>
 #include <chrono>
@@ -29,10 +29,10 @@ namespace {
 using namespace std::chrono_literals;
 using realtime::Histogram;
 
-constexpr std::int64_t kCycleLimitNs = 2'500'000;      // as in the paper
-constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // as in the paper
+constexpr std::int64_t kCycleLimitNs = 2'500'000;      // as in the publication
+constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // as in the publication
 
-/// As `stress` does: keeps every core busy at normal priority.
+/// Like `stress`: keeps all cores busy at normal priority.
 class Load {
 public:
     explicit Load(bool wanted) {
@@ -42,7 +42,7 @@ public:
                 realtime::nameThread("load");
 #ifdef __linux__
                 const sched_param normal{};
-                sched_setscheduler(0, SCHED_OTHER, &normal);  // whatever who started it has
+                sched_setscheduler(0, SCHED_OTHER, &normal);  // independent of the parent's priority
 #endif
                 volatile double x = 1;
                 while (!over_) {
@@ -67,7 +67,7 @@ private:
     std::vector<std::thread> threads_;
 };
 
-/// Equation (1) of the paper: a circle in the XY plane.
+/// Equation (1) of the publication: a circle in the XY plane.
 struct Circle {
     Pose centre;
     double radius = 0.05;
@@ -79,7 +79,7 @@ struct Circle {
         pose.position.y() += radius * std::sin(phase);
         return pose;
     }
-    /// How far a place is off the circle [mm].
+    /// Distance of a position from the circle [mm].
     double offMm(const Eigen::Vector3d& place) const {
         const Eigen::Vector2d middle = centre.position.head<2>() - Eigen::Vector2d(radius, 0);
         return 1000 * std::abs((place.head<2>() - middle).norm() - radius);
@@ -93,9 +93,9 @@ std::size_t cyclesIn(double seconds) {
 struct CircleResult {
     explicit CircleResult(double seconds) : cycles(2 * cyclesIn(seconds)) {}
     Spans cycles;
-    Histogram reaction;  ///< from the package a target was made with to the one it left with
+    Histogram reaction;  ///< from the package a target is based on to the package it is sent with
     double worstOffMm = 0;
-    std::uint64_t stale = 0;  ///< cycles whose packet did not come in time
+    std::uint64_t stale = 0;  ///< cycles without a packet in time
     Error error;
 };
 
@@ -117,7 +117,8 @@ void timerCircle(control::Controller& controller, double seconds, CircleResult& 
     std::int64_t previous = SteadyClock::shared().nowNs();
     double time = 0;
     const std::size_t cycles = cyclesIn(seconds);
-    std::int64_t usedNs = 0;  // the newest package when the target was made, and when it was handed over
+    std::int64_t usedNs =
+        0;  // the newest package when the target was computed, and the time it was passed on
     std::int64_t handedNs = 0;
     for (std::size_t i = 0; i < cycles; ++i) {
         usedNs = controller.status().dataTimeNs;
@@ -131,7 +132,7 @@ void timerCircle(control::Controller& controller, double seconds, CircleResult& 
         result.cycles.add(previous, now);
         previous = now;
         const auto status = controller.status();
-        // It left with the answer to the first package that came afterwards.
+        // Sent with the answer to the first later package.
         constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
         std::int64_t leftNs = status.dataTimeNs;
         while (leftNs - kPeriodNs > handedNs) {
@@ -175,11 +176,11 @@ double p999Ms(const Durations& durations) {
     return static_cast<double>(durations.percentileNs(99.9)) / 1e6;
 }
 
-// Which loop is the more even one, with nothing beside that measures: the machine watch and the timer that
-// does nothing cost each cycle in ten some 20 us, more than what is compared. In short turns, so that what
-// the machine does meets both.
+// Compares the regularity of the loops without concurrent measurements: the machine watch and the idle timer cost
+// one cycle in ten about 20 us, more than the difference. The loops alternate, so that load of the machine affects
+// both.
 void compareLoops(Report& report, control::Controller& controller, double seconds) {
-    constexpr double kTurn = 1 / Circle::kFrequency;  // where it ends, the next one begins
+    constexpr double kTurn = 1 / Circle::kFrequency;  // the next turn begins at the same point
     const int turns = std::max(1, static_cast<int>(seconds / kTurn));
     CircleResult timer(turns * kTurn);
     CircleResult packet(turns * kTurn);
@@ -217,7 +218,7 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     for (int i = 0; i < count; ++i) {
         const double wanted = i % 2 == 0 ? 0.5 : 1.0;
         const std::int64_t begin = SteadyClock::shared().nowNs();
-        // Sent without waiting for the outputs' own confirmation: what is measured is the way out and back.
+        // Sent without waiting for the confirmation of the outputs: the round trip is measured.
         (void)outputs.setSpeedSlider(wanted, Deadline::after(0ms));
         bool seen = false;
         while (!seen && SteadyClock::shared().nowNs() - begin < kNsPerSecond) {
@@ -232,14 +233,14 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
-/// Where the threads stay: the program's on one CPU, as ControllerOptions::cpus advises, the robot's, which
-/// is a computer of its own, on the others.
+/// CPUs of the threads: the program's on one CPU, as ControllerOptions::cpus recommends; the robot's, which is a
+/// separate computer, on the others.
 struct Places {
     std::vector<int> program;
     std::vector<int> robot;
 };
 
-/// The last of the CPUs this process may use, and all others; nothing when there is only one.
+/// The last CPU available to this process, and all others; empty if there is only one.
 Places places() {
     std::vector<int> cpus;
 #ifdef __linux__
@@ -276,7 +277,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     simulator::Simulator robot(options);
     const Places stay = condition.realtime ? places() : Places();
     Result<void> started;
-    std::thread starting([&] {  // what it starts stays where it is
+    std::thread starting([&] {  // threads started here inherit the CPUs
         if (!stay.robot.empty()) {
             (void)realtime::bindToCpus(stay.robot);
         }
@@ -304,7 +305,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     }
     const bool required = condition.realtime && condition.load;
     const Load load(condition.load);
-    std::thread worker([&] {  // of its own, so that its priority ends with it
+    std::thread worker([&] {  // a separate thread, so that its priority ends with it
         if (condition.realtime) {
             const auto granted = realtime::requestRealtime(80, stay.program, true);
             report.add(QStringLiteral("real-time priority refused"), granted.priority.granted ? 0 : 1,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The comparison of the ur_rtde paper (section IV), run again over real sockets against the simulated
-// controller on this machine, and the figures we hold the backend to: one table with pass or FAIL, or one
-// JSON object with --json. Exits with 1 when a figure is missed. What is judged are the cycles and round
-// trips during which the processors were there (machine_watch.h); those of all are in the table beside. Which
-// loop is the more even one is judged by the quieter half of all half seconds, in turns, without the watch.
-// Load ("stress") is made here: busy threads, one for each core and one more.
+// Repeats the comparison in section IV of the ur_rtde publication with real sockets and the simulated controller on
+// this machine, and checks the limits of the backend: one table with pass or FAIL, or one JSON object with --json.
+// Exits with 1 if a limit is exceeded. The limits apply to cycles and round trips during which the CPUs were
+// available (machine_watch.h); the values of all are in the table as well. The regularity of the loops is compared
+// by the quieter half of all half seconds, alternating, without the watch. The load ("stress") is generated here:
+// busy threads, one per core plus one.
 //
 //   sudo build/release/bin/benchmarks/backend_performance            everything, about twelve minutes
-//   build/release/bin/benchmarks/backend_performance --seconds 3 --round-trips 100      a quick look
+//   build/release/bin/benchmarks/backend_performance --seconds 3 --round-trips 100      a quick run
 //
-// Real-time priority takes root, or a line in limits.d; without it the rows that need it fail.
+// Real-time priority requires root, or a line in limits.d; rows that need it fail otherwise.
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -41,7 +41,7 @@ int main(int argc, char* argv[]) {
         return !parser.isSet("only") || parser.value("only") == QLatin1String(part);
     };
     Report report;
-    // This first: once memory is locked and priorities are given, all that follows would have them too.
+    // First: locked memory and priorities would affect it later.
     if (isWanted("costs")) {
         measureCosts(report);
     }

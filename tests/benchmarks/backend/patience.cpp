@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How exactly calls keep their deadline and their cancel against a robot that has gone mute, and how soon
-// connections and objects let go of it.
+// Accuracy of deadlines and cancels with a robot that does not respond, and the time until connections and objects
+// end.
 #include <QTextStream>
 #include <algorithm>
 #include <chrono>

@@ -38,7 +38,7 @@ bool RegisterClient::connect() {
         if (!digits.match(QString::fromLatin1(dashboard_->ask("get serial number").chopped(1))).hasMatch()) {
             return fail("serial number");
         }
-        // It spares the question on 127.0.0.1; here it is always asked, as of a robot on a network.
+        // It skips the query for 127.0.0.1; here it is always sent, as for a robot on a network.
         version();
         if (!dashboard_->ask("is in remote control").contains("true")) {
             return fail("remote control");
@@ -80,7 +80,7 @@ bool RegisterClient::connect() {
     return upload();
 }
 
-// As at the start and as `reuploadScript`.
+// As at the start and in `reuploadScript`.
 bool RegisterClient::upload(const QByteArray& path) {
     if (state_.runtime == kPlaying) {
         if (!stopScript()) {
@@ -120,8 +120,7 @@ void RegisterClient::step(int ticks) {
     }
 }
 
-// Values in the order of the recipe: the first integer is the command, the others are where the recipe has
-// them.
+// Values in the order of the recipe: the first integer is the command, the others follow in recipe order.
 bool RegisterClient::send(Recipe recipe, int id, const std::vector<double>& doubles,
                           const std::vector<int>& ints) {
     QByteArray package(1, recipe);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client that does what ur_rtde 1.5.8 does: the start-up in its order, its recipes with their trailing
-// commas, its register protocol, its reaction to stops. In virtual time: whatever it waits for, it waits for
-// by moving the controller on one period and reading one package.
-// Source: what ur_rtde 1.5.8 sends on the wire
+// A client with the behaviour of ur_rtde 1.5.8: its start-up sequence, its recipes with their trailing commas, its
+// register protocol, its reaction to stops. In virtual time: each wait advances the controller by one period and
+// reads one package.
+// Source: the network traffic of ur_rtde 1.5.8
 
 #include <array>
 #include <initializer_list>
@@ -50,21 +50,21 @@ public:
 
     RegisterClient(VirtualRobot& robot, int offset = 0) : SteppedClient(robot), offset_(offset) {}
 
-    /// The start-up, step by step; false, with `trouble` telling the step, where ur_rtde would give up.
+    /// The start-up, step by step; false, with the step in `trouble`, where ur_rtde would give up.
     bool connect();
     bool upload(const QByteArray& path = {});
 
-    /// Step by step as its command function: false where it returns false.
+    /// Follows its command function step by step: returns false where it returns false.
     bool command(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                  std::initializer_list<int> ints = {});
-    /// Of those it does not wait for.
+    /// A command without waiting.
     bool realtime(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                   std::initializer_list<int> ints = {}) {
         return waitReady() && send(recipe, id, doubles, ints);
     }
     bool send(Recipe recipe, int id, const std::vector<double>& doubles, const std::vector<int>& ints);
     bool clear() { return send(kNothing, 0, {}, {}); }
-    /// Moves on one control period.
+    /// Advances by control periods.
     void step(int ticks = 1) override;
     /// Ends the script as its path and custom-script functions do.
     bool stopScript();

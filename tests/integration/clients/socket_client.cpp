@@ -38,8 +38,8 @@ Six sixAt(const QByteArray& bytes, qsizetype at) {
     return six;
 }
 
-/// All that was written has arrived in the other end's buffer: script time-outs then do not depend on how
-/// busy this machine is.
+/// All written data have arrived in the other end's buffer, so that script timeouts do not depend on the load of
+/// this machine.
 void waitArrived([[maybe_unused]] QTcpSocket& socket) {
 #ifdef __linux__
     int unacknowledged = 1;
@@ -85,7 +85,7 @@ bool SocketClient::connect(const QByteArray& ending) {
     ports.trajectory = trajectory_.server.serverPort();
     ports.command = command_.server.serverPort();
     sendScript("stop program\n" + socketScript(ports, ending) + "\n");
-    // The library gives it half a second.
+    // The library waits half a second.
     if (!until([this] { return isReverseConnected(); }, 0.5)) {
         return fail("the script does not connect back");
     }
@@ -104,7 +104,7 @@ bool SocketClient::connectRtde() {
     if (!rtde_->start()) {
         return fail("start");
     }
-    // It reads until it believes that the controller has booted; only data may come.
+    // It reads until it considers the controller booted; only data may arrive.
     int packages = 0;
     do {
         robot_.controller.step();
@@ -292,7 +292,7 @@ void SocketClient::readPackage(const QByteArray& package) {
     }
 }
 
-// Sizes must be right to the last byte.
+// Sizes must match exactly.
 void SocketClient::readState(const QByteArray& package) {
     qsizetype at = 5;
     while (at + 5 <= package.size()) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client that does what Universal Robots' C++ client library 2.14 does: RTDE with its recipes and its pause
-// in between, the primary interface read package by package, a script sent behind "stop program", and three
-// servers to which that script connects. In virtual time, period by period.
-// Source: what client library 2.14 sends on the wire
+// A client with the behaviour of Universal Robots' C++ client library 2.14: RTDE with its recipes and its pause in
+// between, the primary interface read package by package, a script sent after "stop program", and three servers to
+// which the script connects. In virtual time, period by period.
+// Source: the network traffic of client library 2.14
 
 #include <QTcpServer>
 #include <array>
@@ -17,12 +17,12 @@
 
 namespace tiller::test {
 
-/// What the primary interface told.
+/// Messages of the primary interface.
 struct PrimaryNews {
     bool version = false;
     bool configuration = false;
     bool kinematics = false;
-    bool running = false;  ///< robot mode data: a program runs
+    bool running = false;  ///< robot mode data: a program is running
     bool paused = false;
     bool protectiveStopped = false;
     int robotMode = -1;
@@ -32,7 +32,7 @@ struct PrimaryNews {
     std::vector<qint32> errorCodes;
     std::vector<int> errorLevels;
     std::vector<int> safetyModes;
-    QByteArray malformed;  ///< the first package that is not what the protocol says
+    QByteArray malformed;  ///< the first package that violates the protocol
 };
 
 class SocketClient : public SteppedClient {
@@ -49,7 +49,7 @@ public:
         kToolContact,
         kTorque
     };
-    /// One package of RTDE's, as far as the tests look.
+    /// One RTDE package, as far as needed by the tests.
     struct Data {
         double timestamp = 0;
         Six actualQ{};
@@ -64,13 +64,13 @@ public:
 
     explicit SocketClient(VirtualRobot& robot) : SteppedClient(robot) {}
 
-    /// RTDE, primary, the three servers, the script; false, with `trouble` telling the step, where the
+    /// Connects RTDE, primary, the three servers and the script; false, with the step in `trouble`, where the
     /// library would throw.
     bool connect(const QByteArray& ending = {});
-    /// Sends a whole program on the primary socket.
+    /// Sends a complete program on the primary socket.
     void sendScript(const QByteArray& text);
 
-    /// Eight integers on the reverse socket: time-out [ms], six values times a million, mode.
+    /// Eight integers on the reverse socket: timeout [ms], six values times a million, mode.
     bool write(const Six& values, Mode mode, int timeoutMs = 200);
     bool writeRaw(const std::array<qint32, 6>& values, Mode mode, int timeoutMs = 200);
     /// 21 integers on the trajectory socket.
@@ -79,13 +79,13 @@ public:
         Six second{};                   ///< via, velocities, near joints
         std::array<double, 6> third{};  ///< accelerations, or velocity, acceleration, flag
         double duration = 0;
-        double blend = 0;  ///< [m]; of a spline 1 cubic, 2 quintic
+        double blend = 0;  ///< [m]; for a spline 1 cubic, 2 quintic
         int type = 0;
     };
     bool writePoint(const Point& point);
-    /// A trajectory of these points: announces them, sends them.
+    /// Announces and sends a trajectory with these points.
     bool startTrajectory(const std::vector<Point>& points);
-    /// The result the script sends, if it comes in time: 0 success, 1 canceled, 2 failure.
+    /// The result sent by the script, if in time: 0 success, 1 canceled, 2 failure.
     std::optional<int> trajectoryResult(double seconds);
     /// 28 integers on the command socket; values are scaled unless `raw`.
     bool writeCommand(int command, const std::vector<double>& values, bool rawFirst = false);
@@ -119,7 +119,7 @@ private:
     Server reverse_;
     Server trajectory_;
     Server command_;
-    std::vector<int> order_;  // in which the script connected
+    std::vector<int> order_;  // order in which the script connected
     Data data_;
     PrimaryNews news_;
 };

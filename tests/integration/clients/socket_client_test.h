@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the tests of the socket client share: for each test function a robot, and a client whose script runs.
+// Common parts of the tests of the socket client: for each test function a robot, and a client with its script
+// running.
 
 #include <QTest>
 #include <cmath>

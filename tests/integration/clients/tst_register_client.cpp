@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A client with ur_rtde's start-up and register protocol, and a control script with its features, against the
+// A client with ur_rtde's start-up and register protocol, and a control script with its features, with the
 // simulated controller.
 
 #include <QTest>
@@ -81,7 +81,7 @@ private Q_SLOTS:
     void cleanup() {
         client_->disconnect();
         client_.reset();
-        // Whoever comes next finds an arm at the start.
+        // Move the arm to the start for the next client.
         RawPrimary script = robot_.primary();
         script.send(
             "def home():\n  end_freedrive_mode()\n  set_tcp(p[0,0,0,0,0,0])\n  set_payload(0,[0,0,0])\n"
@@ -98,11 +98,11 @@ private Q_SLOTS:
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // As for a path: no pause, no dashboard.
+        // As for a path: without pause and dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
-        // And as `reuploadScript` while it runs.
+        // As `reuploadScript` while it is running.
         QVERIFY2(client_->upload(), client_->trouble);
         QVERIFY(six(Client::kSix, 43, {}));
     }
@@ -126,7 +126,7 @@ private Q_SLOTS:
     }
 
     void movesReachTheirTargets() {
-        // The pose it is at: done at once.
+        // The current pose: complete immediately.
         QVERIFY2(six(Client::kMove, 3, poseNow(), {0.25, 1.2}, {0}), client_->trouble);
         Six q = jointsNow();
         q[0] += 0.3;
@@ -160,7 +160,7 @@ private Q_SLOTS:
         client_->step(10);
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
         QVERIFY(largest(robot_.controller.truth().q, q) > 0.5);
-        // A second one, to its end.
+        // A second move, to its end.
         QVERIFY(six(Client::kMove, 1, q, {1.0, 1.4}, {1}));
         QVERIFY(client_->until(running, 1));
         QVERIFY(client_->state().ints[2] >> 24 != operation);
@@ -195,8 +195,8 @@ private Q_SLOTS:
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
     }
 
-    // The command is answered as an ordinary one but the client does not wait: the next one finds no "ready"
-    // within its three seconds, gives up, clears; the one after that works.
+    // The command is answered like an ordinary one but the client does not wait: the next command does not find
+    // "ready" within its three seconds, gives up and clears; the one after it works.
     void servoCircularIsTheHazardItIsForTheRealClient() {
         Six pose = poseNow();
         pose[2] += 0.05;
@@ -299,7 +299,7 @@ private Q_SLOTS:
         QCOMPARE(client_->state().ints[1], 1);
         QVERIFY(client_->command(Client::kNothing, 54));
         QCOMPARE(client_->state().ints[1], 0);
-        // Those it does not wait for are read a little later.
+        // Commands without waiting are read a little later.
         QVERIFY(client_->realtime(Client::kNothing, 26));
         client_->step(3);
         QCOMPARE(results()[0], kDt);
@@ -331,7 +331,7 @@ private Q_SLOTS:
         QCOMPARE(doubleAt(data, 1 + 48), 1.5);
         QCOMPARE(doubleAt(data, 1 + 72), 0.03);
         QCOMPARE(doubleAt(data, 1 + 88), 4.91);
-        // A centre of gravity of zero means: keep it.
+        // A centre of gravity of zero means: unchanged.
         QVERIFY(client_->command(Client::kFour, 17, {2.0, 0, 0, 0}));
         client_->step();
         QByteArray last = data;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A client with the start-up, sockets and expectations of Universal Robots' C++ client library, and a control
-// script with its features, against the simulated controller: streams, commands, scripts and their messages.
+// script with its features, with the simulated controller: streams, commands, scripts and their messages.
 
 #include <QTest>
 #include <cmath>
@@ -19,7 +19,7 @@ private Q_SLOTS:
         QVERIFY(keepIdle(20));
         QVERIFY(client_->writeRaw({}, Client::kStopped, 100));
         QVERIFY(client_->until([this] { return !client_->isReverseConnected(); }, 1));
-        QCOMPARE(client_->data().runtime, 2U);  // the statements behind the loop
+        QCOMPARE(client_->data().runtime, 2U);  // the statements after the loop
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 1));
         QVERIFY(client_->until([this] { return client_->news().keys.size() >= 2; }, 1));
         QCOMPARE(client_->news().keys.back(), QByteArray("PROGRAM_XXX_STOPPED socket_control"));
@@ -50,7 +50,7 @@ private Q_SLOTS:
             client_->step();
         }
         QVERIFY(largest(client_->data().actualQ, before) < 1e-3);
-        // Poses, solved near the last setpoint.
+        // Poses, with the solution near the last set point.
         Six goal = pose();
         for (int n = 0; n < 250; ++n) {
             goal[2] += 0.0001;
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(client_->data().payload, 1.5);
         QVERIFY(client_->writeCommand(12, {2.5, 0, 0, 0.05, 0.01, 0.01, 0.01, 0, 0, 0, 0.1}));
         QVERIFY(servo(25));
-        QVERIFY(client_->data().payload > 1.6 && client_->data().payload < 2.4);  // on the way
+        QVERIFY(client_->data().payload > 1.6 && client_->data().payload < 2.4);  // during the transition
         QVERIFY(servo(50));
         QCOMPARE(client_->data().payload, 2.5);
         QVERIFY(client_->writeCommand(2, {24}));
@@ -202,7 +202,7 @@ private Q_SLOTS:
             client_->sendScript(text + '\n');
             return client_->until([this] { return client_->news().keys.size() >= 3; }, 20);
         };
-        // It replaces the control script: STOPPED of that one, STARTED, STOPPED.
+        // It replaces the control script: STOPPED of the first one, STARTED, STOPPED.
         QVERIFY(run("def short():\n  movej([-1.6,-1.72,-2.2,-0.8,1.59,-0.03])\nend"));
         QCOMPARE(client_->news().keys[1], QByteArray("PROGRAM_XXX_STARTED short"));
         QCOMPARE(client_->news().keys[2], QByteArray("PROGRAM_XXX_STOPPED short"));
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
-        // A line towards a far point moves until the end of reach, where the robot stops it.
+        // A line to a distant point moves until the end of the reach.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
         constexpr double kHangs = 60;  // [s]
         QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, kHangs));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Every call of the backend that takes a deadline, on a peer that has fallen silent: what the test of
-// deadlines and the benchmark of their exactness go through.
+// All backend calls with a deadline, with a peer that does not respond, for the test of deadlines and the benchmark
+// of their accuracy.
 
 #include <vector>
 
@@ -26,15 +26,16 @@
 
 namespace tiller::test {
 
-/// A robot under control that has just hung, and servers that take clients and say nothing.
+/// A robot in control that has just hung, and servers that accept clients and send nothing.
 struct MuteWorld {
-    Cell cell{[](simulator::SimulatorOptions& options) { options.software = {5, 25, 1, 0}; }};  // has it all
+    // software with all functions
+    Cell cell{[](simulator::SimulatorOptions& options) { options.software = {5, 25, 1, 0}; }};
     RawPeer mute{[](RawPeer::Link& link) { link.beMute(); }};
     RawPeer greets{[](RawPeer::Link& link) {
         link.send("Connected: Universal Robots Dashboard Server\n");
         link.beMute();
     }};
-    /// Takes what fits into the buffers of the system.
+    /// Reads until the buffers of the system are full.
     RawPeer deaf{[](RawPeer::Link& link) {
         while (!link.isOver()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -47,7 +48,7 @@ struct MuteWorld {
         if (const auto taken = cell.takeControl(); !taken) {
             return taken;
         }
-        cell.robot.silence(true);  // from here on nobody steps, and no packet comes
+        cell.robot.silence(true);  // from here on there are no steps and no packets
         return {};
     }
     control::Controller& controller() { return *cell.controller; }
@@ -219,7 +220,7 @@ inline std::vector<BlockingCall> blockingCalls() {
         options.host = w.host();
         options.port = w.mute.port();
         const auto client = std::make_shared<script::PrimaryClient>(options);
-        w.kept.push_back(client);  // what its end takes is not what the call takes
+        w.kept.push_back(client);  // its destruction is not part of the call
         client->start();
         return client->waitForState(d).error();
     });

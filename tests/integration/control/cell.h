@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated robot and a controller on one virtual clock: real sockets and real threads, no real time. Each
-// step is one control period; the controller's answer has arrived before the next one begins.
+// A simulated robot and a controller on one virtual clock: real sockets and real threads, no real time. Each step
+// is one control period; the controller's answer has arrived before the next step begins.
 
 #include <QTest>
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace tiller::test {
 
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
 
-/// Stands still until told to go on; and can pretend that it does not.
+/// A manually advanced clock that can pretend to run by itself.
 class CellClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
@@ -28,7 +28,7 @@ public:
         }
         return clock_.nowNs();
     }
-    /// From now on the looks of this thread are counted.
+    /// From now on, the accesses of this thread are counted.
     void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
@@ -38,12 +38,12 @@ public:
         longestNs_ = std::max(longestNs_.load(), left);
         awakeNs_ = awakeNs;
     }
-    /// What it has been asked to wait.
+    /// The shortest requested wait.
     std::int64_t shortestNs() const { return shortestNs_; }
     std::int64_t longestNs() const { return longestNs_; }
     std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// What is done at due times is done then; nobody waits for them all the same.
+    /// Makes timed actions happen at their time, although no thread waits for them.
     void pretendToRun() { pretending_ = true; }
 
 private:
@@ -51,7 +51,7 @@ private:
     std::atomic<bool> pretending_{false};
     std::atomic<std::thread::id> counted_{};
     mutable std::atomic<std::uint64_t> asked_{0};
-    mutable std::atomic<std::int64_t> shortestNs_{kNsPerSecond};  // one thread waits
+    mutable std::atomic<std::int64_t> shortestNs_{kNsPerSecond};  // waits happen in one thread
     mutable std::atomic<std::int64_t> longestNs_{0};
     mutable std::atomic<std::int64_t> awakeNs_{0};
 };
@@ -78,7 +78,7 @@ public:
 
     control::Motions motions() { return control::Motions(*controller); }
 
-    /// Takes control while time goes on.
+    /// Takes control while time advances.
     Result<void> takeControl() {
         Result<void> result;
         std::atomic<bool> done{false};
@@ -90,8 +90,8 @@ public:
         while (!done) {
             const std::uint64_t inputs = robot.inputPackages();
             tick();
-            // A program that hears nothing for 5 s leaves, and the robot drops a client that does not read, even
-            // if it is only a thread that is late: time goes no faster than real time, and waits once it answers.
+            // A program without a heartbeat ends after 5 s, and the robot disconnects a client that does not read,
+            // even if only a thread is late: time advances no faster than real time, and stops when it answers.
             const bool answers = inputs > before || robot.truth().runtimeState == RuntimeState::Playing;
             robot.waitForInputPackages(inputs + 1,
                                        Deadline::after(std::chrono::milliseconds(answers ? 20 : 2)));
@@ -101,7 +101,7 @@ public:
         return result;
     }
 
-    /// Runs something that waits for the robot while time goes on.
+    /// Runs a function that waits for the robot while time advances.
     template <class Call>
     auto during(Call call) {
         std::optional<decltype(call())> result;
@@ -122,7 +122,7 @@ public:
         return *result;
     }
 
-    /// Releases while time goes on.
+    /// Releases control while time advances.
     void release() {
         std::atomic<bool> done{false};
         std::thread releasing([&] {
@@ -137,7 +137,7 @@ public:
         releasing.join();
     }
 
-    /// Time goes on by so many control periods of 2 ms; false when the controller stopped answering.
+    /// Advances time by control periods of 2 ms; false if the controller stopped answering.
     bool step(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
             const Answers before = answers();
@@ -151,7 +151,7 @@ public:
         }
         return true;
     }
-    /// What has been answered so far.
+    /// The answers so far.
     struct Answers {
         bool inControl = false;
         double time = 0;  ///< ControllerStatus::answeredTime
@@ -161,9 +161,9 @@ public:
         const auto status = controller ? controller->status() : control::ControllerStatus();
         return {status.inControl, status.answeredTime, robot.inputPackages()};
     }
-    /// Until newer data than those have their answer, and it has come in; false after 20 s. A package more is
-    /// no answer yet where the controller sends of its own accord too: a stop, a set point between two
-    /// packages. Who took one for the answer would be a package ahead from then on.
+    /// Waits until data newer than these were answered, and the answer has arrived; false after 20 s. Another
+    /// package is not necessarily the answer, because the controller also sends without a package: a stop, a set
+    /// point between two packages. Mistaking one for the answer would put the test one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (before.inControl && controller->status().answeredTime == before.time) {
@@ -175,7 +175,7 @@ public:
         return robot.waitForInputPackages(before.inputs + 1, deadline);
     }
     bool stepMs(int ms) { return step(ms / 2); }
-    /// Time goes on for the robot and by the clock, whatever the controller does.
+    /// Advances robot and clock independent of the controller.
     void stepAlone(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
             tick();
@@ -184,8 +184,8 @@ public:
             }
         }
     }
-    /// Until no program runs. One that was not told to end, because release() lost patience first, leaves
-    /// when it has heard nothing for 5 s. False when it stays.
+    /// Waits until no program is running. A program that was not ended, because release() timed out first, ends
+    /// after 5 s without a heartbeat. False if it continues.
     bool programEnds() {
         constexpr double kPatience = 6;  // [s] of robot time
         for (int ticks = static_cast<int>(kPatience / robot.stepTime());
@@ -194,7 +194,7 @@ public:
         }
         return robot.truth().runtimeState == RuntimeState::Stopped;
     }
-    /// Holds a jog for some time, refreshing it every 20 ms.
+    /// Holds a jog for this time, refreshing it every 20 ms.
     bool hold(const control::Jog& jog, int ms) {
         for (int t = 0; t < ms; t += 2) {
             if (t % 20 == 0 && !jog.refresh()) {
@@ -217,7 +217,7 @@ public:
         }
         return false;
     }
-    /// Ticks until the arm stands, at most so many ms; -1 when it does not.
+    /// Control periods until standstill, at most this number of ms; -1 if there is none.
     int ticksToStandstill(int atMostMs) {
         for (int ticks = 0; ticks * 2 <= atMostMs; ++ticks) {
             if (isStanding()) {
@@ -255,7 +255,7 @@ private:
         clock.advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9 + 0.5));
         robot.step();
     }
-    // Until the answers to all that was sent before have come in.
+    // Waits for the answers to everything sent before.
     void settle() {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (controller->status().inControl &&

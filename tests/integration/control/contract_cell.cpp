@@ -11,9 +11,9 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr double kSpeed = 0.1;         ///< of the tool, the jog contract's [m/s]
+constexpr double kSpeed = 0.1;         ///< of the tool [m/s], as in the jog contract
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
-constexpr double kTurn = 0.3;          ///< of a joint: about the same at the tool [rad/s]
+constexpr double kTurn = 0.3;          ///< of a joint: about the same speed at the tool [rad/s]
 
 Deadline patience() {
     return Deadline::after(std::chrono::seconds(30));
@@ -45,10 +45,10 @@ JointPositions turned(const ContractCell& cell, double by) {
     return q;
 }
 
-/// What leads the base to about kTurn, and holds it there [Nm].
+/// Torque that accelerates the base to about kTurn and keeps this speed [Nm].
 double turningTorque(const ContractCell& cell) {
     constexpr double kGain = 40;            // [Nm s/rad]
-    constexpr double kAimed = 1.2 * kTurn;  // friction takes the rest
+    constexpr double kAimed = 1.2 * kTurn;  // compensates friction
     return kGain * (kAimed - cell.robot.truth().qd[0]);
 }
 
@@ -63,7 +63,7 @@ Error take(ContractCell& cell, const Result<Motion>& motion) {
     return motion ? Error() : motion.error();
 }
 
-/// Keeps a stream fed, from a copy of its handle.
+/// Keeps a stream active, with a copy of its handle.
 template <class Stream, class Next>
 Error stream(ContractCell& cell, const Result<Stream>& started, Next next) {
     if (!started) {
@@ -108,7 +108,7 @@ Error push(ContractCell& cell) {
 }  // namespace
 
 const std::vector<ContractMotion>& contractMotions() {
-    // By now the arm's own place is known; each goes a way that leads nowhere near a limit.
+    // The position of the arm is known here; each motion stays away from all limits.
     static const std::vector<ContractMotion> kMotions{
         {"jog", nullptr, false, false, kSpeed, [](ContractCell& c) { return beginJog(c, up()); }, holdJog},
         {"jog a joint", nullptr, false, false, 0.08, [](ContractCell& c) { return beginJog(c, turning()); },
@@ -243,7 +243,7 @@ void play(ContractCell& cell) {
     cell.say("run program");
 }
 
-/// A pause that the process does not live to see the end of.
+/// A pause at the end of which the process no longer exists.
 ContractEvent lostInPause(const char* name, double seconds) {
     return {name,
             kLostMs,
@@ -266,7 +266,7 @@ const std::vector<ContractEvent>& contractEvents() {
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
-             // A stop waits for no data, or bunched ones would make it late here and nowhere else.
+             // A stop does not wait for data, or bunched data would delay it in this case only.
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);
@@ -325,7 +325,7 @@ const std::vector<ContractEvent>& contractEvents() {
              c.inject("silence on");
          },
          {[](ContractCell& c) {
-             c.inject("half-open");  // back, and nothing of before is known
+             c.inject("half-open");  // reconnected, with the previous connection forgotten
              c.inject("silence off");
          }}},
         {"debugger pause",
@@ -411,7 +411,7 @@ ContractCell::ContractCell(const simulator::Assumptions& assumptions, double sli
 
 ContractCell::~ContractCell() {
     clock.freeze(false);
-    robot.stop();  // first: nobody then waits for it
+    robot.stop();  // first, so that nothing waits for it
     controller.reset();
 }
 
@@ -425,11 +425,11 @@ void ContractCell::step(int patienceMs) {
         held_->hold(*this);
     }
     if (reachable && robot.truth().runtimeState == RuntimeState::Paused) {
-        // The controller stops a paused program on another connection, in its own time.
+        // The controller stops a paused program on another connection, at its own pace.
         std::this_thread::sleep_for(milliseconds(1));
     }
     if (reachable) {
-        // Each package is answered before time goes on.
+        // Each package is answered before time advances.
         robot.stepAnswered(Deadline::after(milliseconds(patienceMs)));
     } else {
         robot.step();
@@ -437,7 +437,7 @@ void ContractCell::step(int patienceMs) {
 }
 
 bool ContractCell::takeControl(QString& why) {
-    constexpr int kShort = 2;  // until the control thread runs, nobody answers
+    constexpr int kShort = 2;  // there are no answers until the control thread is running
     const auto taken =
         during([this] { return controller->takeControl(Deadline::after(std::chrono::seconds(30))); }, kShort);
     why = taken ? QString() : taken.error().toString();
@@ -470,7 +470,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     double waited = 0;
     while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
         step();
-        // Not before: who is pushed when freedrive begins gets a protective stop.
+        // Not earlier: an external force at the start of freedrive causes a protective stop.
         if (what.byHand && waited <= 60 && waited + stepTimeMs() > 60) {
             robot.pressHand({{0, 0, 12}, {0, 0, 0}});
         }
@@ -510,7 +510,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
                 std::max(outcome.resumedMm, (now.tcpPose.position - rest.tcpPose.position).norm() * 1000);
         }
     }
-    constexpr double kNothing = 0.3;  // [mm]: a step or two of what was left, and the noise
+    constexpr double kNothing = 0.3;  // [mm]: a step or two of the remaining motion, and the noise
     if (outcome.resumedMm > kNothing && outcome.problem.isEmpty()) {
         outcome.problem = QStringLiteral("it resumed by %1 mm").arg(outcome.resumedMm, 0, 'f', 2);
     }

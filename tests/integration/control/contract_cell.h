@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One cell of the stop contract: a motion of the native library, something that must end it, and what the arm
-// does then. In virtual time: the robot is stepped, and the controller answers what it was sent before the
-// next step, unless the event keeps it from doing so.
+// One case of the stop contract: a motion of the native library, an event that must end it, and the reaction of the
+// arm. In virtual time: the robot is stepped, and the controller answers before the next step unless the event
+// prevents it.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -25,8 +25,8 @@
 
 namespace tiller::test {
 
-/// Stands still until told to go on. Frozen, nobody but the test gets the time: what asks for it stops there,
-/// as a process does that a debugger or SIGSTOP holds.
+/// A manually advanced clock. While frozen, all threads but the test's block when reading the time, like a process
+/// stopped by a debugger or SIGSTOP.
 class FreezingClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
@@ -39,7 +39,7 @@ public:
     bool runsByItself() const override { return pretending_; }
     void waitUntil(std::int64_t, std::int64_t) const override {}
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// What is sent at once where time goes on, and otherwise with the next data, is sent at once.
+    /// Makes data that are otherwise sent with the next package be sent immediately.
     void pretendToRun(bool pretending) { pretending_ = pretending; }
     void freeze(bool frozen) {
         {
@@ -64,19 +64,19 @@ private:
 
 class ContractCell;
 
-/// A way of moving: begun once, held for as long as it lasts, and never begun again.
+/// A type of motion: started once, held for its duration, and never restarted.
 struct ContractMotion {
     const char* name;
-    /// Builtin it cannot do without, if that may be missing.
+    /// required builtin function that may be missing
     const char* needs;
-    bool byHand;  ///< a hand pushes the arm
-    bool isLong;  ///< it begins with a program that has to be sent first
-    double fast;  ///< TCP speed it reaches [m/s], at a slider of 100 %
+    bool byHand;  ///< an external force moves the arm
+    bool isLong;  ///< starts with sending a program
+    double fast;  ///< resulting TCP speed [m/s] with the speed slider at 100 %
     std::function<Error(ContractCell&)> begin;
     std::function<void(ContractCell&)> hold;
-    bool yields = false;  ///< force mode or freedrive is on
+    bool yields = false;  ///< force mode or freedrive is active
     SoftwareVersion
-        since{};  ///< the first software that has it, where that is newer than the simulator's own
+        since{};  ///< the first software version with this motion, if newer than the simulator's default
 };
 
 const std::vector<ContractMotion>& contractMotions();
@@ -85,24 +85,24 @@ struct ContractEvent {
     const char* name;
     double limitMs;  ///< to standstill
     std::function<void(ContractCell&)> happen;
-    /// What may be done after it, in order, each with some time: none of it may move the arm.
+    /// Actions after the event, in order, each with some time: none may move the arm.
     std::vector<std::function<void(ContractCell&)>> after;
-    bool robotBrakes = false;  ///< how long that takes is the robot's own affair
-    bool losesBoth = false;    ///< the process dies and the program is paused
-    double watched = 0.4;      ///< from it to what is done after it [s]
+    bool robotBrakes = false;  ///< the duration depends on the robot only
+    bool losesBoth = false;    ///< the process is killed while the program is paused
+    double watched = 0.4;      ///< time between the event and the following actions [s]
 };
 
 const std::vector<ContractEvent>& contractEvents();
-/// The robot leaves remote control, and nobody is there any more who might do something about it.
+/// The robot leaves remote control, and no client can react any more.
 const ContractEvent& lostInLocal();
-/// Pauses that the process does not live to see the end of, and that are over soon.
+/// Short pauses at the end of which the process no longer exists.
 const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {
-    bool applies = true;  ///< false: the controller has no such motion, and the library said so
+    bool applies = true;  ///< false: the controller does not have this motion, and the library reported it
     double standstillMs = 0;
     double driftMm = 0;    ///< from the event to standstill
-    double resumedMm = 0;  ///< furthest from there afterwards
+    double resumedMm = 0;  ///< maximum distance afterwards
     QString problem;       ///< empty: within the contract
 };
 
@@ -121,7 +121,7 @@ public:
             step();
         }
     }
-    /// Runs something that waits for the robot while time goes on.
+    /// Runs a function that waits for the robot while time advances.
     template <class Call>
     auto during(Call call, int patienceMs = 20'000) {
         std::optional<decltype(call())> result;
@@ -154,9 +154,9 @@ public:
     std::unique_ptr<control::Controller> controller;
     control::Motion motion;
     control::Jog jog;
-    // streams, for those who hold them
+    // for streams, called by their holder
     std::function<void()> send;
-    bool reachable = true;  ///< packages get from one to the other
+    bool reachable = true;  ///< packages are transmitted
     bool holding = true;
     QString fault;  ///< of the event itself
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Connections break while everybody uses them: the control thread streams, its callers command and ask, the
-// receiver decodes, outputs are set from two threads at once. Whatever breaks when, each call ends with a
-// reason, nobody hangs, and control can be taken again. Meant for ThreadSanitizer first of all; in real time.
+// Connections break while all objects use them: the control thread streams, callers send commands and queries, the
+// receiver decodes, outputs are set from two threads. In all cases each call ends with an error, nothing hangs, and
+// control can be taken again. Mainly for ThreadSanitizer; in real time.
 #include <QTest>
 #include <atomic>
 #include <thread>
@@ -32,7 +32,7 @@ simulator::SimulatorOptions robotOptions() {
     return options;
 }
 
-/// Does something again and again until the end of the test.
+/// Repeats an action until the end of the test.
 class Crowd {
 public:
     ~Crowd() { end(); }
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(refusals > 0, 60'000);
         crowd.end();
         controller.release();
-        // Nothing is left over: not even a motion.
+        // No motion remains.
         QTRY_VERIFY_WITH_TIMEOUT(robot.truth().tcpSpeed.linear.norm() < 0.001, 60'000);
         QTRY_COMPARE_WITH_TIMEOUT(receiver.state(), receive::ReceiverState::Receiving, 60'000);
         const auto again = controller.takeControl(patience());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Jogs towards the arm itself, the floor and boxes, over real sockets and in virtual time: they end at the safety
-// distance, at the place that was predicted, and motion away from it is free.
+// Jogs towards the arm itself, the floor and boxes, with real sockets in virtual time: they end at the safety
+// distance, at the predicted position, and motion away from the obstacle is possible.
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -19,7 +19,7 @@ namespace {
 using collision::CollisionCheck;
 
 const JointPositions kStart(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
-constexpr double kAllowedBelow = 0.001;  // the safety distance [m]
+constexpr double kAllowedBelow = 0.001;  // tolerance below the safety distance [m]
 
 /// A UR5e with a tool above a floor, between two boxes.
 struct Bench {
@@ -40,7 +40,7 @@ struct Bench {
 
     JointPositions q() const { return cell.robot.truth().q; }
 
-    /// The smallest distance beyond what is to be kept [m].
+    /// The smallest distance in excess of the safety distance [m].
     double clearance() const {
         const CollisionCheck::Placement at = check->place(q());
         double least = 1e9;
@@ -76,7 +76,7 @@ private Q_SLOTS:
         Bench bench;
         Cell& cell = bench.cell;
         QVERIFY(cell.takeControl().ok());
-        // From near the floor, where the slowest jog does not take a minute.
+        // Starts near the floor to limit the duration of the slowest jog.
         Vector6 down = Vector6::Zero();
         down[2] = -1;
         const double far = jogReach(bench.conditions(), bench.q(), {}, down, 1).distance;
@@ -104,12 +104,12 @@ private Q_SLOTS:
         QVERIFY(cell.standsWithinMs(200));
         QVERIFY2(std::abs(bench.clearance()) < kAllowedBelow,
                  qPrintable(QString::number(bench.clearance() * 1e3)));
-        // Once more: it does not move at all.
+        // A second jog does not move at all.
         const double before = cell.tcp().position.z();
         const auto again = cell.motions().startJog(linearJog(0, 0, -speed));
         QVERIFY(!again.ok() || !cell.hold(*again, 300));
         QVERIFY(std::abs(cell.tcp().position.z() - before) < 0.0002);
-        // Along the floor and up it goes as fast as ever.
+        // Motion along and away from the floor has full speed.
         for (const auto& [x, z] : {std::pair{0.05, 0.0}, {0.0, 0.05}}) {
             const auto away = cell.motions().startJog(linearJog(x, 0, z));
             QVERIFY(away.ok());
@@ -120,7 +120,7 @@ private Q_SLOTS:
         }
     }
 
-    // Whatever is held, at whatever speed, also when it changes on the way: never nearer than the safety distance.
+    // Random inputs with random speeds and changes: the safety distance is always kept.
     void randomJogsKeepTheSafetyDistance_data() {
         QTest::addColumn<double>("cap");
         QTest::newRow("250 mm/s") << 0.25;
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(cell.robot.truth().qd[2] - 10 * kDeg) < 0.01);
     }
 
-    // A jog that looks for contact may touch the cell with the tool, and with nothing else.
+    // A jog with contact detection may touch the cell with the tool only.
     void aJogUntilContactPassesTheSafetyDistanceWithTheToolOnly() {
         Bench bench;
         Cell& cell = bench.cell;
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY2(cell.controller->status().limiter.link < 6, "another part than wrist 3");
     }
 
-    // What is shown on a key before a jog is what the jog makes.
+    // The distance displayed on a button before a jog equals the distance of the jog.
     void aJogEndsWhereItWasPredicted() {
         Bench bench;
         Cell& cell = bench.cell;
@@ -241,7 +241,7 @@ private Q_SLOTS:
         std::array<int, 16> kinds{};
         int crept = 0;
         for (int round = 0; round < 60; ++round) {
-            // Away from where the one before ended.
+            // Away from the end of the previous jog.
             JogTarget turn = jointJog(pick(0, 5), pick(0, 1) == 0 ? -0.5 : 0.5);
             turn.qd[pick(0, 2)] += pick(0, 1) == 0 ? -0.3 : 0.3;
             const auto away = cell.motions().startJog(turn);
@@ -266,7 +266,7 @@ private Q_SLOTS:
             QVERIFY(jog.ok());
             double turned = 0;
             Eigen::Matrix3d before = rotationMatrix(start.rotation);
-            double slowest = 1;  // where it was predicted to end
+            double slowest = 1;  // predicted end
             for (int ms = 0; jog->state().phase == MotionPhase::Active && ms < 60000; ms += 20) {
                 (void)cell.hold(*jog, 20);
                 if (const double there = axis < 3 ? (cell.tcp().position - start.position).norm() : turned;
@@ -295,7 +295,8 @@ private Q_SLOTS:
                     .arg(static_cast<int>(limiter.kind))
                     .arg(static_cast<int>(reach.end.kind))
                     .toUtf8();
-            // A jog just outside the zone of a singularity creeps past it, or ends: less than a millimetre decides.
+            // A jog just outside the zone of a singularity passes it slowly or ends: less than a millimetre makes
+            // the difference.
             const double tolerance = axis < 3 ? 0.001 : 0.1 * kDeg;
             if (reach.end.kind == LimiterKind::Singularity && gone > reach.distance + tolerance &&
                 slowest < 0.1) {

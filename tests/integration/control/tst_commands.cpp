@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves with a handle, paths, functions, questions and settings: through sockets, to the simulated robot.
+// Moves with a handle, paths, functions, queries and settings, through sockets with the simulated robot.
 #include <cmath>
 
 #include "robot/control/arm_queries.h"
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QVERIFY(!move->cancel());
     }
 
-    // 2 %: fifty times as long, and no wait gives up.
+    // 2 %: the duration is fifty times as long, and no wait times out.
     void aWaitDoesNotTimeOutAtTwoPercent() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(waypoint, 4);
         QCOMPARE(motion->progress().waypoints, 4);
         QVERIFY((cell.tcp().position - end.position).norm() < 1e-3);
-        // And the next move needs nothing special.
+        // The next move needs no special treatment.
         const auto move = Motions(*cell.controller).moveL(start, {0.1, 0.5, Holding::Free});
         QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
     }
@@ -121,7 +121,7 @@ private Q_SLOTS:
     void aStopEndsAPath() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        // So slow that it is under way still, however late the call returns.
+        // Slow enough to be still active, however late the call returns.
         const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.2), {}, 0.01, 0.5, 0}};
         const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
         QVERIFY(motion.ok());
@@ -170,7 +170,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
-        // It fails at the input: not before the call has returned.
+        // It fails at the input, so not before the call has returned.
         const auto function = cell.during([&] {
             return programs.startFunction(
                 QStringLiteral("root"),
@@ -337,7 +337,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ToolSetup setup(*cell.controller);
-        // Time goes on until the call has returned, and that may take longer than the watchdog waits.
+        // Time advances until the call has returned, which may exceed the watchdog timeout.
         int ticks = 0;
         cell.everyTick = [&] {
             if (++ticks % 10 == 0) {
@@ -394,7 +394,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - stands.position).norm() < 1e-4);
 
-        // What was decided before the stop does not begin after it.
+        // Motions prepared before the stop do not start after it.
         Compliance early(*cell.controller, before);
         QCOMPARE(with([&](const Deadline& d) { return early.setForceMode(mode, d); }).error().code,
                  ErrorCode::Stopped);

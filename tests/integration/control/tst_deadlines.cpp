@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A peer that says nothing holds nobody: every call that waits ends with its deadline or its cancel, and what
-// is destroyed is gone. Nothing here looks at a clock: a call that does not end is a test that does not end.
-// How fast they end is measured by tests/benchmarks/backend_performance.
+// A peer that does not respond blocks nothing: every waiting call ends with its deadline or its cancel, and
+// destroyed objects leave nothing behind. The test does not measure time: a call that does not end makes the test
+// hang. The timing is measured by tests/benchmarks/backend_performance.
 #include <QDir>
 
 #include "tests/integration/control/blocking_calls.h"
@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Counts how often it is looked at.
+/// Counts how often it is read.
 class AskedClock final : public Clock {
 public:
     explicit AskedClock(const Clock& clock) : clock_(clock) {}
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::Cancelled, qPrintable(error.toString()));
     }
 
-    // release() does not wait for somebody else's patience.
+    // release() does not wait for the deadline of another call.
     void releaseEndsACallThatWaits() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         ControllerOptions options;
@@ -118,8 +118,8 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return move->wait(Deadline::never()); }).ok());
     }
 
-    // 100 cuts of 0.1 to 10 s of virtual time. Data flow again, control is not resumed by itself, and at the
-    // end there are as many threads and descriptors as at the beginning.
+    // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, control does not resume automatically, and at
+    // the end there are as many threads and descriptors as at the start.
     void dataComeBackAfterAHundredCutsAndControlDoesNot() {
         Cell cell;
         receive::ReceiverOptions options;
@@ -128,10 +128,10 @@ private Q_SLOTS:
         const AskedClock clock(cell.clock);
         options.clock = &clock;
         options.priority = 0;
-        receive::Receiver receiver(options);  // with the delays everybody gets
+        receive::Receiver receiver(options);  // with the default delays
         receiver.start().value();
         using receive::ReceiverState;
-        // Time goes on by so many ticks, and the receiver gets a chance to notice.
+        // Advances time, and gives the receiver an opportunity to react.
         const auto pass = [&](int ticks) {
             const ReceiverState state = receiver.state();
             const std::uint64_t packets = receiver.latest().sequence;
@@ -142,10 +142,10 @@ private Q_SLOTS:
                 std::this_thread::sleep_for(std::chrono::microseconds(50));
             }
         };
-        // Within 2 s: of the robot's time. What the sockets take is the machine's, and counts for nothing.
+        // Within 2 s of robot time; time spent in the sockets does not count.
         const auto flows = [&] {
             const std::uint64_t before = receiver.latest().sequence;
-            cell.stepAlone();  // the robot's silence ends
+            cell.stepAlone();  // the robot responds again
             for (int ticks = 0; ticks < 1000;) {
                 if (receiver.latest().sequence > before + 5) {
                     return true;
@@ -184,7 +184,7 @@ private Q_SLOTS:
             }
             cell.robot.silence(false);
             QVERIFY2(flows(), qPrintable(QStringLiteral("after cut %1").arg(cut)));
-            QTRY_VERIFY_WITH_TIMEOUT(!speed->isActive(), 60'000);  // the control thread has noticed
+            QTRY_VERIFY_WITH_TIMEOUT(!speed->isActive(), 60'000);  // the control thread has detected it
             QCOMPARE(speed->send(up).error().code, ErrorCode::Stopped);
         }
         QVERIFY(cell.isStanding());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each error code, provoked. The table is checked against the enumeration: a code nobody can provoke is one
-// nobody needs, or a test that is missing.
+// Provokes each error code. The table is compared with the enumeration: a code without an entry is either
+// unnecessary or lacks a test.
 #include <netinet/in.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -44,7 +44,7 @@ Error openRtde(int port, const Deadline& deadline, rtde::SessionRequest request 
     return rtde::Connection::open(options, deadline).error();
 }
 
-/// A port that is open and takes no further connection: what is sent to it is dropped, as by a firewall.
+/// An open port that accepts no further connection: packets are dropped, as by a firewall.
 class FullPort {
 public:
     FullPort() : listening_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -80,7 +80,7 @@ private:
 Error withoutDescriptors() {
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
-    // As many as there are now, and not one more; numbers count from 0.
+    // The current number of descriptors and not one more; numbers count from 0.
     int highest = 0;
     for (const QString& entry : QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter)) {
         highest = std::max(highest, entry.toInt());
@@ -100,7 +100,7 @@ Error withoutDescriptors() {
     return error;
 }
 
-/// On a robot that is ours; `act` runs while time goes on.
+/// On a robot in control; `act` runs while time advances.
 template <class Act>
 Error inControl(Act act) {
     Cell cell;
@@ -300,7 +300,7 @@ private Q_SLOTS:
     }
 
     void internalIsTheLastCode() {
-        // Behind it names begin to repeat; a code added there would be left out above.
+        // After the last code, names repeat; a code added there would be omitted above.
         const int last = static_cast<int>(ErrorCode::Internal);
         QCOMPARE(errorCodeName(static_cast<ErrorCode>(last + 1)), errorCodeName(ErrorCode::Internal));
     }

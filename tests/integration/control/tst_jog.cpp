@@ -40,8 +40,8 @@ private Q_SLOTS:
         QVERIFY(!cell.controller->status().moving);
     }
 
-    // Real arms tell frames that stand hundreds of metres away, and an upper arm of some centimetres: neither
-    // may hold the arm back, nor let the elbow run.
+    // Real arms report frames at distances of hundreds of metres, and an upper arm of some centimetres: neither may
+    // block the arm or make the elbow too fast.
     void anArmWithACalibrationOfItsOwnMovesAsFast() {
         for (const double size : {0.0, 1.0, 3.0}) {
             Cell cell([size](auto& options) { options.calibration = size; });
@@ -61,7 +61,7 @@ private Q_SLOTS:
 
     void theElbowOfAnArmWithACalibrationOfItsOwnIsHeldToTheCap() {
         for (const double size : {0.0, 1.0, 3.0}) {
-            // Folded up: of all that turns about the shoulder the elbow is the farthest out.
+            // Folded: the elbow is the point with the largest distance from the shoulder axis.
             Cell cell([size](auto& options) {
                 options.calibration = size;
                 options.startJoints = {0.0, -1.57, 2.7, -1.0, 1.2, 0.0};
@@ -128,16 +128,16 @@ private Q_SLOTS:
         QCOMPARE(jog->state().cause, StopCause::SelectionChanged);
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
 
-        // What comes asks for more, and gets no more.
+        // The next jog requests a higher speed and does not get it.
         const auto next = cell.motions().startJog(linearJog(0, 0, -0.2));
         QVERIFY(next.ok());
         QVERIFY(cell.hold(*next, 400));
         QVERIFY2(std::abs(speed() - 0.05) < 0.003, qPrintable(QString::number(speed())));
         QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::TcpSpeed);
-        // The same cap again is no other one.
+        // Setting the same cap again is not a change.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         QVERIFY(next->refresh());
-        // A higher one makes nothing faster that moves already.
+        // A higher cap does not accelerate a current motion.
         QVERIFY(cell.controller->setSpeedCap(0.25).ok());
         QVERIFY(!next->refresh());
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
@@ -187,7 +187,7 @@ private Q_SLOTS:
             int ticks = 0;
             while (!cell.isStanding()) {
                 cell.stepAlone();
-                jog->refresh();  // the hand still holds the key
+                jog->refresh();  // the button is still held
                 QVERIFY(++ticks < 500);
             }
             qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
@@ -195,7 +195,7 @@ private Q_SLOTS:
             QTRY_COMPARE(jog->state().phase, MotionPhase::Ended);
             QCOMPARE(jog->state().cause, StopCause::DataStale);
             QCOMPARE(cell.motions().startJog(target).error().code, ErrorCode::LinkLost);
-            // The link comes back: nothing resumes.
+            // The connection is restored: nothing resumes.
             const Pose standing = cell.tcp();
             cell.robot.silence(false);
             for (int i = 0; i < 100; ++i) {
@@ -209,7 +209,7 @@ private Q_SLOTS:
         }
     }
 
-    // Neither an end of the connection nor an error ever comes: it is the data that stay away.
+    // Neither the end of the connection nor an error is reported: only the data are missing.
     void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("forgotten by the controller") << QStringLiteral("half-open");
@@ -227,7 +227,7 @@ private Q_SLOTS:
         QVERIFY2(!status.inControl && !status.fresh, "data of 110 ms ago count as control");
         QCOMPARE(status.loss, ControlLoss::DataStale);
         QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.05)).error().code, ErrorCode::LinkLost);
-        cell.stepAlone(185);  // 480 ms; the thread may take its time
+        cell.stepAlone(185);  // 480 ms; the thread may be slow
         QTRY_COMPARE_WITH_TIMEOUT(cell.controller->status().loss, ControlLoss::LinkLost, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!cell.controller->isConnected(), 60'000);
         QVERIFY(!cell.controller->status().inControl);
@@ -319,7 +319,7 @@ private Q_SLOTS:
             const Eigen::Vector3d went = (cell.tcp().position - before.position).normalized();
             const Eigen::Vector3d toolZ = rotationMatrix(before.rotation).col(2);
             QVERIFY(went.dot(toolZ) > 0.9999);
-            // Turn the tool by some 25 deg: the same key must then move it another way.
+            // Rotate the tool by about 25 deg: the same button then moves it in another direction.
             const auto turn = cell.motions().startJog(rotationJog(0.4, 0, 0));
             QVERIFY(turn.ok());
             QVERIFY(cell.hold(*turn, 1200));
@@ -329,7 +329,7 @@ private Q_SLOTS:
         }
     }
 
-    // Moving and turning in the tool's frame at once is an arc: the direction follows while it turns.
+    // Simultaneous translation and rotation in the tool frame is an arc: the direction rotates with the tool.
     void aToolFrameArcFollowsTheToolContinuously() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

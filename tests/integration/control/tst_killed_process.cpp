@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The process that moves the arm is killed without warning (SIGKILL), held (SIGSTOP) or cut off, in every way
-// of moving: the robot alone comes to a stand, by its own clock within the contract's 250 ms, and stays
-// there. Watched through a second RTDE connection. With TILLER_ALL=1 every way is lost in every manner; else
-// all are killed.
+// The process that moves the arm is killed (SIGKILL), suspended (SIGSTOP) or disconnected without warning, during
+// every type of motion: the robot stops by itself within the 250 ms of the contract, measured by its clock, and
+// remains stopped. Observed through a second RTDE connection. With TILLER_ALL=1 all combinations are run; otherwise
+// all motions with SIGKILL.
 #include <QTest>
 #include <algorithm>
 #include <csignal>
@@ -34,11 +34,12 @@ private Q_SLOTS:
         QTest::addColumn<double>("fast");
         QTest::addColumn<bool>("hand");
         QTest::addColumn<ScriptState>("end");
-        // fast  the speed at which it is lost [m/s]
+        // fast  speed at the event [m/s]
         const auto row = [](const char* way, double fast, bool hand = false,
                             ScriptState end = ScriptState::Expired) {
             for (const Loss loss : kLosses) {
-                // Each way is killed; of the others a run of all does each, and one that is not does some.
+                // Each motion is killed; the other events are combined with some motions, or with all in a complete
+                // run.
                 static int count = 0;
                 if (loss == Loss::Killed || qEnvironmentVariableIsSet("TILLER_ALL") || count++ % 7 == 0) {
                     QTest::addRow("%s, %s", way, name(loss))
@@ -60,10 +61,10 @@ private Q_SLOTS:
         row("speedJ", kFast);
         row("speedL", kFast);
         row("torque", kFast);
-        // The hand goes on pushing: an arm that stands has left freedrive.
+        // The external force continues: an arm at standstill has left freedrive.
         row("freedrive", 0.05, true);
         row("teach mode", 0.05, true);
-        // No motion that could expire: force mode ends beside it.
+        // No motion that could expire: force mode ends in parallel.
         row("force mode", 0.03, false, ScriptState::Ready);
         row("jog in force mode", kFast);
         row("section", kFast);
@@ -98,7 +99,7 @@ private Q_SLOTS:
         while (watcher.speed < fast) {
             QVERIFY(watcher.look());
             QVERIFY2(watcher.time - begin < patience, "the helper never moved the arm");
-            // Not before: who is pushed when freedrive begins gets a protective stop.
+            // Not earlier: an external force at the start of freedrive causes a protective stop.
             if (hand && watcher.state == ScriptState::Executing) {
                 robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }
@@ -112,7 +113,7 @@ private Q_SLOTS:
                 helper.signal(SIGSTOP);
                 break;
             case Loss::Cut:
-                // The watcher hears nothing either: the robot itself is asked.
+                // The observer receives no data either: the robot itself is queried.
                 QVERIFY(robot.inject(QStringLiteral("link lost")).ok());
                 break;
         }
@@ -123,14 +124,14 @@ private Q_SLOTS:
             return;
         }
         QVERIFY(watcher.lookUntil(killedAt + 1.0));
-        // On a busy machine the signal may take its time: what counts then is the last the robot heard.
+        // On a busy machine the signal may be delayed: the last packet received by the robot counts.
         const double ms = (watcher.lastMoved - std::max(killedAt, watcher.heardAt)) * 1000;
         qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
         QVERIFY(watcher.stands);
-        // Nor is it certain then that it had not ended its motion itself.
+        // In this case it may also have ended the motion itself.
         if (watcher.heardIn == ScriptState::Executing) {
-            // The last torque goes on until it expires: if it was a high one, the cap may come first.
+            // The last torque remains active until it expires: with a high torque the cap may be reached first.
             const bool atCap = way == QLatin1String("torque") && watcher.state == ScriptState::TcpTooFast;
             QVERIFY2(watcher.state == end || atCap,
                      qPrintable(QString::number(static_cast<int>(watcher.state))));
@@ -138,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(robot.truth().safetyMode, SafetyMode::Normal);
     }
 
-    // The robot times pulses of outputs: a process that is gone cannot leave one on.
+    // The robot measures the time of output pulses: a killed process cannot leave an output on.
     void aLostProcessLeavesNoOutputOn_data() {
         QTest::addColumn<int>("loss");
         for (const Loss loss : kLosses) {
@@ -156,7 +157,7 @@ private Q_SLOTS:
                                    {robot.listenAddress(), QString::number(robot.ports().primary),
                                     QString::number(robot.ports().rtde), QStringLiteral("pulse")});
         const auto isOn = [&robot](int output) { return (robot.truth().digitalOutputs >> output & 1U) != 0; };
-        // When it is on or off, by the robot's clock [s]; below 0: it was not within that time.
+        // Time of the switch on the robot's clock [s]; negative: not within the time.
         const auto timeOf = [&robot, &isOn](int output, bool on, double atMost) {
             const double begin = robot.truth().timestamp;
             while (isOn(output) != on) {

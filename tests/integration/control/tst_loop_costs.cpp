@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neither loop allocates or locks once it runs: counted over sockets to a simulated robot, in virtual time.
+// Neither loop allocates or locks after warm-up: counted with sockets to a simulated robot, in virtual time.
 #include <cmath>
 #include <memory>
 
@@ -25,7 +25,7 @@ private Q_SLOTS:
         std::thread guilty([&] {
             realtime::nameThread("control");
             const std::lock_guard lock(mutex);
-            ::operator delete(::operator new(16));  // a new-expression might be left out
+            ::operator delete(::operator new(16));  // a new-expression might be optimized away
         });
         guilty.join();
         countHotThreads(false);
@@ -33,7 +33,7 @@ private Q_SLOTS:
         QVERIFY(hotCounts().allocations >= 1);
     }
 
-    // 10 s of robot time; TILLER_LOOP_SECONDS makes it longer.
+    // 10 s of robot time; TILLER_LOOP_SECONDS changes it.
     void receiveAndControlAllocateAndLockNothing() {
         Cell cell;
         receive::ReceiverOptions options;
@@ -44,7 +44,7 @@ private Q_SLOTS:
         receive::Receiver receiver(options);
         receiver.start().value();
         QVERIFY(cell.takeControl().ok());
-        // Connecting allocates: it has to be over, however late the thread is.
+        // Connecting allocates: it has to be complete.
         const Deadline connected = patience();
         while (receiver.counters().packets < 10) {
             QVERIFY(!connected.hasExpired() && cell.step());
@@ -57,7 +57,7 @@ private Q_SLOTS:
         const std::uint64_t packages = receiver.counters().packets;
         const std::uint64_t ticks = cell.controller->status().ticks;
         countHotThreads(true);
-        // step() waits for the controller only; a receiver far behind would be hung up on.
+        // step() waits for the controller only; a receiver far behind would be disconnected.
         constexpr std::uint64_t kMostBehind = 100;
         const Deadline over = Deadline::after(std::chrono::minutes(5) + std::chrono::seconds(seconds));
         bool alive = true;
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(hotCounts().locks - before.locks, 0U);
     }
 
-    // A jog that is slowed down by everything that a cell can hold, tool, floor and boxes.
+    // A jog limited by everything a cell can contain: tool, floor and boxes.
     void aJogBesideObstaclesAllocatesAndLocksNothing() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

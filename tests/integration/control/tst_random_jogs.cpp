@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thousand random hands on the jog pad, over real sockets and in virtual time: no motion beyond the bound.
+// A thousand random inputs on the jog pad, with real sockets in virtual time: no motion beyond the bound.
 #include <random>
 
 #include "tests/integration/control/cell.h"
@@ -10,8 +10,8 @@ using namespace tiller::test;
 
 namespace {
 
-// What may still happen after the moment a motion was ended: one package on its way, the next control
-// period, then braking at 2 m/s2; and what may happen before a silent holder is found out.
+// Permitted motion after the end: one package in transit, the next control period, then deceleration at 2 m/s2; and
+// the time until a missing refresh is detected.
 constexpr double kReaction = 0.010;     // [s]
 constexpr double kHoldSeconds = 0.100;  // [s]
 constexpr double kBraking = 2.0;        // [m/s2]
@@ -41,7 +41,7 @@ private Q_SLOTS:
         int moved = 0;
         double worst = 0;
         for (int sequence = 0; sequence < 1000; ++sequence) {
-            // Towards home on the whole, so that a thousand of them stay within reach.
+            // Mostly towards home, so that a thousand jogs stay within reach.
             Eigen::Vector3d direction = Eigen::Vector3d::Random() + 20 * (home - cell.tcp().position);
             const double speeds[] = {0.005, 0.02, 0.05, 0.1};
             const double speed = speeds[pick(0, 3)];
@@ -53,7 +53,7 @@ private Q_SLOTS:
                 QVERIFY(cell.step(pick(1, 20)));
                 QVERIFY(jog->refresh());
             }
-            // Now the hand does one of the things a hand can do.
+            // One of the possible ends of an operator input.
             double mayStillTake = kReaction;
             path = 0;
             switch (pick(0, 4)) {
@@ -65,15 +65,15 @@ private Q_SLOTS:
                 case 1:
                     cell.controller->stop(StopCause::FocusLost);
                     break;
-                case 2:  // the interface hangs
+                case 2:  // the user interface hangs
                     mayStillTake += kHoldSeconds;
                     break;
-                case 3:  // hangs, and comes back too late
+                case 3:  // hangs, and resumes too late
                     mayStillTake += kHoldSeconds;
                     QVERIFY(cell.step(52));
                     QVERIFY(!jog->refresh());
                     break;
-                case 4:  // another key, then both go
+                case 4:  // another button, then both are released
                     QVERIFY(cell.motions().startJog(linearJog(0, 0, speed)).ok());
                     QVERIFY(!jog->refresh());
                     QVERIFY(cell.step(pick(0, 20)));
@@ -81,7 +81,7 @@ private Q_SLOTS:
                     cell.controller->stop(StopCause::Space);
                     break;
             }
-            // Whoever still holds the old key achieves nothing, however hard it tries.
+            // Holding the old button has no effect.
             const double braking = speed / kBraking;
             const int patience = static_cast<int>((mayStillTake + braking + 0.02) / 0.002);
             for (int tick = 0; tick < patience && !(cell.isStanding() && tick > 52); ++tick) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Servo and speed streams, stops with a deceleration of their own, and the loop locked to the packets.
+// Servo and speed streams, stops with a specific deceleration, and the packet-locked loop.
 #include <cmath>
 
 #include "robot/control/motions.h"
@@ -17,7 +17,7 @@ void hasTorque(simulator::SimulatorOptions& options) {
     options.software = {5, 25, 1, 0};
 }
 
-/// Turns the base, a little against friction [Nm].
+/// Rotates the base, slightly above friction [Nm].
 JointTorques turning(double torque) {
     return JointTorques(torque, 0, 0, 0, 0, 0);
 }
@@ -93,8 +93,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Neither the first target nor a later one may be further off than the arm can get; what is refused is
-    // named, has not been sent, and the stream goes on.
+    // Neither the first target nor a later one may be farther away than the arm can reach; the error names the
+    // refused target, which was not sent, and the stream continues.
     void aServoRefusesToJump() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -135,8 +135,8 @@ private Q_SLOTS:
         QCOMPARE(line->send(pose).error().code, ErrorCode::LimitExceeded);
     }
 
-    // The arm was moving when the stream began and has gone on meanwhile: where the program can see that and
-    // the PC cannot, the program refuses.
+    // The arm was moving when the stream started and has continued to move: the program detects this, whereas the
+    // PC cannot.
     void theProgramRefusesAJumpToo() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -194,12 +194,12 @@ private Q_SLOTS:
         QVERIFY(speed->send(up).ok());
         QVERIFY(cell.stepMs(500));
         QVERIFY(std::abs(cell.robot.truth().tcpSpeed.linear.z() - 0.05) < 0.005);
-        // A softer brake than the usual one takes its time.
+        // A softer deceleration takes longer.
         const auto soft = motions.stopL(0.1);
         QVERIFY(soft.ok());
         const int ticks = cell.ticksToStandstill(2000);
         QVERIFY2(ticks * 2 > 400 && ticks * 2 < 620, qPrintable(QString::number(ticks * 2)));
-        // The controller says so once the arm has settled.
+        // The controller confirms after the arm has settled.
         QVERIFY(cell.during([&] { return soft->wait(patience()); }).ok());
 
         auto joints = motions.startSpeedJ({2.0, 0}, Holding::Free);
@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(stop.ok());
         QVERIFY(stop->isActive());
         QVERIFY(cell.during([&] { return stop->wait(patience()); }).ok());
-        // The script's word comes at the end of its stopj; the joint's last creep takes a few ticks more.
+        // The script confirms at the end of its stopj; the final motion of the joint takes a few more periods.
         QVERIFY(cell.standsWithinMs(20));
     }
 
@@ -230,17 +230,17 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
         QVERIFY(cell.isStanding());
         QCOMPARE(speed->motion().state().cause, StopCause::ApiCall);
-        // Again, and after others: at once.
+        // Repeated, and after other motions: immediately.
         QVERIFY(speed->motion().stop(patience()).ok());
         cell.controller->stop();
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
 
-        // Another motion is not waited for, and goes on.
+        // Another motion is not waited for, and continues.
         const auto jogged = motions.startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(jogged.ok());
         QVERIFY(speed->motion().stop(patience()).ok());
         QVERIFY(jogged->isActive());
-        // A stop that came in between is waited for as well.
+        // A stop in between is waited for as well.
         QVERIFY(ToolSpeed(*jogged).send(up).ok());
         QVERIFY(cell.stepMs(400));
         cell.controller->stop();
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY(Motion().stop(patience()).ok());
     }
 
-    // Late data alone are no end of control: the stop is confirmed once data come again.
+    // Late data alone do not end control: the stop is confirmed when data arrive again.
     void aHiccupIsNoFailureToStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -270,7 +270,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    // STOP during a soft stop of a program brakes as hard as ever.
+    // STOP during a soft stop of a program has full deceleration.
     void theStopKeyOverrulesASoftStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -326,7 +326,7 @@ private Q_SLOTS:
         Pose target = cell.tcp();
         target.position.z() += 0.03;
         QVERIFY(servo->send(target).ok());
-        // However far the target is: no faster than it was told.
+        // The speed does not exceed its parameter, independent of the distance.
         double fastest = 0;
         cell.everyTick = [&] { fastest = std::max(fastest, cell.robot.truth().tcpSpeed.linear.norm()); };
         QVERIFY(cell.stepMs(1500));
@@ -341,10 +341,10 @@ private Q_SLOTS:
         const JointPositions start = cell.robot.truth().q;
         auto stream = motions.startTorque({}, Holding::Free);
         QVERIFY2(stream.ok(), why(stream));
-        // Without any the arm holds its place.
+        // Without torques the arm holds its position.
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
-        // With none too: gravity is the controller's affair.
+        // Also with zero torques: the controller compensates gravity.
         for (int i = 0; i < 100; ++i) {
             QVERIFY(stream->send(JointTorques()).ok());
             QVERIFY(cell.step());
@@ -359,8 +359,8 @@ private Q_SLOTS:
 
         cell.controller->stop();
         QCOMPARE(stream->send(turning(8)).error().code, ErrorCode::Stopped);
-        // As fast as damping makes it, at first: position control would take the arm at its speed and brake
-        // evenly.
+        // Initially the deceleration of the damping; position control would decelerate uniformly from the initial
+        // speed.
         double last = cell.robot.truth().qd[0];
         for (int i = 0; i < 100 && !cell.isStanding(); ++i) {
             QVERIFY(cell.step());
@@ -373,7 +373,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - rest.values).norm() < 1e-3);
 
-        // And whatever comes next begins from there.
+        // The next motion starts from there.
         const auto back = motions.moveJ(start, {0.5, 1.4, Holding::Free});
         QVERIFY2(back.ok(), why(back));
         QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
@@ -416,7 +416,7 @@ private Q_SLOTS:
         QVERIFY2(fastest > 0.24 && fastest < 0.35, qPrintable(QString::number(fastest)));
         QVERIFY(cell.controller->status().inControl);
 
-        // Under another cap it ends elsewhere.
+        // With another cap it ends at another speed.
         QVERIFY(cell.controller->setSpeedCap(0.1).ok());
         stream = motions.startTorque({}, Holding::Free);
         QVERIFY2(stream.ok(), why(stream));
@@ -457,7 +457,7 @@ private Q_SLOTS:
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
     }
 
-    // What the joints can give is a matter of the arm, whatever model was named.
+    // The torque limits are those of the connected arm, independent of the configured model.
     void theTorquesOfTheConnectedArmCount() {
         Cell cell([](simulator::SimulatorOptions& options) {
             hasTorque(options);
@@ -506,7 +506,7 @@ private Q_SLOTS:
         Cell cell(hasTorque);
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
-        // Holds a speed; the arm goes on with it for about 0.08 rad.
+        // Keeps a speed; the arm continues for about 0.08 rad.
         const auto steady = [&](const CycleState& state) -> std::optional<JointTorques> {
             constexpr double kGain = 40;  // [Nm s/rad]
             return state.time < 0.5 ? std::optional(turning(kGain * (0.2 - state.qd[0]))) : std::nullopt;
@@ -539,7 +539,7 @@ private Q_SLOTS:
             target[5] += 0.05 * std::sin(6.2831853 * state.time);
             return target;
         };
-        // Each packet has its answer before the next one comes: one that waited would be missed.
+        // Each packet is answered before the next one: a delayed one would count as missed.
         Result<void> ended;
         std::atomic<bool> over{false};
         std::thread caller([&] {
@@ -610,7 +610,7 @@ private Q_SLOTS:
             final = cell.step(3) && cell.controller->motionState(stopped).phase == MotionPhase::Ended;
             const int ticks = cell.ticksToStandstill(200);
             const Pose stands = cell.tcp();
-            cell.step(10);  // going on at 20 mm/s would be 0.4 mm
+            cell.step(10);  // continuing at 20 mm/s would be 0.4 mm
             final = final && ticks >= 0 && (cell.tcp().position - stands.position).norm() < 1e-4;
         }
         over = true;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The stop contract of the native library: whatever moves the arm, and whatever happens to the one who moves
-// it, to the link or to the robot, the arm stands in time and nothing resumes; also where a real controller
-// behaves in another way than ours does by default.
+// The stop contract of the native library: for all motions and for all events concerning the client, the connection
+// or the robot, the arm stops in time and nothing resumes; also with alternative behaviour of the controller.
 //
-// Runs a part of the table, drawn anew for each reading but the same each time. All of it, and 200 random
-// combinations of readings; a part of that in each of several processes, rows as Qt Test names them:
+// Runs a part of the table, selected pseudo-randomly for each behaviour option but reproducibly. With --all
+// everything, and 200 random combinations of options; or a part in each of several processes, with rows named as by
+// Qt Test:
 //
 //     tst_stop_contract --all
 //     tst_stop_contract --all everyMotionEndsInTime:data=late everyMotionEndsInTime:data=doubled
 //     tst_stop_contract --all --combinations 100 200 randomCombinationsToo
 //
-// One cell, as a failure names it:
+// One case, as named in a failure:
 //
 //     tst_stop_contract --cell "jog a joint" safeguard 0.5 "data=late stops=scaled"
 
@@ -32,8 +32,8 @@ namespace {
 bool runsAll = false;
 int firstCombination = 0;
 int endCombination = 200;
-QStringList onlyCell;                 ///< motion, event, slider, words
-constexpr double kLostLimitMs = 250;  ///< of all events but a release
+QStringList onlyCell;                 ///< motion, event, slider, options
+constexpr double kLostLimitMs = 250;  ///< for all events except a release
 constexpr quint32 kSeed = 20261123;
 
 simulator::Assumptions assumed(const QString& words) {
@@ -46,7 +46,7 @@ simulator::Assumptions assumed(const QString& words) {
     return assumptions;
 }
 
-/// Worst of what was seen.
+/// The worst results.
 struct Worst {
     double standstillMs = 0;
     double driftMm = 0;
@@ -66,7 +66,7 @@ struct Worst {
 };
 std::map<std::pair<std::string, std::string>, Worst> worst;  ///< by motion and event
 Worst released;                                              ///< of this row
-Worst others;                                                ///< the same, of all other events
+Worst others;                                                ///< the same for all other events
 
 template <class Named>
 const Named& named(const std::vector<Named>& all, const char* name) {
@@ -85,14 +85,14 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    /// software  none: one that has this motion
+    /// software  without value: a version that has this motion
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
                       const std::optional<SoftwareVersion>& given = std::nullopt) {
         const SoftwareVersion software =
             given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
-        // Where forces go on in a pause, and the process dies in it, nobody is left who could end them: the
-        // program stands still and the PC is gone.
+        // If forces may continue in a pause, and the process is killed meanwhile, nothing can end them: the program
+        // is paused and the PC is gone.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }
@@ -129,7 +129,7 @@ private Q_SLOTS:
     void everyMotionEndsInTime_data() {
         QTest::addColumn<QString>("words");
         QTest::addColumn<double>("slider");
-        QTest::addColumn<int>("cells");  ///< of a run that is not of all
+        QTest::addColumn<int>("cells");  ///< in a partial run
         QTest::newRow("as by default") << QString() << 1.0 << 24;
         QTest::newRow("slider at 30 %") << QString() << 0.3 << 2;
         constexpr int kFew = 2;
@@ -137,7 +137,7 @@ private Q_SLOTS:
             for (const QString& reading : info.readings.mid(1)) {
                 const QString words = info.name + "=" + reading;
                 QTest::newRow(qPrintable(words)) << words << 1.0 << kFew;
-                // What it is about shows below 100 % only.
+                // Only relevant below 100 %.
                 if (reading == QLatin1String("scaled") || reading == QLatin1String("real")) {
                     QTest::newRow(qPrintable(words + ", slider at 50 %")) << words << 0.5 << 1;
                     QTest::newRow(qPrintable(words + ", slider at 10 %")) << words << 0.1 << 1;
@@ -157,7 +157,7 @@ private Q_SLOTS:
                 check(i % motions, i / motions, words, slider, problems);
             }
         } else {
-            // Each one is another motion and another event than the one before, and every pair comes round.
+            // Each case has another motion and event than the previous one, and all pairs are covered eventually.
             QRandomGenerator random(kSeed + static_cast<quint32>(qHash(words + QString::number(slider), 0)));
             std::size_t at = random.bounded(static_cast<quint32>(motions * events));
             for (int i = 0; i < cells; ++i, ++at) {
@@ -176,7 +176,7 @@ private Q_SLOTS:
             QRandomGenerator random(kSeed + static_cast<quint32>(i));
             QStringList words;
             for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
-                // Half of them as by default.
+                // Half of the options have their default.
                 const auto readings = static_cast<quint32>(info.readings.size());
                 if (random.bounded(2) == 1) {
                     words << info.name + "=" +
@@ -194,7 +194,7 @@ private Q_SLOTS:
         report(problems);
     }
 
-    // Each moved on, or too long, with the readings beside it.
+    // Past failures, with their options: moved afterwards, or took too long.
     void whatOnceWentWrong_data() {
         QTest::addColumn<QString>("motion");
         QTest::addColumn<QString>("event");
@@ -204,12 +204,12 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause slows real time and program time down, but not alike: what was to end the program took its
-        // speed by the one and braked it in the other.
+        // A pause slows real time and program time down differently: the end of the program read its speed in one
+        // and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
-        // The speed from before the pause, and what it took to brake it.
+        // The speed before the pause, and its deceleration.
         QTest::newRow("stopped behind a pause")
             << "jog a joint"
             << "pause, kill -9, play" << 1.0 << "stops=scaled thread-start=next-period";
@@ -251,7 +251,7 @@ private Q_SLOTS:
         report(problems);
     }
 
-    // Before 5.17 a program has no clock that would show a pause.
+    // Before 5.17 a program has no clock that would reveal a pause.
     void aShortPauseShowsWithoutAClock_data() {
         QTest::addColumn<SoftwareVersion>("software");
         QTest::newRow("5.16") << SoftwareVersion{5, 16, 0, 0};
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QStringList problems;
         if (runsAll) {
             for (const ContractMotion& motion : contractMotions()) {
-                // Of what a section does the control program knows nothing.
+                // The control program does not know the motions of a section.
                 if (software.isCb3() && qstrcmp(motion.name, "function in force mode") == 0) {
                     continue;
                 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stops, losses and errors that come while a call is under way, and what must not outlive it.
+// Stops, losses and errors during a call, and effects that must not outlive it.
 #include <unistd.h>
 
 #include <QFile>
@@ -31,8 +31,8 @@ class TestStopRaces : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The arm moves, and time stands still: one of the two waits for the program to end, the other one behind
-    // it. The stop is meant for both.
+    // The arm moves, and time does not advance: one call waits for the end of the program, the other one for the
+    // first call. The stop applies to both.
     void aStopCountsForWhoWaitsForItsTurn() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -46,8 +46,7 @@ private Q_SLOTS:
         std::array<std::thread, 2> callers;
         std::array<std::atomic<pid_t>, 2> ids{};
         std::atomic<bool> waits{false};
-        // Who waits asks its token whether it is still wanted: then it is past the point where it looked for
-        // stops.
+        // A waiting call queries its token: at this point it has passed its check for stops.
         const CancelToken asked([&] {
             waits = true;
             return false;
@@ -59,7 +58,7 @@ private Q_SLOTS:
                                                       QStringLiteral("set_standard_digital_out(3, True)"),
                                                       Deadline::after(std::chrono::seconds(60), asked));
             });
-            // The second one asks nobody: it sleeps until its turn comes.
+            // The second call queries nothing: it waits for the mutex.
             QTRY_VERIFY_WITH_TIMEOUT(ids[i] != 0 && (i == 0 ? waits.load() : isAsleep(ids[i])), 60'000);
         }
         cell.controller->stop(StopCause::StopButton);
@@ -75,8 +74,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // What goes on by itself once it has begun: a stop is meant for it too, and it does not outlive its
-    // function.
+    // Effects that continue after their start: a stop applies to them, and they do not outlive their function.
     void aFunctionLeavesNothingMoving_data() {
         QTest::addColumn<QString>("body");
         QTest::addColumn<bool>("stopped");
@@ -91,7 +89,7 @@ private Q_SLOTS:
                                            "    sync()\n  end\nend\npath_offset_enable()\nrun offset()\n")}};
         for (const auto& [name, body] : bodies) {
             QTest::addRow("%s, stopped", name) << body + QStringLiteral("sleep(100)") << true;
-            // At its end when the test says so: the call that starts it may return late.
+            // Its end is controlled by the test, because the call that starts it may return late.
             QTest::addRow("%s, at its end", name)
                 << body + QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend") << false;
         }
@@ -132,7 +130,7 @@ private Q_SLOTS:
                 cell.controller->stop(StopCause::StopButton);
             }
         };
-        // It would go on at the input: however late the caller sees the stop, it must not do so before.
+        // It continues at the input: it must not do so before the caller has seen the stop.
         const auto ran = cell.during([&] {
             return Programs(*cell.controller)
                 .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n"
@@ -147,14 +145,14 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Numbers that went ahead to the program before are not those of the new one.
+    // Numbers stored in the previous program are not those of the new one.
     void aNewProgramIsToldEverythingAnew() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ArmQueries ask(*cell.controller);
         InverseOptions near;
         const Pose pose = cell.tcp();
-        near.near = JointPositions(0, 0, 0, 0, 0, 0);  // as a new program has it
+        near.near = JointPositions(0, 0, 0, 0, 0, 0);  // initial value in a new program
         const auto other = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
         QVERIFY2(other.ok(), why(other));
         near.near = cell.robot.truth().q;
@@ -203,7 +201,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         JointPositions q = cell.robot.truth().q;
-        q[5] = 8;  // a UR3e may, a UR5e not
+        q[5] = 8;  // allowed for a UR3e, not for a UR5e
         const auto path =
             Motions(*cell.controller).movePath({{PathEntry::Kind::MoveJ, q, {}, 0.5, 1.4, 0}}, patience());
         QVERIFY(!path.ok());

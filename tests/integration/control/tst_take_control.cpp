@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every way in which taking control can fail, and what is said about it.
+// All failures of taking control, and their error messages.
 #include <QDir>
 #include <QFile>
 #include <QTcpServer>
@@ -56,8 +56,8 @@ ControllerOptions to(const simulator::Simulator& robot) {
     return to(robot.ports().primary, robot.ports().rtde);
 }
 
-/// A controller that looks at what was sent a moment later, and drops it where the sender has hung up meanwhile. What it
-/// does else, a simulated one does.
+/// A controller that evaluates received data with a delay, and discards them if the sender has disconnected.
+/// Otherwise it is a simulated one.
 class Choosy : public QThread {
 public:
     explicit Choosy(int primary) : primary_(primary) {
@@ -108,7 +108,7 @@ void makeRunning(RtdePeer& peer) {
     }
 }
 
-/// Where this thread of ours may run, as the system writes it; empty when there is none of this name.
+/// CPUs of the thread with this name, as written by the system; empty if there is none.
 QByteArray cpusOf(const QByteArray& thread) {
     const auto tasks =
         QDir(QStringLiteral("/proc/self/task")).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot);
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY2(taken.ok(), qPrintable(taken.ok() ? QString() : taken.error().toString()));
     }
 
-    // One deprecated name that a controller does not know would cost the whole program.
+    // One deprecated function that a controller does not have would make the whole program fail.
     void namesTheControllerDoesNotKnowAreDoneWithout() {
         simulator::SimulatorOptions options = robotOptions();
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits", "set_payload_mass",
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(is(ToolSetup(controller).useExternalSensorLegacy({}, soon()), "enable_external_ft_sensor"));
         QVERIFY(ArmQueries(controller).stepTime(soon()).ok());
         QVERIFY(Compliance(controller).startFreedrive().ok());
-        // A section sends the program again, without them from the start.
+        // A section sends the program again, without these functions from the start.
         QVERIFY(Programs(controller)
                     .startFunction(QStringLiteral("wait"), QStringLiteral("sleep(0.01)"), soon())
                     .ok());
@@ -195,7 +195,7 @@ private Q_SLOTS:
             QVERIFY(controller.status().cpusGranted);
             QCOMPARE(cpusOf("control"), QByteArray::number(cpu));
         }
-        // A CPU that is not there is no reason to leave the robot alone, but it is told.
+        // An invalid CPU does not prevent control, but is reported.
         options.cpus = {1000};
         Controller controller(options);
         QVERIFY(controller.takeControl(soon()).ok());
@@ -210,13 +210,13 @@ private Q_SLOTS:
         QCOMPARE(controller.status().loss, ControlLoss::NotTaken);
         const auto taken = controller.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
-        // A machine that stands still for 100 ms gives it away again.
+        // A machine that is blocked for 100 ms loses control again.
         QTRY_VERIFY(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
                     controller.status().inControl);
         const bool sameVersion = controller.version() == robot.options().software;
         QVERIFY(sameVersion);
         controller.release();
-        // A program that was not told in time ends by itself after 5 s.
+        // A program that was not ended in time ends by itself after 5 s.
         QTRY_COMPARE_WITH_TIMEOUT(robot.truth().runtimeState, RuntimeState::Stopped, 20'000);
     }
 
@@ -303,7 +303,7 @@ private Q_SLOTS:
         QCOMPARE(second.takeControl(soon()).error().code, ErrorCode::RegisterInUse);
         QVERIFY(first.status().inControl);
         first.release();
-        // Free again, and the same object may try again.
+        // Free again, and the same object may retry.
         const auto taken = second.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
     }
@@ -403,9 +403,9 @@ private Q_SLOTS:
             link.beMute();
         });
         ControllerOptions options = to(primary.port(), peer.port());
-        options.connectionTimeout = milliseconds(0);  // the peer sends one package and no more
+        options.connectionTimeout = milliseconds(0);  // the peer sends only one package
         Controller controller(options);
-        // Enough to get as far as the program.
+        // Enough to reach the upload of the program.
         const Error error = controller.takeControl(Deadline::after(std::chrono::seconds(5))).error();
         QCOMPARE(error.code, ErrorCode::Timeout);
         QVERIFY(error.controllerMessage.contains(QStringLiteral("Remote control")));
@@ -429,7 +429,7 @@ private Q_SLOTS:
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         QVERIFY(controller.takeControl(soon()).ok());
-        // Refused as long as the data are old, as they are when a thread comes late.
+        // Refused while the data are old, e.g. because a thread is late.
         Result<Jog> jog = Error{};
         QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = Motions(controller).startJog(JogTarget{})).ok(), 20'000);
         robot.closeClients();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PolyScope X over HTTP: a simulated robot is led to RUNNING, and peers that answer otherwise are understood.
+// PolyScope X over HTTP: brings a simulated robot to RUNNING, and handles peers with other replies.
 #include <QTest>
 #include <vector>
 
@@ -38,7 +38,7 @@ struct Robot {
     simulator::Simulator controller;
 };
 
-/// Answers each request with the next of these.
+/// Answers the requests one after the other with these replies.
 class Web {
 public:
     explicit Web(std::vector<QByteArray> replies)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One face for every robot: the same calls lead a simulated e-Series robot, a CB3 and PolyScope X from power
-// off to a running program, and each says what it can say of itself.
+// One interface for every robot: the same calls bring a simulated e-Series robot, a CB3 and PolyScope X from power
+// off to a running program, and each reports its properties.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -158,7 +158,7 @@ private Q_SLOTS:
             static_cast<void>(robot.perform(command));
         }
         QCOMPARE(safety(), SafetyMode::ProtectiveStop);
-        // The dashboard refuses for five seconds. Once it is done, the Robot API has nothing left to unlock.
+        // The dashboard refuses for five seconds. Afterwards, nothing remains to be unlocked by the Robot API.
         bool unlocked = false;
         QTRY_VERIFY_WITH_TIMEOUT(
             (unlocked = unlocked || robot.service->unlockProtectiveStop(patience()).ok()), 60'000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A healthy simulated robot, and the same with one thing broken at a time: every fault has its own cause, and
-// nothing else is blamed. `tiller-cli doctor` says the same.
+// A healthy simulated robot, and the same with one fault at a time: every fault has a distinct cause without other
+// findings. `tiller-cli doctor` reports the same.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -30,7 +30,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A loopback port on which nothing listens.
+/// A loopback port without a listener.
 int closedPort() {
     QTcpServer server;
     server.listen(QHostAddress::LocalHost);
@@ -57,7 +57,7 @@ const Finding& findingOf(const Report& report, const QString& cause) {
 }
 
 #ifndef _WIN32
-/// A port whose queue of new connections is full: connecting to it neither works nor fails.
+/// A port with a full connection queue: connecting neither succeeds nor fails.
 class BlackHole {
 public:
     BlackHole() {
@@ -100,7 +100,7 @@ class TestDoctor : public QObject {
 private:
     std::unique_ptr<simulator::Simulator> robot_;
     Patient patient_;
-    QSet<QString> usual_;  ///< what is found on a healthy robot: this PC's lack of privilege, no payload
+    QSet<QString> usual_;  ///< findings on a healthy robot: missing privileges of this PC, no payload
 
     static simulator::SimulatorOptions options() {
         simulator::SimulatorOptions options;
@@ -117,7 +117,7 @@ private:
         patient_.ports = {ports.rtde,     ports.primary,   ports.secondary,
                           ports.realtime, ports.dashboard, closedPort()};
     }
-    /// Exactly this is found in addition to what is found on a healthy robot.
+    /// Expects exactly these findings in addition to those of a healthy robot.
     void expectOnly(const QString& cause, Verdict verdict = Verdict::Bad) {
         const Report report = examine(patient_, Deadline::after(30s));
         QCOMPARE(report.size(), std::size_t(kConditionCount));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C++ examples, as they are, each against simulated robots of its own, and what they did to them.
+// Runs the C++ examples unchanged, each with its own simulated robots, and checks their effects.
 #include <unistd.h>
 #include <QDir>
 #include <QFile>
@@ -24,10 +24,10 @@ struct Outcome {
     int code = -1;
     QString out;
     QString err;
-    double furthest = 0;  ///< of the TCP from where it began, meanwhile [m]
+    double furthest = 0;  ///< maximum distance of the TCP from its start [m]
 };
 
-/// A robot on an address of its own, at the standard ports.
+/// A robot on a separate address with the standard ports.
 std::unique_ptr<simulator::Simulator> robotAt(int number) {
     simulator::SimulatorOptions options;
     options.listenAddress =
@@ -76,7 +76,7 @@ Outcome run(const QString& name, const Cell& cell) {
     return outcome;
 }
 
-/// What a computer that had no time for 100 ms makes of a motion: the arm brakes, as it should.
+/// Detects that the computer was blocked for 100 ms: the arm then stops, as intended.
 bool wasLate(const Outcome& outcome) {
     for (const char* word : {"LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed"}) {
         if (outcome.err.contains(QLatin1String(word)) || outcome.out.contains(QLatin1String(word))) {
@@ -88,9 +88,9 @@ bool wasLate(const Outcome& outcome) {
 
 struct Example {
     int robots;
-    /// Before it runs.
+    /// Before the example runs.
     std::function<void(Cell&)> prepare;
-    /// Returns  what is wrong, empty when nothing is
+    /// Returns  the problem; empty if there is none
     std::function<QString(const Cell&, const Outcome&)> check;
 };
 

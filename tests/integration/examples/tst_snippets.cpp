@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The READMEs show code that the suite runs: each block of code is part of one of the examples, word for word. The blocks
-// of CMake are built by integration/package/readme.
+// The code in the READMEs is covered by tests: each code block is contained literally in one of the examples, each
+// CMake block in the project that is built with the installed library.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -40,7 +40,7 @@ QString indentOf(const QString& line) {
     return kSpaces.match(line).captured();
 }
 
-/// Line after line, indented by the same everywhere.
+/// Line by line, with constant additional indentation.
 bool standsIn(const QStringList& block, const QStringList& text) {
     for (qsizetype at = 0; at + block.size() <= text.size(); ++at) {
         const QString indent =
@@ -56,7 +56,7 @@ bool standsIn(const QStringList& block, const QStringList& text) {
     return false;
 }
 
-/// Where code of this language may come from.
+/// Source files for code of this language.
 QStringList sourcesOf(const QString& language) {
     QStringList files;
     QDirIterator it(QStringLiteral(TILLER_SOURCE_DIR "/robot/examples/") + language,

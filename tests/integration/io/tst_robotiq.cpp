@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend's gripper client and the simulated gripper, over real sockets.
+// The gripper client of the backend and the simulated gripper, with real sockets.
 #include <QTest>
 
 #include "robot/io/robotiq_client.h"
@@ -18,13 +18,13 @@ constexpr int kClosed = 230;
 struct Bench {
     explicit Bench(const simulator::SimulatorOptions& options = VirtualRobot::options())
         : robot(options), client(robot.host(), robot.controller.ports().gripper) {
-        robot.controller.step();  // from here on it has power, or has none
+        robot.controller.step();  // switches its power on or off from here on
         const Result<void> connected = client.connect(patience());
         if (!connected) {
             qFatal("%s", why(connected).constData());
         }
     }
-    /// A gripper that says nothing fails the test.
+    /// A gripper that does not respond fails the test.
     RobotiqState look() {
         const auto found = client.look(patience());
         if (!found || !found->has_value()) {
@@ -49,7 +49,7 @@ struct Bench {
             qFatal("not active: %s", why(begun).constData());
         }
     }
-    /// To its end.
+    /// Waits until the motion is complete.
     RobotiqState move(int position, int speed = 255, int force = 0) {
         const Result<void> taken = client.move(position, speed, force, patience());
         if (!taken ||
@@ -139,7 +139,7 @@ private Q_SLOTS:
 
     void aControllerThatHangsUpIsFoundAgain() {
         Bench bench;
-        bench.look();  // from here on the controller has taken the connection
+        bench.look();  // the controller has accepted the connection
         bench.robot.controller.closeClients();
         bench.robot.controller.step();
         QCOMPARE(bench.client.look(patience()).error().code, ErrorCode::ConnectionClosed);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A WebSocket client that can break every rule: it writes any bytes, declares any frame length, and reads only when told
-// to. It blocks and needs no event loop, so that it can run in any thread.
+// A WebSocket client that can violate every rule: it writes arbitrary bytes, declares arbitrary frame lengths, and
+// reads only on request. It blocks and needs no event loop, so that it can run in any thread.
 
 #include <QDeadlineTimer>
 #include <QHostAddress>
@@ -15,7 +15,7 @@ namespace tiller::test {
 
 enum class Opcode : quint8 { Continuation = 0, Text = 1, Binary = 2, Close = 8, Ping = 9, Pong = 10 };
 
-/// A frame of a client, masked with zeros. declaredSize: written in place of the size of the payload.
+/// A client frame, masked with zeros. declaredSize: replaces the size of the payload.
 inline QByteArray clientFrame(Opcode opcode, const QByteArray& payload, bool final = true,
                               std::optional<quint64> declaredSize = {}) {
     const quint64 size = declaredSize.value_or(static_cast<quint64>(payload.size()));

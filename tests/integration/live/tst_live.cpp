@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a robot sends, sent on: through real sockets, to a viewer of our own, to one in node that knows the published
-// protocol only, and as datagrams.
+// Forwards robot data through real sockets to a viewer of these tests, to one in node that only knows the published
+// protocol, and as datagrams.
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -49,7 +49,7 @@ struct Bench {
         }
         TRY_COMPARE(receiver.counters().packets, static_cast<std::uint64_t>(sent));
     }
-    /// Started, with the channel of states there: it needs a package to know what the robot sends.
+    /// Starts and waits for the channel of states: it needs a package to know the fields of the robot.
     void start(live::LiveOptions options = {}) {
         options.port = 0;
         QVERIFY(output.start(options, receiver).ok());
@@ -62,7 +62,7 @@ struct Bench {
     int sent = 0;
 };
 
-/// As much of a viewer as a test needs.
+/// A minimal viewer.
 class Viewer {
 public:
     explicit Viewer(std::uint16_t port) {
@@ -130,7 +130,7 @@ void TestLive::aViewerGetsEveryPackage() {
     viewer.subscribe("/robot_state", 7);
     viewer.subscribe("/tf", 8);
     viewer.say({{"op", "nothing"}});
-    TRY_COMPARE(viewer.statuses().size(), 1);  // so the requests before it were taken
+    TRY_COMPARE(viewer.statuses().size(), 1);  // so the earlier requests were processed
     bench.send(1000);
     TRY_COMPARE(viewer.messages.size(), 2000);
     const recording::mcap::RobotStateLayout layout(channel["schema"].toString().toStdString(), "");
@@ -195,13 +195,13 @@ void TestLive::wrongRequestsAreAnsweredAndHarmNobody() {
     }
     viewer.socket.sendBinaryMessage(QByteArray("\x01garbage"));
     viewer.subscribe("/wrench", 3);
-    viewer.subscribe("/wrench", 3);  // twice the same number
+    viewer.subscribe("/wrench", 3);  // the same number twice
     TRY_COMPARE(viewer.statuses().size(), 9);
     QVERIFY(viewer.statuses().contains("there is no channel 999"));
     bench.send(5);
     TRY_COMPARE(other.messages.size(), 5);
     TRY_COMPARE(viewer.messages.size(), 5);
-    // One that sends without end is hung up on.
+    // A viewer that sends continuously is disconnected.
     viewer.socket.sendTextMessage(QString(1 << 20, QLatin1Char('x')));
     TRY_COMPARE(viewer.socket.state(), QAbstractSocket::UnconnectedState);
     bench.send(5);
@@ -224,7 +224,7 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     viewer.setReadChannel(QProcess::StandardError);
     TRY_VERIFY(viewer.canReadLine());
     QCOMPARE(viewer.readLine().trimmed(), QByteArray("subscribed"));
-    // Its request is on the way; until it is there nothing is sent to it.
+    // Its request is in transit; nothing is sent to it until it arrives.
     while (bench.output.progress().messages == 0 && bench.sent < 1000) {
         bench.send(1);
         QTest::qWait(1);

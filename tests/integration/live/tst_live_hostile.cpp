@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// `tiller-cli serve` as a process of its own, under a flood of hostile connections and frames, while other viewers work:
-// its memory stays small and the working viewers lose no package. The number of connections comes from the environment:
+// `tiller-cli serve` in a separate process under a flood of hostile connections and frames, while other viewers
+// work: its memory remains small and the working viewers lose no package. The number of connections is read from
+// the environment:
 //   TILLER_HOSTILE_CONNECTIONS=100000 tst_live_hostile
 
 #include <QFile>
@@ -32,7 +33,7 @@ namespace {
 
 constexpr int kHostileWaitMs = 60'000;
 
-/// [MB] The largest resident size that the process ever had.
+/// [MB] The largest resident size of the process.
 double peakMemory(qint64 process) {
     QFile status(QStringLiteral("/proc/%1/status").arg(process));
     if (status.open(QIODevice::ReadOnly)) {
@@ -45,7 +46,7 @@ double peakMemory(qint64 process) {
     return std::nan("");
 }
 
-/// Reads all states in a thread and checks that each package of the robot follows the one before.
+/// Reads all states in a thread and checks that the packages of the robot are consecutive.
 class WorkingViewer {
 public:
     explicit WorkingViewer(quint16 port) : thread_([this, port] { run(port); }) {}
@@ -120,15 +121,15 @@ private:
     std::atomic<int> received_{0};
     std::atomic<int> gaps_{0};
     std::atomic<double> longestPause_{0};
-    std::thread thread_;  // last: it uses all of the above
+    std::thread thread_;  // last member: it uses all others
 };
 
-/// One hostile connection. Returns it when it is to stay open.
+/// One hostile connection. Returns it if it should remain open.
 std::unique_ptr<RawViewer> attack(quint16 port, int number) {
     constexpr int kSources = 200;  // one address has too few ports for all connections
     auto viewer = std::make_unique<RawViewer>(
         port, QHostAddress(0x7f000001U + static_cast<quint32>(number % kSources)));
-    // Writes what is taken at once: the server may have closed the connection before.
+    // Writes as much as is accepted: the server may have closed the connection.
     const auto send = [&viewer](const QByteArray& bytes) {
         viewer->socket.write(bytes);
         viewer->socket.flush();
@@ -136,7 +137,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
     const auto upgraded = [&send](const QByteArray& bytes) { send(test::handshakeRequest() + bytes); };
     constexpr int kKinds = 15;
     switch (number % kKinds) {
-        case 0:  // silent
+        case 0:  // sends nothing
             return viewer;
         case 1:  // half a header
             send("GET / HTTP/1.1\r\nHost: x\r\n");
@@ -156,7 +157,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 6:  // a frame that never ends
             upgraded(clientFrame(Opcode::Text, QByteArray(1000, 'x'), true, 60'000));
             return viewer;
-        case 7:  // fragments that never end
+        case 7:  // endless fragments
             upgraded(clientFrame(Opcode::Text, QByteArray(1000, 'x'), false) +
                      clientFrame(Opcode::Continuation, QByteArray(1000, 'x'), false).repeated(200));
             break;
@@ -166,7 +167,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 9:  // many requests whose answers are not read
             upgraded(clientFrame(Opcode::Text, R"({"op":"nothing"})").repeated(500));
             return viewer;
-        case 10:  // subscribes to all and reads nothing
+        case 10:  // subscribes to everything and reads nothing
             viewer->upgrade();
             viewer->socket.setReadBufferSize(1024);
             for (const int channel : {1, 2, 3, 11}) {
@@ -176,7 +177,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 11:
             upgraded(clientFrame(Opcode::Text, QByteArray(30'000, '[')));
             break;
-        case 12:  // no UTF-8, reserved bits, reserved operation, control frame too large
+        case 12:  // invalid UTF-8, reserved bits, reserved operation, control frame too large
             upgraded(clientFrame(Opcode::Text, "\xff\xfe\xc0"));
             upgraded(QByteArray("\xf1\x80\x00\x00\x00\x00", 6));
             upgraded(clientFrame(static_cast<Opcode>(5), {}));
@@ -247,7 +248,7 @@ private Q_SLOTS:
         for (std::thread& attacker : attackers) {
             attacker.join();
         }
-        // A viewer that comes now is served.
+        // A new viewer is served.
         WorkingViewer third(port);
         QTRY_VERIFY_WITH_TIMEOUT(third.received() > 100, kHostileWaitMs);
         over = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Hostile and broken viewers of the live server: each one is bounded in memory and time, and the others lose nothing.
+// Hostile and broken viewers of the live server: each one is limited in memory and time, and the others lose
+// nothing.
 
 #include <QDeadlineTimer>
 #include <QTest>
@@ -54,7 +55,7 @@ struct LimitBench {
     int sent = 0;
 };
 
-/// Reads until `count` binary messages were received, or for the timeout. Returns how many there were.
+/// Reads until `count` binary messages were received, or until the timeout. Returns their number.
 int readMessages(RawViewer& viewer, int count, test::FrameReader& frames) {
     int messages = 0;
     QDeadlineTimer deadline(kLimitWaitMs);
@@ -100,7 +101,7 @@ void TestLiveLimits::aFrameThatIsTooLargeIsRefusedByItsHeader() {
     QCOMPARE(viewer.upgrade(), 101);
     constexpr quint64 kDeclared = 400'000'000;
     bool open = viewer.write(clientFrame(Opcode::Text, {}, true, kDeclared));
-    // The server must not take what it will refuse.
+    // The server must not accept data that it will refuse.
     const QByteArray chunk(1 << 20, 'x');
     int taken = 0;
     while (open && taken < 64) {
@@ -125,7 +126,7 @@ void TestLiveLimits::fragmentsWithoutAnEndAreBounded() {
     WAIT_COMPARE(bench.output.progress().viewers, 0);
 }
 
-// The read buffer of a connection holds one frame; the next one has to arrive all the same.
+// The read buffer of a connection holds one frame; the next one must arrive nevertheless.
 void TestLiveLimits::requestsOfFullSizeAreServed() {
     live::LiveOptions options;
     options.limits.maxRequestRate = 1 << 30;
@@ -155,7 +156,7 @@ void TestLiveLimits::aHeaderWithoutAnEndIsBounded() {
     viewer.socket.write("GET / HTTP/1.1\r\n" + line.repeated(static_cast<int>(kAll / line.size())));
     while (viewer.socket.bytesToWrite() > 0 && viewer.socket.waitForBytesWritten(RawViewer::kTimeoutMs)) {
     }
-    // The buffers of TCP take some megabytes that the server never reads.
+    // The TCP buffers hold some megabytes that the server never reads.
     QVERIFY2(taken < kAll / 2, qPrintable(QString::number(taken)));
 }
 
@@ -247,7 +248,7 @@ void TestLiveLimits::answersAreBounded_data() {
         << clientFrame(Opcode::Text, R"({"op":"subscribe","subscriptions":[)" + subscriptions + "]}");
 }
 
-// What a client causes the server to write, but does not read.
+// Data that a client causes the server to write, but does not read.
 void TestLiveLimits::answersAreBounded() {
     QFETCH(QByteArray, request);
     live::LiveOptions options;
@@ -291,7 +292,7 @@ void TestLiveLimits::idleViewersDoNotLockOutAWorkingOne() {
     QCOMPARE(viewer.upgrade(), 101);
     QVERIFY(viewer.subscribe(1, kStateChannel));
     WAIT_VERIFY((bench.send(1), bench.output.progress().messages > 0));
-    // It stays, however many others come.
+    // It remains, independent of the number of other connections.
     for (int i = 0; i < 100; ++i) {
         idle.push_back(std::make_unique<RawViewer>(bench.port()));
         idle.back()->upgrade();
@@ -319,7 +320,7 @@ void TestLiveLimits::subscribedViewersAreLimited() {
     }
     bench.send(10);
     QCOMPARE(bench.output.progress().messages, std::uint64_t(30));
-    // A viewer that leaves makes room.
+    // A viewer that leaves releases a slot.
     viewers.front().reset();
     WAIT_COMPARE(bench.output.progress().viewers, 4);
     QVERIFY(viewers.back()->subscribe(2, kStateChannel));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A controller in virtual time with an RTDE client that reads every period, and a script client: what a test
-// of motion needs, all of it through the sockets.
+// A controller in virtual time with an RTDE client that reads every period, and a script client, all through
+// sockets, for tests of motion.
 
 #include <array>
 #include <cmath>
@@ -62,9 +62,9 @@ public:
     double dt() const { return robot.controller.stepTime(); }
     const MotionSample& now() const { return samples.back(); }
 
-    /// Moves time on and reads what was sent meanwhile.
+    /// Advances time and reads all data sent meanwhile.
     void step(int ticks = 1) {
-        // Not more at once than the sockets hold.
+        // Not more at once than the sockets can buffer.
         for (int left = ticks; left > 0; left -= 20) {
             const int now = std::min(left, 20);
             robot.controller.step(now);
@@ -79,7 +79,7 @@ public:
         script.send(program);
         robot.controller.drainSockets();
     }
-    /// Sends a program and runs it to its end; false when it has none within `seconds`.
+    /// Sends a program and runs it to its end; false if it does not end within `seconds`.
     bool execute(const QByteArray& program, double seconds = 60) {
         send(program);
         return until([&] { return now().runtime == 2; }, 1) &&

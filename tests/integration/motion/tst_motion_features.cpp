@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is laid over a path (offsets, conveyors), and what stops or slows the arm: loads it was not told of,
-// reduced mode, hard contact. Programs over the primary interface, results over RTDE, in virtual time.
+// Modifications of a path (offsets, conveyors), and stops and slow-downs: unknown loads, reduced mode, hard
+// contact. Programs over the primary interface, results over RTDE, in virtual time.
 
 #include <QSet>
 #include <QTest>
@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// The largest change of any joint's target speed between two samples, by time [rad/s2].
+/// The largest change of any joint's target speed between two samples, over time [rad/s2].
 double worstAcceleration(const std::vector<MotionSample>& samples) {
     double worst = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -27,7 +27,7 @@ double worstAcceleration(const std::vector<MotionSample>& samples) {
     return worst;
 }
 
-/// Error codes among the messages that are on the primary stream now.
+/// Error codes among the current messages of the primary stream.
 std::vector<qint32> errorCodes(RecordedRobot& robot) {
     std::vector<qint32> codes;
     for (const QByteArray& message : robot.script.messages(6)) {
@@ -36,7 +36,7 @@ std::vector<qint32> errorCodes(RecordedRobot& robot) {
     return codes;
 }
 
-/// The newest value of one INT32 output, told to a client of its own.
+/// The newest value of an INT32 output, received by a separate client.
 class Watched {
 public:
     Watched(RecordedRobot& robot, const QByteArray& name) : robot_(robot), rtde_(robot.robot.rtde()) {
@@ -77,7 +77,7 @@ private Q_SLOTS:
         robot_->step();
     }
     void cleanup() {
-        // Whatever is laid over a path: no joint is asked for more than it can.
+        // With any path modification: no joint exceeds its limits.
         QVERIFY2(worstAcceleration(robot_->samples) < 41,
                  qPrintable(QString::number(worstAcceleration(robot_->samples))));
         robot_.reset();
@@ -86,8 +86,8 @@ private Q_SLOTS:
     void anOffsetIsAddedToThePath_data() {
         QTest::addColumn<int>("type");
         QTest::addColumn<QByteArray>("offset");
-        QTest::addColumn<QByteArray>("along");  // where it shows, base axes
-        // The line goes along -x and the tool's z points nearly straight down.
+        QTest::addColumn<QByteArray>("along");  // expected effect, base axes
+        // The line is along -x, and the tool's z points nearly straight down.
         QTest::newRow("base") << 1 << QByteArray("p[0,0,d,0,0,0]") << QByteArray("z");
         QTest::newRow("tool") << 2 << QByteArray("p[0,0,-d,0,0,0]") << QByteArray("z");
         QTest::newRow("motion, across") << 3 << QByteArray("p[0,d,0,0,0,0]") << QByteArray("y");
@@ -137,7 +137,7 @@ private Q_SLOTS:
         const MotionSample there = robot_->marked(1).front();
         QVERIFY(std::abs(there.targetPose[2] - start[2] - 0.05) < 1e-6);
         QVERIFY(there.speed() < 1e-6);
-        // It stays where it was brought to.
+        // It remains at its new position.
         QVERIFY(std::abs(now().targetPose[2] - start[2] - 0.05) < 1e-5);
     }
 
@@ -163,7 +163,7 @@ private Q_SLOTS:
         const double start = now().targetPose[1];
         robot_->robot.controller.changeWorld(
             [](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
-        // 10 000 ticks a metre: the conveyor runs at 0.1 m/s along -y. On it the arm goes up and down.
+        // 10 000 ticks per metre: the conveyor runs at 0.1 m/s along -y. On it the arm moves up and down.
         QVERIFY(robot_->execute(
             "def pick():\n  encoder_enable_pulse_decode(0, 1, 0, 1)\n"
             "  p = get_target_tcp_pose()\n  track_conveyor_linear(p[0,-1,0,0,0,0], 10000, 0)\n"
@@ -178,7 +178,7 @@ private Q_SLOTS:
             const double speed = (on[i].target() - on[i - 1].target()).y() / (on[i].time - on[i - 1].time);
             QVERIFY2(std::abs(speed + 0.1) < 1e-3, qPrintable(QString::number(speed)));
         }
-        // What it followed is what the encoder counted.
+        // The followed distance equals the count of the encoder.
         QVERIFY(std::abs(on.front().targetPose[2] - on.back().targetPose[2]) < 1e-3);
         QVERIFY(std::abs(start - now().targetPose[1] - now().value[0] / 10000) < 0.03);
         QVERIFY(robot_->marked(3).front().speed() < 1e-6);
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(std::abs((there.position - centre).norm() - 0.1) < 1e-3);
         const Eigen::Vector3d before = start.position - centre;
         const Eigen::Vector3d after = there.position - centre;
-        // 100 ticks a second of 1000 a turn, for two seconds.
+        // 100 ticks per second of 1000 per turn, for two seconds.
         const double angle = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
         QVERIFY2(std::abs(angle - 0.4 * std::numbers::pi) < 0.02, qPrintable(QString::number(angle)));
         const Eigen::AngleAxisd turned(
@@ -241,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(pulses.ready && told.ready);
         QCOMPARE(pulses.now(), 10);
         QCOMPARE(told.now(), 0);
-        // A count told by a program wraps as it is told to.
+        // A count set by a program wraps as configured.
         robot_->send(
             "def told():\n  encoder_enable_set_tick_count(1, 2)\n"
             "  encoder_set_tick_count(1, 65530)\n  encoder_set_tick_count(1, 65540)\n"
@@ -340,7 +340,7 @@ private Q_SLOTS:
     }
 
     void forceModeThatLeavesThePathIsAProtectiveStop() {
-        // The elbow is at its limit for the path; what the force asks of it has to come from the other axes.
+        // The elbow is at its limit for the path; the motion required by the force has to come from the other axes.
         robot_->send(
             "def leave():\n  force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,80,0,0,0], 2,"
             " [0.003,0.003,1,0.03,0.03,0.03])\n  q = get_target_joint_positions()\n  q[2] = q[2] + 2\n"

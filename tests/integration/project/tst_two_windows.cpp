@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two windows, each a process of its own, edit one project on a small disk. They are killed at random moments, and the
-// disk is full at times. The file is always whole, it holds every edit that a window reported as saved, and a window
-// with an edit that is not saved says so.
+// Two windows in separate processes edit one project on a small disk. They are killed at random times, and the disk
+// is full at times. The file is always complete, it contains every edit that a window reported as saved, and a
+// window with an unsaved edit reports it.
 //
-// TILLER_TEST_KILLS is the number of kills and full-disk moments; 500 take several minutes.
+// TILLER_TEST_KILLS is the number of kills and full-disk events; 500 take several minutes.
 
 #include <QCoreApplication>
 #include <QDir>
@@ -40,7 +40,7 @@ int numberOf(const project::Project& project, const QString& side) {
     return 0;
 }
 
-/// One window: counts in the waypoint of its name. What it does is decided at random, as an operator might.
+/// One window: increments the count in its waypoint. Its actions are random, as an operator might perform them.
 class Window : public QObject {
 public:
     Window(const QString& file, const QString& side, const QString& copies, quint32 seed)
@@ -64,13 +64,13 @@ private:
     void act() {
         using Obstacle = ProjectStore::Obstacle;
         if (store_.path() != file_) {
-            // Had been saved as a copy beside it.
+            // Was saved as a copy next to it.
             if (store_.isSaved()) {
                 (void)store_.open(file_);
             }
         } else if (store_.obstacle() == Obstacle::ChangedByOther && random_.bounded(4) == 0) {
             if (random_.bounded(2) == 0) {
-                pending_ = 0;  // the operator chose to drop it
+                pending_ = 0;  // the operator discarded it
                 (void)store_.reload();
             } else if (store_.keepBoth()) {
                 pending_ = 0;
@@ -85,7 +85,7 @@ private:
     void edit() {
         const project::WaypointList& points = document_.waypoints();
         const int number = numberOf(document_.project(), side_) + 1;
-        // Files of all sizes around the buffers.
+        // Files of all sizes around the buffer sizes.
         const QString note =
             QStringLiteral("%1 %2").arg(number).arg(QString(random_.bounded(40'000), QLatin1Char('x')));
         pending_ = number;
@@ -134,10 +134,10 @@ private:
     ProjectStore store_;
     QTimer timer_;
     QSocketNotifier input_{0, QSocketNotifier::Read};
-    int pending_ = 0;  ///< number of the edit that is not saved yet; 0: none
+    int pending_ = 0;  ///< number of the unsaved edit; 0: none
 };
 
-/// The other end of a window.
+/// The controlling side of a window.
 class WindowProcess {
 public:
     WindowProcess(const QString& side, const QString& file, const QString& copies)
@@ -266,7 +266,7 @@ private Q_SLOTS:
             if (QTest::currentTestFailed()) {
                 return;
             }
-            // Copies that the windows kept beside it.
+            // Copies kept by the windows next to it.
             for (const QString& copy : QFileInfo(file_).dir().entryList({"cell-*.tiller"}, QDir::Files)) {
                 QVERIFY(project::loadProject(QFileInfo(file_).dir().filePath(copy)).ok());
                 QFile::remove(QFileInfo(file_).dir().filePath(copy));
@@ -286,7 +286,7 @@ private Q_SLOTS:
 
 private:
     void check(std::array<WindowProcess, 2>& windows) {
-        // First what the windows say, then what is in the file: that is never older.
+        // First the reports of the windows, then the file: its content is at least as new.
         for (WindowProcess& window : windows) {
             window.read();
             QVERIFY2(window.complaints().isEmpty(),

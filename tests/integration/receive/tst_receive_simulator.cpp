@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Receiver, recorder and outputs on the simulated controller, over real sockets. Robot and clocks move in
-// lock-step, so nothing here depends on how fast the machine is.
+// Receiver, recorder and outputs with the simulated controller, over real sockets. Robot and clocks advance in
+// lock-step, so that the tests do not depend on the speed of the machine.
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// Only a failing test waits for it.
+// Only reached by a failing test.
 constexpr auto kPatience = 60s;
 
 template <class Condition>
@@ -45,7 +45,7 @@ simulator::SimulatorOptions standingStill(simulator::Time time = simulator::Time
     return options;
 }
 
-/// A simulated robot and a receiver on it that share one virtual time.
+/// A simulated robot and a receiver with a common virtual time.
 struct Cell {
     explicit Cell(const simulator::SimulatorOptions& options = standingStill()) : robot(options) {
         if (!robot.start().ok()) {
@@ -62,9 +62,9 @@ struct Cell {
     bool connect() {
         return eventually([&] { return receiver->state() == receive::ReceiverState::Receiving; });
     }
-    /// One control period of the robot and of the clock, and one package taken in.
+    /// One control period of robot and clock, and one received package.
     bool tick() {
-        // In all the places where it can be seen: one is written after the other.
+        // Checked in all places where it is visible, because they are written one after the other.
         const receive::Subscription ring = receiver->subscribe();
         const auto newest = receiver->latest().sequence;
         const auto counted = receiver->counters().packets;
@@ -175,7 +175,7 @@ void TestReceiveSimulator::streamsWithoutLossAt125Hz() {
         QVERIFY(cell.tick());
     }
     QCOMPARE(cell.receiver->counters().lost, std::uint64_t(0));
-    // What CB3 does not have is absent, and no reason to fail.
+    // Fields that CB3 does not have are absent without an error.
     const auto absent = cell.receiver->absentFields();
     QVERIFY(std::find(absent.begin(), absent.end(), "ft_raw_wrench") != absent.end());
     QVERIFY(!cell.receiver->latest().field("actual_q").empty());
@@ -191,7 +191,7 @@ void TestReceiveSimulator::refusedCpusAreTold() {
     to.cpus = {1000};
     receive::Receiver receiver(to);
     QVERIFY(receiver.start().ok());
-    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));  // it receives all the same
+    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));  // data are received nevertheless
     QVERIFY2(receiver.priority().advice.contains(QStringLiteral("CPU")),
              qPrintable(receiver.priority().advice));
 }
@@ -208,7 +208,7 @@ void TestReceiveSimulator::realTimeStreamAddsUp() {
     QVERIFY(receiver.start().ok());
     QVERIFY(eventually([&] { return receiver.counters().packets >= 500; }));
     receiver.stop();
-    // However the machine treated us: received and lost make up the controller's time.
+    // Independent of the load of the machine: received plus lost packages equal the controller's time.
     receive::Sample sample;
     double first = 0;
     double last = 0;
@@ -281,7 +281,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     to.port = cell.robot.ports().rtde;
     io::Outputs outputs(to, io::OutputFeedback::fromReceiver(*cell.receiver));
     QVERIFY(outputs.connect(Deadline::after(kPatience)).ok());
-    // The caller waits in a thread of its own while time is moved on here.
+    // The caller waits in a separate thread while time is advanced here.
     const auto carryOut = [&](auto call) {
         auto done = std::async(std::launch::async, call);
         while (done.wait_for(0s) != std::future_status::ready) {
@@ -301,7 +301,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     QCOMPARE(cell.robot.truth().digitalOutputs, std::uint64_t(0x38081));
     QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.37, patience()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
-    // Who asks for standstill must not get an arm that creeps.
+    // A request for standstill must not result in a creeping arm.
     for (const double creep : {0.0, -0.5, 0.0001, 0.0199}) {
         const auto refused = carryOut([&] { return outputs.setSpeedSlider(creep, patience()); });
         QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
@@ -326,7 +326,7 @@ void TestReceiveSimulator::secondOwnerIsToldWhatIsInUse() {
     QCOMPARE(second.canSetSpeedSlider().error().code, ErrorCode::RegisterInUse);
     QVERIFY(second.canSetSpeedSlider().error().context.contains(QLatin1String("speed_slider_mask")));
     QCOMPARE(second.canSetDigitalOutput(17).error().code, ErrorCode::RegisterInUse);
-    // Freed when the first one leaves.
+    // Freed when the first client disconnects.
     first.disconnect();
     QVERIFY(eventually(
         [&] { return second.connect(Deadline::after(kPatience)).ok() && second.canSetSpeedSlider().ok(); }));
@@ -340,7 +340,7 @@ void TestReceiveSimulator::comesBackWhenTheControllerClosesItsClients() {
     cell.robot.closeClients();
     cell.robot.step();
     QVERIFY(eventually([&] {
-        cell.clock.advanceNs(kNsPerMs);  // the wait before the next attempt is on this clock
+        cell.clock.advanceNs(kNsPerMs);  // the delay before the next attempt is measured on this clock
         return cell.receiver->counters().reconnects > before.reconnects;
     }));
     QVERIFY(cell.tick());
@@ -358,7 +358,7 @@ void TestReceiveSimulator::silentControllerIsStaleThenGivenUp() {
     QCOMPARE(cell.receiver->state(), receive::ReceiverState::Receiving);
     cell.clock.advanceNs(3 * kNsPerSecond);
     QVERIFY(eventually([&] { return cell.receiver->lastError().code == ErrorCode::LinkLost; }));
-    // stop() does not wait for a mute peer.
+    // stop() does not wait for a peer that does not respond.
     cell.receiver->stop();
     QCOMPARE(cell.receiver->state(), receive::ReceiverState::Stopped);
 }

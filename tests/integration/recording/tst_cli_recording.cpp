@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// tiller-cli record, info and export as their users type them, on the simulated controller.
+// tiller-cli record, info and export as typed by users, with the simulated controller.
 
 #include <QFile>
 #include <QFileInfo>
@@ -93,7 +93,7 @@ void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
     QCOMPARE(info["facts"]["serial_number"].toString(), QString(simulator_->options().serialNumber));
     QVERIFY(info["columns"].toArray().size() > 100);
     QVERIFY(run({"info", path("a.mcap")}).out.contains("actual_q_0 [rad]"));
-    // By default text is what it always was.
+    // The default text format is unchanged.
     QCOMPARE(
         run({"record", address_, "--out", path("a.csv"), "--duration", "0.3", "--fields", "actual_q"}).code,
         0);
@@ -105,7 +105,7 @@ void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
 void TestCliRecording::namesFilesInAFolder() {
     const QString folder = path("named");
     QVERIFY(QDir().mkpath(folder));
-    // Within one second most likely: each file is a new one.
+    // Probably within one second: each file has a new name.
     for (int i = 0; i < 3; ++i) {
         const Answer recorded = run({"record", "--out-folder", folder, "--duration", "0.1", "--", address_});
         QCOMPARE(recorded.err, QString());
@@ -149,7 +149,7 @@ void TestCliRecording::aKilledRecorderLosesHalfASecondAtMost() {
             .value()
             .front();
     for (std::size_t i = 1; i < stamps.size(); ++i) {
-        // Every package is there, in order, or its absence is.
+        // Every package is there in order, or is reported as missing.
         QCOMPARE(std::round((stamps[i] - stamps[i - 1]) * 500), 1 + lost[i]);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings read by what others wrote: the libraries of MCAP's makers for node, pandas, h5py. Where one of them is not
-// installed, its test says so and is skipped.
+// Recordings read by third-party software: the MCAP libraries for node, pandas, h5py. Tests of software that is not
+// installed are skipped.
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -27,7 +27,7 @@ constexpr int kPatienceMs = 100'000;
 constexpr std::uint64_t kRows = 1500;
 constexpr std::uint64_t kGap = 700;
 
-/// What a program prints, as JSON.
+/// The output of a program as JSON.
 QJsonObject answerOf(const QString& program, const QStringList& arguments, QString& complaint) {
     QProcess process;
     process.start(program, arguments);
@@ -216,7 +216,7 @@ void TestOthersRead::hdf5ByOctave() {
     }
     QVERIFY(test::writeFile(path("o.mcap"), test::madeFile(*mcapFormat({}), kRows, kGap)));
     exportHdf5(*openRecording(path("o.mcap")).value(), {.path = path("o.h5")}).value();
-    // A row here is a column there: Octave keeps the columns of a matrix together.
+    // A row here is a column there: Octave uses column-major order.
     const QString script =
         QStringLiteral(
             "s = load('-hdf5', 'FILE');\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A program without a QCoreApplication: it controls a robot in another process, in a thread that ends, then simulates one
-// itself, with the argument "threads" in such a thread too. Prints "done" when both worked; Qt must not complain (but with
-// "threads", of which Qt warns), and memory checkers must find nothing.
+// A program without a QCoreApplication: it controls a robot in another process, in a thread that ends, then
+// simulates one, with the argument "threads" in such a thread too. Prints "done" if both worked, without warnings
+// of Qt (except with "threads", which Qt warns about) and without errors of memory checkers.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,7 +50,7 @@ bool simulate(const QString& host) {
     return control(host);
 }
 
-/// Until its parent ends it; tells when it runs.
+/// Runs until its parent ends it; reports when it is ready.
 [[noreturn]] void beRobot(const QString& host, int ready) {
     tiller::simulator::Simulator robot(poweredOn(host));
     const char word = robot.start().ok() ? 'y' : 'n';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Watches a controller on all interfaces at once and says where they do not agree. RTDE, the realtime record
-// and the primary state carry a time: those of the same time have to say the same. The dashboard is asked
-// between two control periods, so it has to say what the last one said. Safety messages have to tell each
-// change of the safety mode, once and in order.
+// Observes a controller on all interfaces at once and reports contradictions. RTDE, the realtime record and the
+// primary state have time stamps: equal times require equal values. The dashboard is queried between two control
+// periods, so it has to match the last one. Safety messages must report each change of the safety mode once and in
+// order.
 
 #include <QStringList>
 #include <map>
@@ -16,7 +16,7 @@ namespace tiller::test {
 
 class ModeObserver {
 public:
-    /// What one control period said over RTDE.
+    /// RTDE data of one control period.
     struct Sample {
         int robotMode = 0, safetyMode = 0, safetyStatus = 0, runtimeState = 0, jointMode = 0;
         quint32 robotBits = 0, safetyBits = 0;
@@ -39,10 +39,10 @@ public:
         changes_.clear();
     }
 
-    /// What kept the interfaces from agreeing so far; empty: nothing.
+    /// Contradictions of the interfaces so far; empty: none.
     const QStringList& complaints() const { return complaints_; }
     const Sample& last() const { return last_; }
-    /// Robot modes since forget(), each once in a row.
+    /// Robot modes since forget(), without repetitions.
     QList<int> robotModes() const { return robotModes_; }
     QList<int> runtimeStates() const { return runtimeStates_; }
     void forget() {
@@ -66,7 +66,7 @@ public:
         }
     }
     void settle() {
-        step(60);  // more than a tenth of a second: a primary state has come
+        step(60);  // more than a tenth of a second: a primary state has arrived
         readPrimary();
         askDashboard();
         if (changes_ != told_) {
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    /// The fields of one package among themselves.
+    /// Consistency of the fields of one package.
     void checkWithin(const Sample& s) {
         const auto bit = [](quint32 word, int n) { return int((word >> n) & 1U); };
         const bool powered = s.robotMode >= 4 || (s.robotMode == 2 && s.jointMode != 239);
@@ -197,7 +197,7 @@ private:
             const double time = static_cast<double>(qFromBigEndian<quint64>(package.constData() + 10)) * 1e-9;
             const auto found = history_.find(key(time));
             if (found == history_.end()) {
-                continue;  // from before
+                continue;  // earlier messages
             }
             const Sample& then = found->second;
             const auto flag = [&package](int at) { return int(package[5 + at]); };

@@ -65,7 +65,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
         QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
-        // It listens on its own address and no other.
+        // It listens on its own address only.
         const auto last = ownAddress().section('.', 0, 2) + ".8";
         QVERIFY(!RawClient(last, 30004).isConnected());
 
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
     }
 
-    // What a robot of that series does; the fault "remote off" alone refuses nothing, as the vendor's
+    // Behaviour of a robot of this series; the fault "remote off" alone refuses nothing, as in the vendor's
     // simulator.
     void localRefusesWhatARobotRefuses_data() {
         QTest::addColumn<bool>("local");
@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // And the switch of the pendant, there and back.
+        // Also by the switch of the pendant, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dashboard and files: programs loaded and played, installations, the log, reports.
+// Dashboard and files: loading and playing programs, installations, the log, reports.
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -13,7 +13,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// As the pendant saves its files: qCompress() gives the same deflated bytes in another frame.
+/// File format of the pendant: qCompress() produces the same deflate data in another container.
 QByteArray gzipped(const QByteArray& content) {
     quint32 sum = ~quint32(0);
     for (const char c : content) {
@@ -33,7 +33,7 @@ QByteArray gzipped(const QByteArray& content) {
     return gzip;
 }
 
-/// A robot ready to play wait_program.urp, which never ends.
+/// A robot ready to play wait_program.urp, which does not end.
 struct Played {
     static simulator::SimulatorOptions options(const QString& folder) {
         QFile file(folder + "/wait_program.urp");
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
         cell.dashboard.ask("stop");
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Stopped; }, 2));
-        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // one that blocks does
+        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // a blocking one does
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
         cell.dashboard.ask("close popup");
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
@@ -201,7 +201,7 @@ private Q_SLOTS:
     }
 
     void everyRobotHasItsDefaultInstallation() {
-        VirtualRobot robot;  // without a programs folder even
+        VirtualRobot robot;  // not even a programs folder
         RawDashboard dashboard = robot.dashboard();
         QCOMPARE(dashboard.ask("load installation default.installation"),
                  QByteArray("Loading installation: default.installation\n"));
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("load /ursim/programs/none.urp"),
                  QByteArray("File not found: /ursim/programs/none.urp\n"));
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("STOPPED wait_program.urp\n"));
-        // A name no file can have; a warning of Qt's would fail the test.
+        // A name not allowed for files; a warning of Qt would fail the test.
         QTest::failOnWarning(QRegularExpression("."));
         QVERIFY(
             cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get loaded program") == "No program loaded\n", !loads);
     }
 
-    // What was within when it was loaded may have become a link since.
+    // A file inside the folder at load time may be replaced by a link.
     void aLoadedProgramThatTurnsIntoALinkIsNotPlayed() {
         QTemporaryDir elsewhere;
         QFile secret(elsewhere.filePath("secret.script"));
@@ -285,7 +285,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(cell.folder.filePath("wait_program.urp")));
         QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("wait_program.urp")));
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
-        // Nor is the script beside a program one from elsewhere.
+        // Neither may the script next to a program be a link to the outside.
         QFile program(cell.folder.filePath("pair.urp"));
         QVERIFY(program.open(QIODevice::WriteOnly));
         program.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dashboard's words and what they do to power, safety, modes and connections.
+// The dashboard commands and their effects on power, safety, modes and connections.
 #include <QTest>
 
 #include "tests/support/raw_client.h"
@@ -174,7 +174,7 @@ private Q_SLOTS:
         robot.controller.step(2);
         QCOMPARE(dashboard.ask("running"), QByteArray("Program running: true\n"));
         QCOMPARE(dashboard.ask("programState"),
-                 QByteArray("STOPPED <unnamed>\n"));  // speaks of the loaded program
+                 QByteArray("STOPPED <unnamed>\n"));  // refers to the loaded program
         QCOMPARE(dashboard.ask("stop"), QByteArray("Stopped\n"));
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 1));
     }
@@ -229,10 +229,10 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("popup x"), QByteArray("showing popup\n"));
         robot.controller.setRemoteControl(true);
         robot.controller.drainSockets();
-        QCOMPARE(dashboard.ask("power on"), refusal);  // rights are those of the connection
+        QCOMPARE(dashboard.ask("power on"), refusal);  // permissions belong to the connection
         RawDashboard remote = robot.dashboard();
         QCOMPARE(remote.ask("power on"), QByteArray("Powering on\n"));
-        // The switch takes them away, and turning it back does not bring them again.
+        // Switching to Local revokes them, and switching back does not restore them.
         robot.controller.setRemoteControl(false);
         robot.controller.drainSockets();
         QCOMPARE(remote.ask("power on"), refusal);

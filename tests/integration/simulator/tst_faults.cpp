@@ -10,7 +10,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// An RTDE client that receives one number a period.
+/// An RTDE client that receives one number per period.
 struct Stream {
     explicit Stream(VirtualRobot& given) : robot(given), rtde(given.rtde()) {
         rtde.useVersion();
@@ -77,7 +77,7 @@ private Q_SLOTS:
     void questionsOfProgramsAreAnswered() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
-        QVERIFY(!robot.controller.inject("answer 1").ok());  // nobody asks
+        QVERIFY(!robot.controller.inject("answer 1").ok());  // no pending request
         primary.send(
             "def p():\n  n = request_integer_from_primary_client(\"How many?\")\n"
             "  b = request_boolean_from_primary_client(\"Sure?\")\n"
@@ -139,7 +139,7 @@ private Q_SLOTS:
         console.send("status\r\nnonsense\n");
         QVERIFY(console.line().startsWith("ok robot_mode=RUNNING safety_mode=PROTECTIVE_STOP"));
         QVERIFY(console.line().startsWith("error: 'nonsense'"));
-        // It answers while everything else is silent, or nobody could end that.
+        // It answers while everything else is blocked, or the fault could not be ended.
         console.send("silence on\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         console.send("link lost\n");
@@ -147,7 +147,7 @@ private Q_SLOTS:
         console.send("clear\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         QCOMPARE(robot.dashboard().ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
-        QVERIFY(!simulator::Simulator().inject("status").ok());  // one that does not run says so
+        QVERIFY(!simulator::Simulator().inject("status").ok());  // a stopped simulator reports it
     }
 
     void aDelayHoldsEveryPackageForItsTime() {
@@ -162,7 +162,7 @@ private Q_SLOTS:
         const auto packages = stream.rtde.packages();
         QVERIFY(packages.size() >= 18 && packages.size() <= 21);
         QVERIFY(std::abs(doubleAt(packages.front().payload, 1) - sent - 0.002) < 1e-9);
-        // Nothing is lost: without the delay the rest comes at once.
+        // Nothing is lost: without the delay the rest arrives immediately.
         inject(robot, "delay 0");
         robot.controller.step(11);
         QCOMPARE(packages.size() + stream.rtde.packages().size(), std::size_t(40));
@@ -290,7 +290,7 @@ private Q_SLOTS:
         robot.controller.step(2);
         const auto packages = stream.rtde.packages();
         QCOMPARE(packages.size(), std::size_t(2));
-        // Time went on: what was not sent is never sent later.
+        // Time advanced: unsent data are never sent later.
         QVERIFY(std::abs(doubleAt(packages[0].payload, 1) - robot.controller.truth().timestamp + 0.002) <
                 1e-9);
     }
@@ -305,7 +305,7 @@ private Q_SLOTS:
                  QByteArray("\0IN_USE,DOUBLE", 14));
         QCOMPARE(rtde.setupInputs("speed_slider_mask"), QByteArray("\0IN_USE", 7));
         QCOMPARE(rtde.setupInputs("input_int_register_24"), QByteArray("\x01INT32"));
-        QVERIFY(!robot.controller.inject("hold-registers upper").ok());  // one of them has an owner
+        QVERIFY(!robot.controller.inject("hold-registers upper").ok());  // one of them is in use
         inject(robot, "release-registers");
         QCOMPARE(rtde.setupInputs("input_int_register_0"), QByteArray("\x02INT32"));
     }
@@ -382,7 +382,7 @@ private Q_SLOTS:
         QVERIFY(early.useVersion());
         robot.controller.stepSeconds(1.9);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Disconnected);
-        robot.dashboard().ask("power on");  // too early: not remembered
+        robot.dashboard().ask("power on");  // too early: ignored
         robot.controller.stepSeconds(0.2);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Booting);
         QVERIFY(early.waitClosed());
@@ -390,7 +390,7 @@ private Q_SLOTS:
         RawPrimary primary = robot.primary();
         robot.controller.stepSeconds(2);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
-        QVERIFY(primary.packages().size() > 15);  // ten states a second, also after time began again
+        QVERIFY(primary.packages().size() > 15);  // ten states per second, also after time starts again
         robot.controller.stepSeconds(5);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
     }
@@ -418,7 +418,7 @@ private Q_SLOTS:
         RawRtde rtde = robot.rtde();
         const RawRtde::Package text = rtde.request('V', bigEndian(quint16(2)));
         QCOMPARE(text.type, 'M');
-        QCOMPARE(text.payload[0], char(2));  // a fresh connection speaks version 1: level, then text
+        QCOMPARE(text.payload[0], char(2));  // a new connection uses version 1: level, then text
         QVERIFY(text.payload.contains("SafetySetup has not been confirmed yet"));
         QCOMPARE(rtde.next().type, 'V');
     }
@@ -450,7 +450,7 @@ private Q_SLOTS:
         const QByteArray wrong = firstWithKinematics(primary);
         QVERIFY(!wrong.isEmpty());
         QVERIFY(wrong != right);
-        // As real ones tell it: frames far away, and the flange less than a centimetre off.
+        // As reported by real robots: distant frames, and a deviation of the flange of less than a centimetre.
         QCOMPARE(dhIn(right).d[1], 0.0);
         QVERIFY(std::abs(dhIn(wrong).d[1]) > 1);
         const JointPositions q = robot.controller.truth().q;
@@ -473,7 +473,7 @@ private:
         }
         return dh;
     }
-    /// KinematicsInfo of the first state that has one, among what is here.
+    /// KinematicsInfo of the first state with one, among the received data.
     static QByteArray firstWithKinematics(RawPrimary& primary) {
         for (const QByteArray& package : primary.packages()) {
             for (qsizetype at = 5; package[4] == 16 && at + 5 <= package.size(); at += intAt(package, at)) {

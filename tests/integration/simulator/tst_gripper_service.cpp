@@ -25,7 +25,7 @@ struct GripperClient : RawClient {
         set("ACT 1");
         stepUntil([&] { return value("STA") == 3; });
     }
-    /// Moves and gives what the fingers met.
+    /// Moves and returns the object status.
     int move(const QByteArray& what) {
         set(what + " GTO 1");
         stepUntil([&] { return value("OBJ") != 0; });
@@ -51,7 +51,7 @@ private Q_SLOTS:
         GripperClient gripper(robot);
         gripper.send("SET SPE 100\n");
         QCOMPARE(gripper.take(3), QByteArray("ack"));
-        QVERIFY(gripper.takeAll().isEmpty());  // no newline behind it: clients compare letter by letter
+        QVERIFY(gripper.takeAll().isEmpty());  // no newline after it: clients compare exactly
         QCOMPARE(gripper.get("SPE"), QByteArray("SPE 100\n"));
         QVERIFY(gripper.set("FOR 12 POS 300"));
         QCOMPARE(gripper.get("FOR"), QByteArray("FOR 12\n"));
@@ -86,13 +86,13 @@ private Q_SLOTS:
         const QByteArray addresses = ask("SID", 17);
         QCOMPARE(addresses[1], '9');
         QVERIFY(gripper.takeAll().isEmpty());
-        // A line in two pieces: its end is not another question.
+        // A line in two pieces: its end is not another request.
         gripper.send("\n");
         QCOMPARE(gripper.get("PRE"), QByteArray("PRE 7\n"));
         QVERIFY(gripper.set("LBP 1") && gripper.set("LRD 0") && gripper.set("MSC 40") &&
                 gripper.set("SCN_BLOCK 1"));
         QCOMPARE(ask("MSC", 3), QByteArray("040"));
-        // What is only begun is waited for.
+        // An incomplete line is waited for.
         gripper.send("SET POS");
         QVERIFY(gripper.takeAll().isEmpty());
         gripper.send(" 9\n");
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     void aProgramFindsItAtTheControllersOwnAddress() {
         auto options = VirtualRobot::options();
-        options.listenAddress = "127.0.0.7";  // of the controller; its programs know it as 127.0.0.1
+        options.listenAddress = "127.0.0.7";  // of the controller; its programs use 127.0.0.1
         VirtualRobot robot(options);
         RawClient scripts(robot.host(), robot.controller.ports().secondary);
         scripts.send(
@@ -150,7 +150,7 @@ private Q_SLOTS:
         const double fast = duration("POS 3 SPE 255");
         QVERIFY2(slow / fast > 7 && slow / fast < 8, qPrintable(QString::number(slow / fast)));
         QCOMPARE(gripper.move("POS 255"), 3);
-        QCOMPARE(gripper.value("POS"), 230);  // the fingers touch
+        QCOMPARE(gripper.value("POS"), 230);  // the fingers touch the object
         QCOMPARE(gripper.value("PRE"), 255);
     }
 
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(gripper.set("POS 100 GTO 1"));
         robot.controller.stepSeconds(2);
         QCOMPARE(gripper.value("POS"), 3);
-        // The end of the release alone does not bring it back, nor does a second activation without a reset.
+        // The end of the release alone does not restore it, nor does a second activation without a reset.
         QVERIFY(gripper.set("ATR 0"));
         robot.controller.stepSeconds(2);
         QCOMPARE(gripper.value("STA"), 0);
@@ -200,7 +200,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.move("POS 100"), 3);
     }
 
-    // It goes before everything but a reset.
+    // It has priority over everything but a reset.
     void anAutomaticReleaseEndsAnActivation() {
         VirtualRobot robot;
         GripperClient gripper(robot);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("STA"), 0);
     }
 
-    // To a program its own controller is 127.0.0.1 with the usual ports, wherever this one listens.
+    // For a program its controller is 127.0.0.1 with the standard ports, independent of the address of this one.
     void aProgramReachesTheGripperOfItsOwnController() {
         VirtualRobot robot;
         GripperClient gripper(robot);

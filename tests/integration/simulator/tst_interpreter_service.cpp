@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Port 30020: statements and commands as lines, one reply a line.
+// Port 30020: statements and commands as lines, with one reply per line.
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs that work with signals of a Modbus device, and what happens to the device meanwhile.
+// Programs with signals of a Modbus device, and changes of the device meanwhile.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -9,7 +9,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// A robot whose programs tell what they find.
+/// A robot whose programs report their results.
 struct Cell {
     QByteArrayList told(const QByteArray& body, double seconds = 0.3) {
         const Heard heard = run(robot, primary, "def m():\n" + body + "\nend\n", seconds);
@@ -65,7 +65,7 @@ private Q_SLOTS:
         const QByteArray say = "textmsg(to_str(modbus_get_signal_status(\"s\")))\n";
         QCOMPARE(cell.told(kAdd + signal + '\n' + say), QByteArrayList{before});
         QCOMPARE(cell.fault("modbus-signal s " + values), QString());
-        cell.robot.controller.stepSeconds(0.2);  // it is looked at ten times a second
+        cell.robot.controller.stepSeconds(0.2);  // polled ten times per second
         QCOMPARE(cell.told("textmsg(to_str(modbus_get_signal_status(\"s\", False)))\n"),
                  QByteArrayList{after});
         QCOMPARE(cell.error, QByteArray());
@@ -92,7 +92,7 @@ private Q_SLOTS:
                            0.5),
                  (QByteArrayList{"[11, 21, 30, 40]", "21", "True"}));
         QCOMPARE(cell.error, QByteArray());
-        // They outlive the program, and go when they are deleted.
+        // They outlive the program, until they are deleted.
         QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"one\"))\nmodbus_delete_signal(\"one\")\n"
                            "textmsg(modbus_get_signal_status(\"one\"))"),
                  QByteArrayList{"21"});
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(cell.told(errors), (QByteArrayList{"0", "0", "0"}));
     }
 
-    // Within the watchdog's time the last valid value, behind it an error.
+    // Within the watchdog time the last valid value, afterwards an error.
     void aSignalThatIsNotAnsweredKeepsItsValueForAWhile() {
         Cell cell;
         QVERIFY(cell.told(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QVERIFY(cell.told(kAdd + "1, 2, \"slow\")\nmodbus_set_signal_update_frequency(\"slow\", 1)\n" + kAdd +
                           "1, 2, \"fast\")\nmodbus_set_signal_update_frequency(\"fast\", 500)")
                     .isEmpty());
-        // Just behind an update of the slow one.
+        // Just after an update of the slow signal.
         QVERIFY(cell.fault("modbus-signal fast 1").isEmpty());
         const QByteArray both =
             "textmsg(modbus_get_signal_status(\"slow\"))\ntextmsg(modbus_get_signal_status(\"fast\"))";

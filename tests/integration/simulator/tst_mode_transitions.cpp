@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every transition of robot mode, safety mode and program state that a simulated robot can make, looked at on
-// all interfaces at once.
+// Every transition of robot mode, safety mode and program state that a simulated robot can make, observed on all
+// interfaces at once.
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -15,7 +15,7 @@ using namespace tiller::test;
 namespace {
 
 enum Mode { Disconnected, ConfirmSafety, Booting, PowerOff, PowerOn, Idle, Backdrive, Running };
-// The states in between are seen as long as the arm takes to stand or to be at speed again.
+// Intermediate states last until the arm is at standstill or has reached its speed.
 enum Program { Stopping, Stopped, Playing, Pausing, Paused, Resuming };
 
 const char* const kEndless = "p:def forever():\n  while True:\n    sync()\n  end\nend";
@@ -28,8 +28,7 @@ const char* const kMoving =
 class TestModeTransitions : public QObject {
     Q_OBJECT
 
-    /// "d:" says something to the dashboard, "p:" to the primary port, "f:" is a fault, "t:" lets time pass
-    /// [s].
+    /// "d:" sends a line to the dashboard, "p:" to the primary port, "f:" is a fault, "t:" advances time [s].
     static void act(VirtualRobot& robot, ModeObserver& observer, const QByteArray& action) {
         const QByteArray words = action.mid(2);
         if (action.startsWith("d:")) {
@@ -51,7 +50,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("powered");
         QTest::addColumn<QList<QByteArray>>("before");
         QTest::addColumn<QList<QByteArray>>("event");
-        QTest::addColumn<QList<int>>("robotModes");  // passed through, the first included
+        QTest::addColumn<QList<int>>("robotModes");  // the expected modes, including the first one
         QTest::addColumn<QList<int>>("runtimeStates");
         QTest::addColumn<int>("safetyMode");
         QTest::addColumn<int>("safetyStatus");
@@ -226,7 +225,7 @@ private Q_SLOTS:
         for (const QByteArray& action : event) {
             act(robot, observer, action);
         }
-        // Until it is through, then as long again as a primary state may take.
+        // Until complete, then the interval of a primary state.
         for (int i = 0;
              i < 200 && (observer.robotModes() != robotModes || observer.runtimeStates() != runtimeStates);
              ++i) {
@@ -240,8 +239,7 @@ private Q_SLOTS:
         QVERIFY2(observer.complaints().isEmpty(), qPrintable(observer.complaints().join('\n')));
     }
 
-    // A start of the controller ends every connection, so each of its modes is looked at by clients that come
-    // back.
+    // A start of the controller closes all connections, so each of its modes is observed by new clients.
     void theStartOfAControllerIsSeenAlikeOnAllInterfaces() {
         VirtualRobot robot;
         {
@@ -269,7 +267,7 @@ private Q_SLOTS:
         look(5, Running);
     }
 
-    // PolyScope X has no dashboard; there the Robot API has to agree.
+    // PolyScope X has no dashboard; there the Robot API must be consistent.
     void theRobotApiOfPolyScopeXSaysTheSame() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the primary and realtime ports tell by themselves: version, state, variables, realtime record.
+// Data sent by the primary and realtime ports without a request: version, state, variables, realtime record.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -9,7 +9,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Sub-packages of a RobotState as type -> whole sub-package.
+/// Sub-packages of a RobotState by type.
 QMap<int, QByteArray> partsOf(const QByteArray& state) {
     QMap<int, QByteArray> parts;
     for (qsizetype at = 5; at + 5 <= state.size();) {
@@ -23,7 +23,7 @@ QMap<int, QByteArray> partsOf(const QByteArray& state) {
     return parts;
 }
 
-/// What has come about variables, without frame and time.
+/// Received variable messages, without frame and time.
 QList<QByteArray> variablesOf(RawPrimary& primary) {
     QList<QByteArray> found;
     for (const QByteArray& package : primary.packages()) {
@@ -46,7 +46,7 @@ private Q_SLOTS:
         const QByteArray message = primary.next();
         QCOMPARE(message.size(), 55);
         QCOMPARE(int(message[4]), 20);
-        QCOMPARE(message.mid(5, 8), QByteArray(8, '\xff'));  // it is of no time
+        QCOMPARE(message.mid(5, 8), QByteArray(8, '\xff'));  // without a time
         QCOMPARE(int(message[13]), -2);
         QCOMPARE(int(message[14]), int(kVersion));
         QCOMPARE(message.mid(15, 10), QByteArray("\x09URControl"));
@@ -57,7 +57,7 @@ private Q_SLOTS:
 
     void theFirstStateDescribesTheArmAndLaterOnesDoNot() {
         auto options = VirtualRobot::options();
-        options.software = {5, 8, 0, 0};  // the one that was recorded
+        options.software = {5, 8, 0, 0};  // the recorded version
         VirtualRobot robot(options);
         RawPrimary primary = robot.primary();
         primary.next();
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QCOMPARE(parts[13].size(), 7);
     }
 
-    // Clients read it to the last byte and give up where one is missing.
+    // Clients read it to the last byte and fail if one is missing.
     void theMasterboardHasTheLengthOfItsSoftware_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY(rtde.useVersion());
         rtde.setupOutputs(10, "timestamp");
         QVERIFY(rtde.start());
-        robot.controller.step(10'000);  // some twelve megabytes
+        robot.controller.step(10'000);  // about twelve megabytes
         QCOMPARE(rtde.packages().size(), std::size_t(200));
         deaf.send("def p():\n  set_standard_digital_out(0, True)\nend\n");
         robot.controller.drainSockets();

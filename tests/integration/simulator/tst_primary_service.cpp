@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs and command words sent to the primary, secondary and realtime ports, and what is said of them.
+// Programs and commands sent to the primary, secondary and realtime ports, and the resulting messages.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -9,7 +9,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// The safety mode of a robot state package; -1 when it has none.
+/// The safety mode of a robot state package; -1 if it has none.
 int safetyModeIn(const QByteArray& state) {
     constexpr int kMasterboard = 3, kOffset = 65;
     for (qsizetype at = 5; at + 5 <= state.size() && intAt(state, at) >= 5; at += intAt(state, at)) {
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return mode() == RobotMode::Running; }));
     }
 
-    // A control script for both series holds what only one of them can, behind a condition.
+    // A control script for both series contains functions of one series only, in a condition.
     void gainScalingCompilesOnACb3AndFailsOnlyWhenCalled() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(called.exceptions[0].contains("force_mode_set_gain_scaling"));
     }
 
-    // Of the frames that are always there the base alone can be moved, in the world.
+    // Of the permanent frames, only the base can be moved, relative to the world.
     void theBaseCanBeMovedInTheWorld() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};
@@ -249,13 +249,13 @@ private Q_SLOTS:
         QCOMPARE(heard.keys, (QByteArrayList{"STARTED p", "STOPPED p"}));
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Running);
 
-        // An early unlock over this port is not lost.
+        // An early unlock through this port is not lost.
         const Heard unlocked = run(robot, primary, "set unlock protective stop\n", 0.5);
         QCOMPARE(unlocked.safetyModes.size(), std::size_t(1));
         QCOMPARE(int(unlocked.safetyModes[0][8]), 1);
     }
 
-    // Clients wait for the message and then look at the newest state.
+    // Clients wait for the message and then read the newest state.
     void aSafetyModeIsToldBehindAStateThatShowsIt_data() {
         QTest::addColumn<QString>("fault");
         QTest::addColumn<QByteArray>("script");
@@ -279,7 +279,7 @@ private Q_SLOTS:
         QFETCH(QString, fault);
         QFETCH(QByteArray, script);
         QFETCH(QList<int>, modes);
-        // Wherever in the time between two states it happens.
+        // At any time between two states.
         for (const int ticksBefore : {1, 13, 26, 39, 49, 50, 51}) {
             VirtualRobot robot;
             RawPrimary primary = robot.primary();
@@ -307,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    // What changed while nothing was sent is told once, as it stands now.
+    // Changes during a pause are reported once, with the current value.
     void afterASilenceTheLastSafetyModeIsTold() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
@@ -364,7 +364,7 @@ private Q_SLOTS:
         QCOMPARE(intAt(heard.errors[0], 0), 210);
         QVERIFY(heard.keys.isEmpty());
 
-        // A connection made in Local stays read-only; a new one may write.
+        // A connection opened in Local stays read-only; a new one may write.
         robot.controller.setRemoteControl(true);
         QVERIFY(run(robot, local, "def p():\n  sleep(1)\nend\n", 0.2).keys.isEmpty());
         RawPrimary remote = robot.primary();

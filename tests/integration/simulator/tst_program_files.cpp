@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs of the pendant, as it saves them: variables that are told once and referred to, sequences,
-// branches, loops, threads, waypoints given by a variable.
+// Programs in the file format of the pendant: variables with references, sequences, branches, loops, threads,
+// waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -14,7 +14,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// An expression as it is saved, sign by sign. `@path@` in it stands for a variable told elsewhere.
+/// An expression in file format, character by character. `@path@` in it is a reference to a variable.
 QString signs(const QString& text) {
     QString xml;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -54,7 +54,7 @@ QString program(const QString& parts) {
     return withChildren(QStringLiteral("URProgram name=\"p\" createdIn=\"5.11.0\""), parts);
 }
 
-/// A robot with one program in its folder, loaded.
+/// A robot with one loaded program in its folder.
 struct Loaded {
     /// beside  other files of the folder, by name
     explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {}) {
@@ -93,8 +93,8 @@ class TestProgramFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // What the vendor's RTDE client comes with for its control loop: a thread reads set points into a
-    // variable told before the start, the program moves there on command and says when it is there.
+    // The example of the vendor's RTDE client for its control loop: a thread reads set points into a variable
+    // defined before the start, the program moves there on command and reports its arrival.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -154,11 +154,11 @@ private Q_SLOTS:
                 values += bigEndian(v);
             }
             rtde.sendPackage('U', values);
-            QVERIFY(until(1, 0));  // the thread takes them in
+            QVERIFY(until(1, 0));  // the thread reads them
             QVERIFY(until(0, 1));
             QVERIFY(std::abs(doubleAt(state, 5 + 16) - z) < 1e-3);
         }
-        // Without the client the watchdog acts as it was told to.
+        // Without the client the watchdog acts as configured.
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Paused; }, 3));
     }
 
@@ -221,8 +221,7 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(1) << 6);
     }
 
-    // The nodes that published programs of the pendant use: each sets output 1 where it should, and none
-    // else.
+    // The nodes used by published programs of the pendant: each sets output 1 where expected, and no other.
     void theNodesOfThePendantRun_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<quint64>("outputs");
@@ -397,7 +396,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(cell.robot.controller.truth().q[0])));
     }
 
-    // Scripts and sub programs that are files of their own come from the programs folder.
+    // Scripts and subprograms in separate files are loaded from the programs folder.
     void whatAProgramRefersToIsReadFromTheFolder_data() {
         QTest::addColumn<QString>("node");
         const auto script = [](const char* file) {

@@ -21,7 +21,7 @@ struct Answer {
     QJsonObject json() const { return QJsonDocument::fromJson(body).object(); }
 };
 
-/// A kept HTTP connection.
+/// A persistent HTTP connection.
 struct Web : RawClient {
     explicit Web(const VirtualRobot& robot) : RawClient(robot.host(), robot.controller.ports().robotApi) {}
 
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(VirtualRobot(polyScopeX(10)).controller.ports().robotApi, quint16(0));
     }
 
-    // Neither read nor written through.
+    // Neither read nor written through the link.
     void aLinkOutOfTheProgramsFolderIsNoProgram() {
         QTemporaryDir place;
         const QDir outside(place.path());
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", "not json").status, 422);
     }
 
-    // As the vendor's pendant saves it.
+    // As saved by the vendor's pendant.
     void aProgramInTheVendorsLayoutIsUnderstood() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", R"({"action":"play"})").status, 200);
         robot.controller.stepSeconds(3);
         QCOMPARE(web.ask("GET", "/program/v1/state").json()["state"].toString(), QStringLiteral("PLAYING"));
-        // The program of a fresh controller takes its place again.
+        // The program of a new controller replaces it again.
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"Default program"})").status, 200);
         QCOMPARE(web.ask("GET", "/program/v1/loaded").json()["name"].toString(),
                  QStringLiteral("Default program"));
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode//").status, 404);
     }
 
-    // Clients ask for the new state, or for the next step, as soon as they have the answer.
+    // Clients query the new state, or request the next step, immediately after the answer.
     void whatTakesTimeIsAnsweredWhenItIsDone() {
         auto options = polyScopeX();
         options.time = simulator::Time::Real;
@@ -284,7 +284,7 @@ private Q_SLOTS:
         const Answer refused = web.ask("PUT", "/robotstate/v1/state", R"({"action":"POWER_OFF"})");
         QCOMPARE(refused.status, 403);
         QCOMPARE(refused.json()["message"].toString(), QStringLiteral("Forbidden - Operation Not Allowed"));
-        QCOMPARE(web.upload("POST", kProgram).status, 200);  // storing a program moves nothing
+        QCOMPARE(web.upload("POST", kProgram).status, 200);  // storing a program does not move anything
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 403);
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode").json()["mode"].toString(),
                  QStringLiteral("RUNNING"));
@@ -299,7 +299,7 @@ private Q_SLOTS:
         VirtualRobot robot(polyScopeX());
         Web web(robot);
         const QByteArray path = "/universal-robots/robot-api/robotstate/v1/robotmode";
-        // Two in one piece, the second byte by byte, then a body in chunks.
+        // Two requests in one piece, the second byte by byte, then a chunked body.
         web.send("GET " + path + " HTTP/1.1\r\n\r\nGET " + path + "?x=1 HTT");
         QCOMPARE(web.next().status, 200);
         for (const char c : QByteArray("P/1.1\r\nX: y\r\n\r\n")) {

@@ -22,7 +22,7 @@ private Q_SLOTS:
                      QByteArray("\x02INT32,INT32"));
             const QByteArray refused = second.setupInputs("input_int_register_24,input_int_register_30");
             QCOMPARE(refused, QByteArray("\0IN_USE,INT32", 13));
-            // Nothing of a refused recipe is taken.
+            // A refused recipe claims nothing.
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }
@@ -113,7 +113,7 @@ private Q_SLOTS:
             options.software = {3, 15, 8, 106339};
         }
         VirtualRobot robot(options);
-        const RawRtde writer = robot.rtde();  // one that only writes takes no place
+        const RawRtde writer = robot.rtde();  // a client that only writes does not count
         std::vector<std::unique_ptr<RawRtde>> clients;
         for (int i = 0; i < 4; ++i) {
             clients.push_back(std::make_unique<RawRtde>(robot.host(), robot.controller.ports().rtde));
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.rtdeClients(), stays ? 5 : 4);
         if (!stays) {
             QVERIFY(clients.back()->waitClosed());
-            // The first to leave makes room.
+            // A client that disconnects releases a slot.
             clients.pop_back();
             clients.erase(clients.begin());
             QVERIFY(robot.stepUntil([&] { return robot.controller.rtdeClients() == 3; }, 5));
@@ -193,7 +193,7 @@ private Q_SLOTS:
         options.software = {static_cast<quint32>(major), static_cast<quint32>(minor), 3, 0};
         VirtualRobot robot(options);
         RawRtde rtde = robot.rtde();
-        QVERIFY(rtde.useVersion());  // they do not need version 3
+        QVERIFY(rtde.useVersion());  // version 3 is not required
         const auto counted = [](const QByteArray& types) {
             return bigEndian(static_cast<quint16>(types.size())) + types;
         };
@@ -216,7 +216,7 @@ private Q_SLOTS:
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
         rtde.sendPackage('R', "v1.software.version");
-        QCOMPARE(rtde.request('v').type, 'v');  // the next answer is to the next request
+        QCOMPARE(rtde.request('v').type, 'v');  // the next answer belongs to the next request
     }
 
     void versionThreeHasRoomForMoreConfigurableOutputs() {
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(wordAt(data, 5), 0b010U << 8);
     }
 
-    // What the vendor's client records by default, from any robot.
+    // Default recipe of the vendor's client, for any robot.
     void whatIsRecordedByDefaultIsThereOnEverySoftware_data() {
         QTest::addColumn<RobotModelId>("model");
         QTest::addColumn<int>("major");
@@ -366,11 +366,11 @@ private Q_SLOTS:
             return robot.controller.truth();
         };
         QCOMPARE(write(1, char(255), 0, 0.1).digitalOutputs, 1ULL);  // value 255, one bit in the mask
-        QCOMPARE(robot.controller.truth().speedSlider, 1.0);         // mask 0: left alone
+        QCOMPARE(robot.controller.truth().speedSlider, 1.0);         // mask 0: unchanged
         QCOMPARE(write(4, 4, 1, 0.25).digitalOutputs, 5ULL);
         QCOMPARE(robot.controller.truth().speedSlider, 0.25);
         QCOMPARE(write(1, 0, 1, 7.0).digitalOutputs, 4ULL);
-        QCOMPARE(robot.controller.truth().speedSlider, 1.0);  // held to its range
+        QCOMPARE(robot.controller.truth().speedSlider, 1.0);  // limited to its range
         QCOMPARE(write(0, char(255), 1, qQNaN()).digitalOutputs, 4ULL);
         QCOMPARE(robot.controller.truth().speedSlider, 1.0);
     }
@@ -461,7 +461,7 @@ private Q_SLOTS:
         robot.controller.step();
         const auto packages = rtde.packages();
         QCOMPARE(packages.size(), std::size_t(1));
-        QVERIFY(doubleAt(packages[0].payload, 1) > 60.02);  // time went on meanwhile
+        QVERIFY(doubleAt(packages[0].payload, 1) > 60.02);  // time advanced meanwhile
     }
 
     void closedClientsMayComeBack() {

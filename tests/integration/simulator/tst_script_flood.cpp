@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client that writes commands to a program as fast as it can: the program goes on, the newest command acts
-// soon, and what nobody can read yet stays with the client.
+// A client that writes commands to a program at the maximum rate: the program continues, the newest command takes
+// effect soon, and unread data stay with the client.
 #include <QDeadlineTimer>
 #include <QTcpServer>
 #include <QTest>
@@ -14,14 +14,14 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kNumbers = 8;  ///< in a command, as the vendor's library sends them
+constexpr int kNumbers = 8;  ///< in a command, as in the vendor's library
 constexpr qsizetype kCommand = 4 * kNumbers;
 
 QByteArray command(qint32 number) {
     return bigEndian(number).repeated(kNumbers);
 }
 
-/// A robot whose program reads commands in a loop without sync() and shows the last in a register.
+/// A robot whose program reads commands in a loop without sync() and writes the last one to a register.
 struct Cell {
     explicit Cell(const simulator::SimulatorOptions& options = VirtualRobot::options()) : robot(options) {
         server.listen(QHostAddress::LocalHost);
@@ -41,7 +41,7 @@ struct Cell {
         robot.controller.step(5);
         return socket;
     }
-    /// The command that acts now, of a robot whose time stands still.
+    /// The active command, while the robot's time does not advance.
     qint32 acting() {
         for (const RawRtde::Package& package : rtde.packages()) {
             last = package.type == 'U' ? intAt(package.payload, 1) : last;
@@ -75,19 +75,19 @@ private Q_SLOTS:
             client->write(burst);
             while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
             }
-            cell.robot.controller.drainSockets();  // the network is quicker than a period
+            cell.robot.controller.drainSockets();  // the network is faster than a period
             cell.robot.controller.step(2);
             QCOMPARE(cell.acting(), newest);
         }
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
     }
 
-    // Time stands still for the program while the client writes: TCP holds the client up.
+    // Time does not advance for the program while the client writes: TCP blocks the client.
     void whatTheProgramHasNoTimeForStaysWithTheClient() {
         Cell cell;
         QTcpSocket* const client = cell.client();
         QVERIFY(client != nullptr);
-        // What is not taken stays in the client's own buffers.
+        // Data that are not accepted stay in the client's buffers.
         constexpr qsizetype kFlood = 64 << 20;
         client->write(command(1).repeated(kFlood / kCommand));
         for (int i = 0; i < 200; ++i) {
@@ -95,7 +95,7 @@ private Q_SLOTS:
             cell.robot.controller.drainSockets();
         }
         QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
-        // And goes on as the program reads.
+        // It continues as the program reads.
         const qint64 before = client->bytesToWrite();
         for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
             cell.robot.controller.step();
@@ -117,7 +117,7 @@ private Q_SLOTS:
             many += command(i);
         }
         const double begin = cell.robot.controller.truth().timestamp;
-        // Long enough in the robot's own time, however slow the machine is.
+        // Measured in robot time, independent of the speed of the machine.
         while (cell.robot.controller.truth().timestamp < begin + 0.3) {
             client->write(many);
             while (client->bytesToWrite() > (1 << 20) && client->waitForBytesWritten(100)) {
@@ -129,7 +129,7 @@ private Q_SLOTS:
         }
         client->write(command(424242));
         client->waitForBytesWritten(kPatienceMs);
-        // Packages come without a pause: there is no end of them to wait for.
+        // Packages arrive without a pause: there is no end to wait for.
         QDeadlineTimer deadline(kPatienceMs);
         qint32 acting = 0;
         while (acting != 424242 && !deadline.hasExpired()) {
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(!Heard(cell.primary).texts.contains("Runtime"));
     }
 
-    // A text longer than what is kept of a flood arrives whole.
+    // A text longer than the buffer for a flood arrives completely.
     void aLongTextArrivesWhole() {
         Cell cell;
         cell.primary.send("stop program\n");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A hundred thousand broken inputs for each service, and clients that come and go: no crash, no descriptor
-// left, no control period that hangs, and a proper client is served as before. Short by default;
+// A hundred thousand invalid inputs for each service, and clients that connect and disconnect: no crash, no leaked
+// descriptor, no blocked control period, and a proper client is served as before. Short by default;
 //
-//     tst_server_endurance --seconds 3600        clients come and go for an hour
+//     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
 //     tst_server_endurance --inputs 1000000 --seed 7
 
 #include <QDir>
@@ -29,7 +29,7 @@ int openDescriptors() {
                    .size());
 }
 
-/// Memory of this process in RAM [KiB]; 0 where the system does not tell.
+/// Resident memory of this process [KiB]; 0 if the system does not report it.
 qint64 residentMemory() {
     QFile file(QStringLiteral("/proc/self/status"));
     if (file.open(QIODevice::ReadOnly)) {
@@ -42,12 +42,12 @@ qint64 residentMemory() {
     return 0;
 }
 
-/// A proper client gets what it has always got.
+/// A proper client is served as before.
 bool servesAsBefore(VirtualRobot& robot) {
     if (!robot.controller.inject("clear").ok()) {
         return false;
     }
-    // Those who have just connected are counted among the others.
+    // Clients that have just connected are included.
     robot.controller.drainSockets();
     robot.controller.drainSockets();
     const int others = robot.controller.rtdeClients();
@@ -110,12 +110,12 @@ private Q_SLOTS:
                 ++connections;
                 QVERIFY(client->isConnected());
             }
-            // A few at a time: what follows the one that makes the service hang up is lost.
+            // A few at a time: input after the one that causes a disconnection is lost.
             QByteArray batch;
             for (int i = 0; i < 5; ++i, ++done) {
                 batch += service.input(in);
             }
-            // Not send(): the other end may have had enough.
+            // Not send(): the other end may have closed the connection.
             client->socket().write(batch);
             client->socket().flush();
             robot.controller.drainSockets();
@@ -145,8 +145,8 @@ private Q_SLOTS:
         QElapsedTimer timer;
         timer.start();
         int connections = 0;
-        // Free of leaks: what it has taken after a tenth of the time is what it has at the end, but for the
-        // allocator's own affairs. Of use for long runs only.
+        // No leaks: the memory after a tenth of the time equals the memory at the end, except for the reserve of
+        // the allocator. Useful for long runs only.
         constexpr qint64 kReserve = 24 * 1024;
         qint64 settledMemory = 0;
         qint64 told = 0;
@@ -179,7 +179,7 @@ private Q_SLOTS:
                         (*leaving)->socket().disconnectFromHost();
                         break;
                     default:
-                        break;  // as it is
+                        break;  // unchanged
                 }
                 clients.erase(leaving);
             }
@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
     take("--seconds", churnSeconds);
     take("--seed", seed);
     if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) {
-        // Qt Test ends what takes longer than five minutes.
+        // Qt Test aborts functions that take longer than five minutes.
         qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number((qint64(churnSeconds) + 3600) * 1000));
     }
     TestServerEndurance test;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated robot for programs written against the ur_rtde interface. Its time is virtual and goes on as
-// fast as the client answers: a slow machine makes the robot slow, not the client late.
+// A simulated robot for programs written for the ur_rtde interface. Its virtual time advances as fast as the client
+// answers: a slow machine makes the robot slow, not the client late.
 
 #include <QCoreApplication>
 #include <QString>
@@ -36,9 +36,9 @@ public:
     }
 
     std::string host() const { return robot.listenAddress().toStdString(); }
-    /// Time stands still, as a controller that has hung: what is connected stays so.
+    /// Stops time, as for a controller that hangs: connections remain open.
     void freeze(bool frozen) { frozen_ = frozen; }
-    /// Waits for the robot to be so, in real time only as long as a test may hang.
+    /// Waits for the condition, in real time and with a limit for hanging tests.
     bool until(const std::function<bool(const simulator::Truth&)>& condition) {
         for (int i = 0; i < 30'000; ++i) {
             if (condition(robot.truth())) {
@@ -48,13 +48,13 @@ public:
         }
         return false;
     }
-    /// Lets so much of the robot's time pass, at once where no client answers.
+    /// Advances robot time, immediately if no client answers.
     bool pass(double seconds) {
         const double end = robot.truth().timestamp + seconds;
         return hurried(
             [&] { return until([end](const simulator::Truth& truth) { return truth.timestamp >= end; }); });
     }
-    /// Waits for a call that takes some of the robot's time, which passes at once where no client answers.
+    /// Waits for a call that takes robot time, which advances immediately if no client answers.
     bool hurried(const std::function<bool()>& call) {
         hurry_ = true;
         const bool done = call();
@@ -78,8 +78,8 @@ private:
         return options;
     }
 
-    // A client that answers every package (the control interface does) is waited for, in periods in which
-    // there was one; others get a little time.
+    // Waits for a client that answers every package (the control interface does), in periods with a package; others
+    // get a little time.
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {
@@ -91,7 +91,7 @@ private:
             const std::uint64_t outputs = robot.outputPackages();
             robot.step();
             if (robot.truth().runtimeState == RuntimeState::Paused) {
-                // The client may have the program stopped on another connection, in its own time.
+                // The client may have the program stopped on another connection, at its own pace.
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
             const bool asked = robot.outputPackages() != outputs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wrong arguments fail before anything is sent, naming the argument; ends come quickly whatever the peer
-// does.
+// Invalid arguments fail before anything is sent, with the name of the argument; destruction is quick independent
+// of the peer.
 #include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/robotiq_gripper.h>
 #include <ur_rtde/rtde_control_interface.h>
@@ -183,7 +183,7 @@ const std::vector<Case>& cases() {
     return table;
 }
 
-/// A peer that lets everybody in and says nothing.
+/// A peer that accepts all connections and sends nothing.
 class MuteServer {
 public:
     explicit MuteServer(int port) {
@@ -250,7 +250,7 @@ private Q_SLOTS:
         }
         QVERIFY2(rightKind, message.constData());
         QVERIFY2(message.startsWith(wrong.argument), message.constData());
-        // Nothing was begun by it.
+        // No operation was started by it.
         QVERIFY(status.equals(control_->getAsyncOperationProgressEx()));
     }
 
@@ -293,9 +293,8 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(gripper.connect(), std::runtime_error);
     }
 
-    // The robot hangs in the middle of everything: connections stand, nothing comes any more. Its time stands
-    // still, so an end that waited for it would be the end of the test too. How long they take is measured by
-    // tests/benchmarks/backend_performance.
+    // The robot hangs during all activities: connections remain open, no data arrive. Its time does not advance, so
+    // waiting for it would make the test hang. The duration is measured by tests/benchmarks/backend_performance.
     void endsAreQuickWithARobotThatHangs() {
         test::FaceCell hanging([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         auto control = std::make_unique<RTDEControlInterface>(hanging.host());
@@ -333,7 +332,7 @@ private Q_SLOTS:
         QVERIFY(!gripper.isConnected());
     }
 
-    // The controller's URCap asks this machine for the program.
+    // The controller's URCap requests the program from this machine.
     void theUrCapGetsTheProgram() {
         QTcpServer free;
         QVERIFY(free.listen(QHostAddress::LocalHost));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every function of RTDEControlInterface against the simulated robot.
+// All functions of RTDEControlInterface with the simulated robot.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/script_client.h>
 
@@ -23,7 +23,7 @@ class TestFaceControl : public FaceControlTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    // ---- life -------------------------------------------------------------------------------------------
+    // ---- lifetime ---------------------------------------------------------------------------------------
 
     void connectsAndRunsTheProgram() {
         QVERIFY(control_->isConnected());
@@ -48,7 +48,7 @@ private Q_SLOTS:
     }
 
     void takesOverFromAProgramThatRuns() {
-        control_.reset();  // its program runs on
+        control_.reset();  // its program keeps running
         control_ = std::make_unique<RTDEControlInterface>(cell_->host());
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
     }
@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
-    // ---- programs of the user ---------------------------------------------------------------------------
+    // ---- user programs ----------------------------------------------------------------------------------
 
     void customScriptsRunInBetween() {
         QVERIFY(control_->sendCustomScriptFunction("mine", "set_standard_digital_out(1, True)\nsync()"));
@@ -88,10 +88,10 @@ private Q_SLOTS:
         std::ofstream(file) << "def third():\n  set_standard_digital_out(3, True)\n  sync()\nend\n";
         QVERIFY(control_->sendCustomScriptFile(file));
         QVERIFY((cell_->robot.truth().digitalOutputs & 8U) != 0);
-        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is back
+        QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is running again
     }
 
-    // Its whole life may fit between two looks of the thread that waits for it.
+    // It may start and end between two checks of the waiting thread.
     void aShortScriptCountsHoweverLateTheThreadLooks() {
         urrtde::setInterruptCheck([] {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -113,7 +113,7 @@ private Q_SLOTS:
         }
     }
 
-    // What a program customised for ur_rtde looks like, as far as the interface is concerned.
+    // A program customized for ur_rtde, as far as the interface is concerned.
     void aCustomProgramDoesWhatTheBuiltInOneDoes() {
         QTemporaryDir folder;
         const std::string file = folder.filePath("custom.script").toStdString();
@@ -134,23 +134,23 @@ $6.0   P = 6
     sync()
   end
 )";
-        control_->setCustomScriptFile(file);  // runs at once
+        control_->setCustomScriptFile(file);  // starts immediately
         QCOMPARE(control_->getStepTime(), 5.0);
         QVERIFY(control_->reuploadScript());
         QCOMPARE(control_->getStepTime(), 5.0);
         control_->setCustomScriptFile("");
         QCOMPARE(control_->getStepTime(), 0.002);
 
-        // A whole program, with words of its author before it.
+        // A complete program with a comment of its author at the start.
         std::ifstream body(file);
         const std::string whole = folder.filePath("whole.script").toStdString();
         std::ofstream(whole) << "# mine\n\ndef rtde_control():\n" << body.rdbuf() << "end\nrun program\n";
         control_->setCustomScriptFile(whole);
         QCOMPARE(control_->getStepTime(), 5.0);
-        control_->stopJ(2.0, true);  // which it does not know
+        control_->stopJ(2.0, true);  // which it does not support
         QCOMPARE(control_->getStepTime(), 5.0);
 
-        // What the watchdog thread writes before it ends a script; the next script begins without it.
+        // The value written by the watchdog thread before it ends a script; the next script starts without it.
         QVERIFY(!control_->sendCustomScript(
             "def cut():\n  write_output_integer_register(1, 100004)\n  sync()\nend\n"));
         QVERIFY2(control_->lastError().find("heartbeat") != std::string::npos, control_->lastError().c_str());
@@ -215,7 +215,7 @@ $6.0   P = 6
             return position;
         };
         List slow = row(kStart, 0);
-        slow[6] = 0.05;  // [rad/s] it is to be seen on its way
+        slow[6] = 0.05;  // [rad/s] slow enough to be observed
         Path path;
         path.appendMovejPath({row(with(kStart, 0, 0.3), 0), row(with(kStart, 0, 0.6), 0), slow});
         QVERIFY(control_->movePath(path, true));
@@ -274,7 +274,7 @@ $6.0   P = 6
         QVERIFY(near(pose(), above, 1e-2));
         const List higher = with(above, 2, 0.03);
         QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
-        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));  // one after the other, and none hangs
+        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));  // one after the other, without a hang
         QVERIFY(cell_->until([&](const simulator::Truth& t) { return near(poseOf(t), higher, 5e-3); }));
         QVERIFY(control_->servoStop());
     }
@@ -291,14 +291,14 @@ $6.0   P = 6
             QVERIFY(cell_->pass(0.4));
             QVERIFY(control_->jogStop());
             QVERIFY(untilStanding());
-            // The tool of the start pose looks down, and so does the custom frame.
+            // The tool of the start pose points down, and so does the custom frame.
             const bool up = feature == RTDEControlInterface::FEATURE_BASE;
             QVERIFY2(up ? pose()[2] > z + 0.01 : pose()[2] < z - 0.01,
                      qPrintable(QString::number(pose()[2] - z)));
         }
     }
 
-    // A client that is there no more leaves nothing behind that moves without an end.
+    // Motions without a target end with their client.
     void streamsEndWhenTheClientFallsSilent() {
         QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0));
         QVERIFY(untilMoving());
@@ -311,7 +311,7 @@ $6.0   P = 6
         QVERIFY(control_->moveJ(kStart));
     }
 
-    // ---- force, hands, contact --------------------------------------------------------------------------
+    // ---- force mode, freedrive, contact -------------------------------------------------------------------
 
     void forceModeBeginsAndEnds() {
         QVERIFY(control_->zeroFtSensor());
@@ -347,7 +347,7 @@ $6.0   P = 6
         QVERIFY(control_->enableExternalFtSensor(false));
         QVERIFY(control_->ftRtdeInputEnable(true, 0.5));
         QVERIFY(control_->ftRtdeInputEnable(false));
-        // What it measures keeps nothing else from being obeyed.
+        // The measurement does not block other commands.
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
         for (int i = 0; i < 3; ++i) {
@@ -370,7 +370,7 @@ $6.0   P = 6
         QVERIFY(control_->endFreedriveMode());
         QVERIFY(control_->teachMode());
         QVERIFY(control_->endTeachMode());
-        QVERIFY(control_->moveJ(kStart));  // it obeys again
+        QVERIFY(control_->moveJ(kStart));  // it accepts commands again
     }
 
     void contactsAreSeen() {
@@ -396,7 +396,7 @@ $6.0   P = 6
         QVERIFY(untilStanding());
     }
 
-    // ---- settings and questions -------------------------------------------------------------------------
+    // ---- settings and queries ---------------------------------------------------------------------------
 
     void settingsReachTheRobot() {
         QVERIFY(control_->setPayload(1.5));
@@ -405,7 +405,7 @@ $6.0   P = 6
         const List offset{0, 0, 0.1, 0, 0, 0};
         QVERIFY(control_->setTcp(offset));
         QVERIFY(near(control_->getTCPOffset(), offset, 1e-9));
-        // The pose of the data follows a package after the setting.
+        // The pose in the data follows one package after the setting.
         QVERIFY(cell_->until([&](const simulator::Truth&) {
             return !near(control_->getActualToolFlangePose(), pose(), 1e-2);
         }));
@@ -436,7 +436,7 @@ $6.0   P = 6
     }
 
     void watchdogStopsTheProgramWithoutKicks() {
-        QVERIFY(control_->setWatchdog(0.1));  // it waits as long as a slow test may hang
+        QVERIFY(control_->setWatchdog(0.1));  // as long as a slow test may hang
         for (int i = 0; i < 10; ++i) {
             QVERIFY(control_->kickWatchdog());
             QVERIFY(cell_->pass(0.02));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every function of RTDEReceiveInterface and RTDEIOInterface against the simulated robot.
+// All functions of RTDEReceiveInterface and RTDEIOInterface with the simulated robot.
 #include <ur_rtde/rtde_io_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 
@@ -21,12 +21,12 @@ private:
     std::unique_ptr<test::FaceCell> cell_;
     std::unique_ptr<RTDEReceiveInterface> receive_;
 
-    /// Waits until what was set has come back.
+    /// Waits until the setting is reported.
     template <class Condition>
     bool until(Condition condition) {
         return cell_->until([&](const simulator::Truth&) { return condition(); });
     }
-    /// So much of the robot's time, with all its data received.
+    /// Advances robot time and receives all its data.
     bool pass(double seconds, RTDEReceiveInterface& receive) {
         if (!cell_->pass(seconds)) {
             return false;
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
-    // A robot that is being started again, say: the interface comes back with it.
+    // For example, while a robot is being restarted: the interface recovers.
     void aFailedReconnectDoesNotEndTheAutomaticOne() {
         simulator::SimulatorOptions options;
         options.listenAddress = test::ownAddress(7);
@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(other.until([&](const simulator::Truth&) { return receive.isProtectiveStopped(); }));
         other.robot.emergencyStop(true);
         QVERIFY(other.until([&](const simulator::Truth&) { return receive.isEmergencyStopped(); }));
-        // What was not asked for is said to be missing, by name.
+        // The error names the field that was not requested.
         try {
             receive.getActualQ();
             QFAIL("no exception");
@@ -156,7 +156,7 @@ private Q_SLOTS:
     }
 
     void upperRegistersAreFollowed() {
-        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);  // no wish for a priority
+        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);  // no priority requested
         QCOMPARE(upper.getOutputIntRegister(36), 0);
         QCOMPARE(upper.getOutputDoubleRegister(43), 0.0);
         QVERIFY_EXCEPTION_THROWN(upper.getOutputIntRegister(12), std::range_error);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(second.open(QIODevice::ReadOnly));
         QVERIFY(second.readLine().startsWith("timestamp,actual_q_0,actual_q_1,actual_q_2,actual_q_3"));
 
-        // What is asked for and nothing else: programs find their columns by number.
+        // Exactly the requested fields: programs identify columns by number.
         const std::string two = folder.filePath("two.csv").toStdString();
         QVERIFY(receive_->startFileRecording(two, {"robot_mode", "payload_cog"}));
         QVERIFY(pass(0.1, *receive_));
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(io.setSpeedSlider(0.4));
         QVERIFY(until([&] { return std::abs(receive_->getTargetSpeedFraction() - 0.4) < 0.006; }));
         QVERIFY(std::abs(receive_->getSpeedScalingCombined() - receive_->getSpeedScaling() * 0.4) < 0.01);
-        QVERIFY_EXCEPTION_THROWN(io.setSpeedSlider(0.0), std::range_error);  // it would creep
+        QVERIFY_EXCEPTION_THROWN(io.setSpeedSlider(0.0), std::range_error);  // the arm would creep
         QVERIFY(io.setSpeedSlider(0.02));
         QVERIFY(until([&] { return std::abs(receive_->getTargetSpeedFraction() - 0.02) < 0.006; }));
         QVERIFY(io.setSpeedSlider(1.0));
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY2(row.startsWith("42,1.5,"), row.constData());
     }
 
-    // Somebody else owns an output: only that one cannot be set.
+    // An output used by another client: only this one cannot be set.
     void anOwnedInputIsRefusedAlone() {
         RTDEIOInterface first(cell_->host());
         RTDEIOInterface second(cell_->host());

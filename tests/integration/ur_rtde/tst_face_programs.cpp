@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs as users of ur_rtde write them, each in a process of its own that knows nothing of Qt.
+// Typical user programs for ur_rtde, each in a separate process without Qt.
 #include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stops of RTDEControlInterface: whatever moves the robot must stop it, however late a thread looks, however
-// closely a stop follows, and whoever waits for what.
+// Stops of RTDEControlInterface: any motion is stopped, even if a thread is late, if a stop follows immediately,
+// and if other threads wait.
 #include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
         QVERIFY(untilMoving());
         control_->stopL(5.0, true);
-        QVERIFY(control_->moveJ(kStart));  // not before the stop's end
+        QVERIFY(control_->moveJ(kStart));  // not before the end of the stop
         QVERIFY(near(joints(), kStart));
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // Ctrl-C in Python, while the link stands still: the program sees no "none" between the move and its
+    // Ctrl-C in Python, while the connection is blocked: the program receives no "none" between the move and its
     // stop.
     void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
         static std::atomic<bool> impatient;
@@ -61,7 +61,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // The move begins only when the one before has been stopped; its answer must not be taken for the stop's.
+    // The move starts only after the previous one has been stopped; its answer must not be taken for that of the
+    // stop.
     void aStopBehindAChangeOfCourseIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {
@@ -82,7 +83,7 @@ private Q_SLOTS:
                 }
                 impatient = false;
             } else {
-                // A stop before the change of course would be another test: the arm then goes on with it.
+                // A stop before the change would be another test: the arm then continues with it.
                 QVERIFY(cell_->until([](const simulator::Truth& t) { return t.qd.array()[0] < 0.98; }));
             }
             if (!ended) {
@@ -99,7 +100,7 @@ private Q_SLOTS:
         }
     }
 
-    // What waits for a halt reads its numbers after it: they must still be its own.
+    // A command that waits for standstill reads its numbers afterwards: they must not be overwritten.
     void aSetPointNobodyWantsAnyMoreIsNotFollowed() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
         QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
@@ -153,11 +154,11 @@ private Q_SLOTS:
         impatient = false;
         QVERIFY(untilStanding());
         QVERIFY(joints()[0] < kStart[0] + 0.9);
-        QVERIFY(control_->isProgramRunning());  // the control program is back
+        QVERIFY(control_->isProgramRunning());  // the control program is running again
         QVERIFY(control_->moveJ(kStart));
     }
 
-    // While it runs, and before: what the controller says of the program comes with the line it means.
+    // At run time and at compile time: the message of the controller contains the line of the program.
     void aScriptThatFailsIsToldWithItsLine() {
         QVERIFY(!control_->sendCustomScript("def late():\n  sync()\n  a = [1, 2]\n  b = a[7]\nend\n"));
         const std::string late = control_->lastError();
@@ -193,7 +194,7 @@ private Q_SLOTS:
         control_->stopJ(4.0);
         QVERIFY(!first.get());
         QVERIFY(untilStanding());
-        QVERIFY(control_->moveJ(kStart));  // the control program is back
+        QVERIFY(control_->moveJ(kStart));  // the control program is running again
         auto second = slow();
         QVERIFY(untilMoving());
         control_->stopScript();
@@ -202,7 +203,7 @@ private Q_SLOTS:
         QVERIFY(!control_->isProgramRunning());
     }
 
-    // Reader and writers find out at the same time: a race that ThreadSanitizer sees.
+    // Reader and writers detect it at the same time: a race visible to ThreadSanitizer.
     void aLinkMayBreakWhileSetPointsAreSent_data() {
         QTest::addColumn<bool>("custom");
         QTest::newRow("our program") << false;
@@ -235,7 +236,7 @@ private Q_SLOTS:
         }
     }
 
-    // A loop that does not look at what calls return would take the motion up again.
+    // A loop that ignores return values must not restart the motion.
     void setPointsDoNotTakeUpWhatAPauseHasEnded() {
         ur_rtde::DashboardClient pendant(cell_->host());
         pendant.connect();
@@ -258,7 +259,7 @@ private Q_SLOTS:
         QVERIFY(control_->speedStop());
     }
 
-    // A loop on the progress of an asynchronous motion ends with it, however it ended.
+    // A loop that reads the progress of an asynchronous motion ends with it, for any cause.
     void theProgressEndsWithTheProgramAndTheLink_data() {
         QTest::addColumn<int>("end");
         QTest::newRow("protective stop") << 0;

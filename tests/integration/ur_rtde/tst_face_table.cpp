@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the table in robot/ur_rtde/METHODS.md: every method of the interface, and where the tests look at
-// what it does.
-// Run with TILLER_UPDATE_TABLES=1 to write it anew.
+// Generates the table in robot/ur_rtde/METHODS.md: every method of the interface, and the tests that check its
+// effect. Run with TILLER_UPDATE_TABLES=1 to write the file.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -35,13 +34,13 @@ QList<Method> methodsIn(const QString& path) {
     return methods;
 }
 
-/// What the page "From ur_rtde to Tiller" says of a method.
+/// The entry for a method on the page "From ur_rtde to Tiller".
 struct Counterpart {
     QString difference;
     QString inTiller;
 };
 
-/// By "class method". Sections bear the names of their classes, rows those of one or more methods.
+/// By "class method". Sections have the names of their classes, rows those of one or more methods.
 QHash<QString, Counterpart> counterparts() {
     static const QRegularExpression kName(QStringLiteral("`(\\w+)`"));
     QHash<QString, Counterpart> all;
@@ -64,7 +63,7 @@ QHash<QString, Counterpart> counterparts() {
     return all;
 }
 
-/// The declarations of a method in the body of its class, each on one line.
+/// The declarations of a method in its class, each on one line.
 QString signaturesOf(const Method& method, const QString& headers) {
     const qsizetype begin =
         headers.indexOf(QRegularExpression("\\b(?:class|struct) (?:\\w+ )?" + method.owner + "\\b[^;]*\\{"));
@@ -79,7 +78,7 @@ QString signaturesOf(const Method& method, const QString& headers) {
     return begin < 0 ? QString() : found.join("<br>");
 }
 
-/// Test functions, each with its text.
+/// Test functions with their texts.
 struct TestFunction {
     QString where;
     QString text;
@@ -106,16 +105,16 @@ QList<TestFunction> functionsIn(const QString& folder, const QString& pattern,
     return functions;
 }
 
-/// What the tests of a language look like.
+/// Syntax of the tests in a language.
 struct Language {
-    QHash<QString, QString> objects;  ///< how the objects of each class are called
+    QHash<QString, QString> objects;  ///< names of the objects of each class
     QRegularExpression assertion;
-    /// Functions that set up, or only refuse what is wrong: no effect is seen there.
+    /// Functions that set up or only check refusals: they do not test effects.
     QRegularExpression sideShow;
 };
 
-/// The first test where the method is called and its effect is looked at: an assertion stands on the line of
-/// the call, just before it or in the few after it.
+/// The first test that calls the method and checks its effect: an assertion is on the line of the call, just before
+/// it or shortly after it.
 QString exercised(const Method& method, const QList<TestFunction>& functions, const Language& language) {
     constexpr qsizetype kSoon = 8;  // [lines]
     const QRegularExpression call(language.objects.value(method.owner) +
@@ -144,7 +143,7 @@ class TestFaceTable : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // And what the page names beside them exists.
+    // All names mentioned on the page exist.
     void thePageNamesNoMethodThatIsNotThere() {
         QSet<QString> known;
         for (const Method& method : methodsIn("tests/data/ur_rtde/methods.txt")) {
@@ -154,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(from.size() > 200);
         QStringList strangers;
         for (auto it = from.cbegin(); it != from.cend(); ++it) {
-            // A section for two classes names what only one of them has.
+            // A section for two classes contains methods of only one of them.
             const bool shared = it.key().startsWith("Path ") || it.key().startsWith("PathEntry ");
             if (!known.contains(it.key()) && !shared) {
                 strangers << it.key();
@@ -164,7 +163,7 @@ private Q_SLOTS:
     }
 
     void everyMethodIsDeclaredAndExercised() {
-        // How the objects are called in the tests of each language.
+        // Names of the objects in the tests of each language.
         static const Language cpp{
             {{"RTDEControlInterface", "(?:control_->|control\\.|second\\.)"},
              {"RTDEReceiveInterface", "(?:receive_->|receive\\.|upper\\.|registers\\.)"},

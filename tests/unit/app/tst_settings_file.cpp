@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The file of the settings: what goes in comes out, and a broken one is refused with a sentence and changes
+// The settings file: its content is restored unchanged, and a damaged one is refused with a sentence and changes
 // nothing.
 
 #include <QDir>
@@ -48,7 +48,7 @@ QByteArray content(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// What every bundle that was accepted has to keep to.
+/// Conditions for all accepted bundles.
 void checkAccepted(const SettingsBundle& bundle) {
     for (auto it = bundle.values.constBegin(); it != bundle.values.constEnd(); ++it) {
         QVERIFY2(!it.key().isEmpty() && it.key().size() <= 200, qPrintable(it.key()));
@@ -124,7 +124,8 @@ private Q_SLOTS:
         row("no values", R"({"format": "tiller-settings", "version": 1})");
         row("values are a list", withValues("[]"));
         row("no key", withValues(R"({"": 1})"));
-        row("a key of groups only", withValues("{\"a//b\": 1}"));  // not raw: moc would see a comment
+        row("a key of groups only",
+            withValues("{\"a//b\": 1}"));  // not a raw string: moc would detect a comment
         row("a key that begins with a group", withValues(R"({"/a": 1})"));
         row("a key that ends with a group", withValues(R"({"a/": 1})"));
         row("a key with a line break", withValues(R"({"a\nb": 1})"));
@@ -195,7 +196,7 @@ private Q_SLOTS:
             if (read.ok()) {
                 ++accepted;
                 checkAccepted(*read);
-                // What was accepted can be written and read again.
+                // Accepted content can be written and read again.
                 QVERIFY(settingsFromJson(settingsToJson(*read)).ok());
             } else {
                 QVERIFY(!read.error().context.isEmpty());
@@ -225,14 +226,14 @@ private Q_SLOTS:
         QCOMPARE(again.theme(), QString("dark"));
         QCOMPARE(again.rememberedRobots().size(), 1);
         QCOMPARE(again.rememberedRobots().first().host, QString("192.168.0.10"));
-        QCOMPARE(again.ioNames(), (QMap<QString, QString>{{"DI 7", "door"}}));  // not asked for
+        QCOMPARE(again.ioNames(), (QMap<QString, QString>{{"DI 7", "door"}}));  // not selected
         QCOMPARE(again.recentProjects(), QStringList{folder.filePath("cell.tiller")});
 
         const Result<SettingsBundle> before = readSettingsFile(*backup);
         QVERIFY(before.ok());
         QCOMPARE(before->values.value("look/theme").toString(), QString("light"));
         QCOMPARE(before->values.value("robots/size").toInt(), 2);
-        // And the way back.
+        // The reverse direction.
         QVERIFY(settings.replace(*before, {SettingsPart::Look, SettingsPart::Robots}).ok());
         QCOMPARE(Settings(file).rememberedRobots().size(), 2);
         QCOMPARE(Settings(file).theme(), QString("light"));
@@ -240,7 +241,7 @@ private Q_SLOTS:
 
     void withoutACopyNothingIsReplaced() {
         QTemporaryDir folder;
-        // A file where the folder should be: neither the copy nor the settings can be written there.
+        // A file in place of the folder: neither the backup nor the settings can be written.
         QFile obstacle(folder.filePath("place"));
         QVERIFY(obstacle.open(QIODevice::WriteOnly));
         obstacle.close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The settings file: the text of QSettings, several windows, full disks.
+// The settings file: the format of QSettings, several windows, full disks.
 
 #include <QFile>
 #include <QRandomGenerator>
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(both[1].name, QString("Yours"));
         QVERIFY(both[0].number != both[1].number);
         QCOMPARE(Settings(file_).perspectives().size(), 2);
-        first.setPerspectives({});  // knows its own one only
+        first.setPerspectives({});  // only knows its own entry
         QCOMPARE(Settings(file_).perspectives().size(), 1);
         first.setLearned({false, {"jog"}, {}});
         second.setLearned({true, {"teach"}, {"pick"}});

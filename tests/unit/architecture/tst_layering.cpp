@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may include whom, read off the #include lines of the whole tree. A new room gets a row in the table.
+// Permitted includes between the folders, checked in the whole source tree. A new folder needs a row in the table.
 
 #include <QDirIterator>
 #include <QFile>
@@ -17,8 +17,8 @@ namespace {
 
 struct Room {
     const char* path;         ///< folder, longest match wins
-    QStringList mayInclude;   ///< rooms or single headers besides its own
-    QStringList forbiddenQt;  ///< Qt modules by the first letters of their headers
+    QStringList mayInclude;   ///< permitted folders or single headers in addition to its own
+    QStringList forbiddenQt;  ///< forbidden Qt modules by the first letters of their headers
 };
 
 const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
@@ -163,8 +163,8 @@ bool isDetail(const QString& file) {
 }
 
 bool isAllowed(const Room& room, const QString& included) {
-    // What is in a room's detail/ is for that room alone, and changes without notice; whoever needs a header of it
-    // all the same is named with it in the table.
+    // Headers in detail/ are for the same folder only and change without notice; exceptions are listed in the
+    // table.
     if (isDetail(included)) {
         return included.startsWith(QString::fromLatin1(room.path) + '/') ||
                room.mayInclude.contains(included);
@@ -172,8 +172,7 @@ bool isAllowed(const Room& room, const QString& included) {
     if (roomOf(included) == &room) {
         return true;
     }
-    // A sub-room belongs to its parent: the simulator may use its own arm and
-    // interpreter.
+    // A subfolder belongs to its parent: the simulator may use its arm and interpreter.
     if (included.startsWith(QString::fromLatin1(room.path) + '/')) {
         return true;
     }
@@ -384,7 +383,7 @@ private Q_SLOTS:
         for (const QString& file : sourceFiles()) {
             const Room* room = roomOf(file);
             if (room == nullptr) {
-                continue;  // tests may look into every room
+                continue;  // tests may include everything
             }
             auto it = include.globalMatch(QString::fromUtf8(contentsOf(file)));
             while (it.hasNext()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leans on what ur_rtde's headers bring along, as programs of its users do.
+// Relies on indirect includes of ur_rtde's headers, as programs of its users do.
 #include <ur_rtde/robot_state.h>
 #include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_control_interface.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Listing 6 of the ur_rtde paper, with a shorter circle: the set points follow the speed slider.
+// Listing 6 of the ur_rtde publication, with a shorter circle: the set points follow the speed slider.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 
@@ -23,7 +23,7 @@ int main(int, char** argv) {
     int rt_control_priority = 85;
     RTDEReceiveInterface rtde_receive(robot_ip, freq, {}, false, false, rt_receive_priority);
     RTDEControlInterface rtde_control(robot_ip, freq, flags, ur_cap_port, rt_control_priority);
-    RTDEUtility::setRealtimePriority(80);  // where that is permitted
+    RTDEUtility::setRealtimePriority(80);  // if permitted
 
     std::vector<double> init_pose = rtde_receive.getActualTCPPose();
     while (time_counter < 0.5) {

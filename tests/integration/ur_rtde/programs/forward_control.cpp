@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three ways to one place and back.
+// Three types of moves to one position and back.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

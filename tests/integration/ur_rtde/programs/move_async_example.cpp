@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A long move, stopped on the way.
+// A long move that is stopped before its end.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

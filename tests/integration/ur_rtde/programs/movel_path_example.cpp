@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Waypoints with blends, as rows of numbers and as a path of mixed moves.
+// Waypoints with blends, as rows of numbers and as a path with mixed moves.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 
@@ -32,7 +32,7 @@ int main(int, char** argv) {
     home.insert(home.end(), {velocity, acceleration, 0.0});
     mixed.addEntry({PathEntry::MoveJ, PathEntry::PositionJoints, home});
     std::vector<double> last = path[1];
-    last.back() = 0.0;  // nothing comes after it to blend into
+    last.back() = 0.0;  // no move after it to blend into
     mixed.addEntry({PathEntry::MoveL, PathEntry::PositionTcpPose, last});
     rtde_control.movePath(mixed, true);
     while (rtde_control.getAsyncOperationProgress() >= 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The collision check against another one, written for this test without FCL: it looks at every way in steps in which
-// no point of the arm moves by more than a millimetre.
+// Compares the collision check with an independent one without FCL, which samples every path in steps in which no
+// point of the arm moves by more than a millimetre.
 
 #include <QTest>
 #include <algorithm>
@@ -28,7 +28,7 @@ double pointToSegment(const Eigen::Vector3d& p, const Capsule& rod) {
     return (p - rod.from - t * way).norm();
 }
 
-/// The smallest value of a convex function on [0, 1].
+/// The minimum of a convex function on [0, 1].
 template <class F>
 double smallest(F f) {
     double low = 0;
@@ -66,7 +66,7 @@ double between(const Capsule& rod, const Border& border) {
     return std::min((T * rod.from).z(), (T * rod.to).z()) - rod.radius;
 }
 
-/// How near anything comes to anything in one stance; `enough` ends the search.
+/// The smallest distance in one position; `enough` ends the search.
 double nearest(const CollisionCheck& check, const DhParameters& dh, const JointPositions& q, double enough) {
     const auto rods = placedCapsules(check.capsules(), dh, q);
     double least = 1e9;
@@ -103,10 +103,10 @@ double nearest(const CollisionCheck& check, const DhParameters& dh, const JointP
 
 struct Sampled {
     double nearest = 1e9;
-    double hitAt = -1;  ///< as Contact::at; below 0: none
+    double hitAt = -1;  ///< as Contact::at; negative: none
 };
 
-/// In steps of a millimetre at most, of whatever is farthest out.
+/// In steps of at most a millimetre at the outermost point.
 Sampled sampled(const CollisionCheck& check, const RobotModel& model,
                 const std::vector<JointPositions>& way) {
     const double longest = std::abs(model.dh.a[1]) + std::abs(model.dh.a[2]) + model.dh.d[0] + model.dh.d[3] +
@@ -192,7 +192,7 @@ private Q_SLOTS:
         cell.obstacles.push_back({"crate", Pose(0.5, 0, 0.2, 0, 0, 0), Eigen::Vector3d(0.2, 0.2, 0.4)});
         cell.borders.push_back(floorAt(-0.01));
         const CollisionCheck check(model, {Pose(0, 0, 0.15, 0, 0, 0), 0.03}, cell);
-        // The arm stretched out turns about its base.
+        // The stretched arm rotates about its base.
         const JointPositions beside(1.2 + kPi, -0.6, 0.5, -1.47, -1.57, 0);
         JointPositions across = beside;
         across[0] -= 2.4;
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(contact->with == Contact::With::Obstacle);
         QCOMPARE(contact->other, 0);
         QVERIFY(contact->link >= 3);
-        // Down to the floor with the tool first.
+        // Down to the floor, tool first.
         JointPositions low = beside;
         low[1] += 0.6;
         const auto down = check.along(std::vector{beside, low});
@@ -218,7 +218,8 @@ private Q_SLOTS:
         QVERIFY(!check.along({}).has_value());
     }
 
-    // Nearer than the safety distance is refused; from inside it, what leads out is free and what leads deeper is not.
+    // A distance below the safety distance is refused; from inside, moving away is possible and moving closer is
+    // not.
     void aPathIsObstructedAtTheSafetyDistance() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const auto shifted = [&](double z) {
@@ -241,7 +242,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(contact->distance - safety) < 0.001,
                      qPrintable(QString::number(contact->distance)));
             QVERIFY(!check.isInside(kStance, *contact));
-            // Half way inside, and 5 mm inside the floor itself.
+            // Half the distance inside, and 5 mm inside the floor itself.
             for (const double start : {safety / 2 - 0.05, -0.055}) {
                 const JointPositions inside = shifted(start);
                 QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));
@@ -313,7 +314,7 @@ private Q_SLOTS:
         }
     }
 
-    // No collision is missed; a false alarm is one of less than a millimetre.
+    // No collision is missed; false alarms are closer than a millimetre.
     void agreesWithSamplingEveryMillimetre_data() {
         QTest::addColumn<int>("model");
         for (const RobotModel& model : robotModels()) {
@@ -348,7 +349,7 @@ private Q_SLOTS:
             if (nearest(check, robot.dh, from, 0.002) < 0.002) {
                 continue;
             }
-            // A way with corners, as a path is.
+            // A path with corners.
             std::vector<JointPositions> way = {from};
             for (int i = 0; i < 2; ++i) {
                 Vector6 turn;
@@ -369,7 +370,7 @@ private Q_SLOTS:
                 ++hits;
                 QVERIFY2(contact, what);
                 QVERIFY2(contact->at <= truth.hitAt + 1e-9, what);
-                // And not long before: there the two are nearly in contact.
+                // And not much earlier: the two bodies are nearly in contact there.
                 QVERIFY2(nearest(check, robot.dh, contact->q, 0) < 0.001, what);
             } else {
                 ++misses;

@@ -16,7 +16,7 @@ const RobotModel& ur5e() {
     return robotModel(RobotModelId::UR5e);
 }
 
-/// Joints near `from` that bring the TCP by this much to the side.
+/// Joint positions near `from` that move the TCP sideways by this distance.
 JointPositions shifted(const JointPositions& from, const Eigen::Vector3d& by) {
     Pose pose = kinematics::forwardTcp(ur5e().dh, from);
     pose.position += by;
@@ -61,7 +61,7 @@ private Q_SLOTS:
         }
     }
 
-    // Start and end can be reached; between them is the cylinder around axis 1, where the wrist does not fit.
+    // Start and end are reachable; between them is the cylinder around axis 1, which the wrist cannot reach.
     void aLineThroughTheColumnEndsBeforeIt() {
         Pose pose = kinematics::forwardTcp(ur5e().dh, kStance);
         pose.position.head<2>() *= -1;
@@ -74,7 +74,7 @@ private Q_SLOTS:
     }
 
     void aLineNearASingularityIsSlowedDown() {
-        // Wrist 2 goes through 0 on the way.
+        // Wrist 2 passes through 0.
         JointPositions from(0.2, -1.4, 1.6, -1.2, 0.25, 0.1);
         JointPositions to = from;
         to[4] = 0.02;
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(report.limit);
         QVERIFY(report.limit->singular == MoveLimit::Singular::Wrist);
         QVERIFY(report.limit->share > 0.3);
-        // Joints that are led one by one do not mind.
+        // A joint move is not affected.
         QVERIFY(!examined({from, to, false, 1, 1}).limit);
     }
 
@@ -112,7 +112,7 @@ private Q_SLOTS:
         }
     }
 
-    // What is only slow does not hide what is hit later.
+    // A slow-down does not hide a later collision.
     void aCollisionComesBeforeAWarning() {
         const JointPositions from(0.2, -1.4, 1.6, -1.2, 0.25, 0.1);
         JointPositions to = from;

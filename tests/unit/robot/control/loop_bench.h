@@ -19,7 +19,7 @@ inline constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
 inline const JointPositions kPose(-90 * kDeg, -100 * kDeg, -110 * kDeg, -60 * kDeg, 90 * kDeg, 0);
 
-// Time, mailbox, loop, and a robot that answers as control.script does: one package late, in good order.
+// Clock, mailbox, loop, and a robot that answers like control.script: one package later.
 struct LoopBench {
     VirtualClock clock;
     Mailbox mailbox;
@@ -70,7 +70,7 @@ struct LoopBench {
         return mailbox.start(jog, now());
     }
 
-    /// A stream of setpoints, as Motions::startSpeedL makes it.
+    /// A stream of set points, as created by Motions::startSpeedL.
     MotionId startStream() {
         MotionCommand stream;
         stream.kind = MotionCommand::Kind::Program;

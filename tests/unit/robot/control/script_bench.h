@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// control.script in our own interpreter, frame by frame, on a robot made of memory.
+// control.script in our own interpreter, frame by frame, with an in-memory robot.
 
 #include <QTest>
 #include <algorithm>
@@ -27,8 +27,8 @@ struct ScriptBench {
     std::unique_ptr<urscript::Interpreter> program;
     int first;
     std::int32_t sequence = 1000;
-    Request request;                             ///< travels with every package
-    std::function<bool(std::size_t)> comesLate;  ///< what of a package is there a frame after the rest
+    Request request;                             ///< sent with every package
+    std::function<bool(std::size_t)> comesLate;  ///< the parts of a package that arrive one frame later
     std::map<std::size_t, double> late;
     bool forcePermitted = false;
     bool mayFinish = false;
@@ -51,14 +51,14 @@ struct ScriptBench {
         program = std::make_unique<urscript::Interpreter>(compiled.program, host);
     }
 
-    // What a package of the controller does to the registers.
+    // Writes a package of the controller to the registers.
     void send(ScriptCommand kind, std::int32_t epoch, std::array<double, 6> values = {}) {
         Command command;
         command.kind = kind;
         command.epoch = epoch;
         command.values = values;
         const bool isSpeed = kind == ScriptCommand::SpeedJ || kind == ScriptCommand::SpeedL;
-        command.speed = isSpeed ? 0 : 0.5;  // of speeds: for how long
+        command.speed = isSpeed ? 0 : 0.5;  // for speeds: duration
         command.acceleration = 1.4;
         command.rotationAcceleration = 2;
         send(command);
@@ -79,7 +79,7 @@ struct ScriptBench {
             }
         }
     }
-    /// A value of a package, by its place there.
+    /// A value of a package, by its index.
     void put(std::size_t i, double value) {
         constexpr std::size_t kInts = 10;
         const auto at = static_cast<std::size_t>(first);
@@ -108,10 +108,10 @@ struct ScriptBench {
             frame();
         }
     }
-    // Asks, and lets the robot answer.
+    // Sends a request and runs the robot until it answers.
     Answer ask(RequestKind kind, std::int32_t whole = 0, std::array<double, 6> numbers = {}) {
         request = {request.number + 1, kind, whole, numbers};
-        // Served when it has been there for two frames, of which the first may come late.
+        // Executed after two frames, the first of which may arrive late.
         hold(ScriptCommand::Idle, idleEpoch, 3);
         Answer answer;
         answer.number = out(4);

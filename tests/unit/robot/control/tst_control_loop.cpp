@@ -21,7 +21,8 @@ private Q_SLOTS:
     void controlIsProvedByAnEchoOfThisSession() {
         Bench bench;
         bench.answering = false;
-        bench.data.echo = {17, 3, ScriptState::Ready, kSession - 1, 0, {}};  // an older program, still alive
+        bench.data.echo = {17,           3, ScriptState::Ready,
+                           kSession - 1, 0, {}};  // an older program, still running
         bench.tick(2);
         bench.data.echo.sequence = bench.command.sequence;
         bench.tick(2);
@@ -132,7 +133,7 @@ private Q_SLOTS:
         QCOMPARE(bench.mailbox.epoch().isActive(jog), !ends);
         if (ends) {
             QCOMPARE(bench.causeOf(jog), StopCause::UnsafeMode);
-            // All well again: the old jog stays dead, a new one is needed.
+            // Normal again: the old jog has ended, a new one is needed.
             bench.data.robotMode = RobotMode::Running;
             bench.data.safetyMode = SafetyMode::Normal;
             QCOMPARE(bench.tick(5).kind, ScriptCommand::Idle);
@@ -152,7 +153,7 @@ private Q_SLOTS:
             QCOMPARE(bench.causeOf(jog), StopCause::ControlLost);
             QVERIFY(!bench.loop.isInControl());
             QCOMPARE(bench.loop.status().loss, ControlLoss::ScriptStopped);
-            // Somebody presses play: the program answers again, and still nothing may move.
+            // The program is resumed by play: it answers again, and still nothing may move.
             bench.data.runtimeState = RuntimeState::Playing;
             bench.tick(10);
             QVERIFY(!bench.loop.isInControl());
@@ -181,7 +182,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().loss, ControlLoss::EchoStalled);
     }
 
-    // The host was away for a while: the packages that waited are no proof that the program is gone.
+    // The host was suspended: the backlog does not mean that the program has ended.
     void aHostThatWasAwayKeepsControlButNotTheMotion() {
         Bench bench;
         bench.takeControl();
@@ -219,11 +220,11 @@ private Q_SLOTS:
         QVERIFY(out.epoch > static_cast<std::int32_t>(jog));
         QVERIFY(out.sequence != bench.command.sequence);
         QCOMPARE(bench.causeOf(jog), StopCause::DataStale);
-        QVERIFY(!bench.loop.fallback(bench.now(), out));  // once is enough
+        QVERIFY(!bench.loop.fallback(bench.now(), out));  // once is sufficient
         QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
     }
 
-    // Release while no data come: the stop does not wait for the stream to come back.
+    // A release without data: the stop does not wait for the stream to resume.
     void aStopDoesNotWaitForALatePackage() {
         Bench bench;
         bench.takeControl();
@@ -238,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
-    // Of a jog, of force mode alone, and of a stream that has just had its turn.
+    // For a jog, for force mode alone, and for a stream that has just sent its set point.
     void aStopGoesOutBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();

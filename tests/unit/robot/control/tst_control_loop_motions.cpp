@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The control loop again: moves and streams, limits, measured stops, the way out, and stops under contention.
+// The control loop, continued: moves and streams, limits, measured stops, motion away from limits, and stops under
+// contention.
 #include <QTest>
 #include <random>
 #include <thread>
@@ -39,8 +40,7 @@ private Q_SLOTS:
 
     void aJogUntilContactEndsWhenTheForceChangesAndNotForOneNoisyPackage() {
         Bench bench;
-        bench.data.tcpForce =
-            Eigen::Vector3d(0, 0, 30);  // what hangs on the tool all the time does not count
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 30);  // a permanent load at the tool does not count
         bench.takeControl();
         const auto begin = [&] {
             MotionCommand jog;
@@ -58,10 +58,10 @@ private Q_SLOTS:
         bench.data.tcpForce = Eigen::Vector3d(0, 0, 41);
         QCOMPARE(bench.tick(3).kind, ScriptCommand::Idle);
         QCOMPARE(bench.causeOf(jog), StopCause::Contact);
-        // The next one begins from the force there is now.
+        // The next one starts from the current force.
         jog = begin();
         QCOMPARE(bench.tick(10).kind, ScriptCommand::JogCartesian);
-        // A robot that stops telling the force is not pushed with.
+        // Without force data there is no motion with contact detection.
         bench.data.tcpForce.reset();
         QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
         QCOMPARE(bench.causeOf(jog), StopCause::Contact);
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::JointLimit);
         QCOMPARE(bench.loop.status().limiter.joint, 3);
-        // Away from it is free, and the name goes away.
+        // Motion away from it is free, and the limit is no longer reported.
         jog.jog.qd[3] = -0.2;
         bench.mailbox.start(jog, bench.now());
         QCOMPARE(bench.tick().kind, ScriptCommand::JogJoints);
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, limiter);
         QCOMPARE(bench.loop.status().limiter.scale, 0.0);
-        // Without a cap nothing is above it.
+        // Without a cap no speed exceeds it.
         bench.loop.setSpeedCap(kNoCap);
         const MotionId next = bench.mailbox.start(stream, bench.now());
         QVERIFY(bench.mailbox.change(next, target, bench.now()));
@@ -249,9 +249,9 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().loss, ControlLoss::Released);
     }
 
-    // Random presses, refreshes, hangs, stalls and stops. Two things must always hold: a package that moves
-    // carries the epoch of a motion that was alive when it was made, and no motion is seen moving again once
-    // it has been seen stopped.
+    // Random presses, refreshes, hangs, stalls and stops. Two conditions must always be true: a package that moves
+    // has the epoch of a motion that was active when it was created, and no motion moves again after it was seen
+    // stopped.
     void randomSequencesNeverMoveWhatWasStopped() {
         std::mt19937 random(20261121);
         const auto chance = [&](int oneIn) {
@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(moved > 10'000);
     }
 
-    // Eight threads start, hold, change and stop motions without rest while the loop ticks.
+    // Eight threads permanently start, hold, change and stop motions while the loop ticks.
     void stopIsFinalForTheRobotUnderContention() {
         Bench bench;
         bench.takeControl();
@@ -353,13 +353,13 @@ private Q_SLOTS:
         }
     }
 
-    // Commands that take longer than 100 ms to the robot and back: a stop would take as long.
+    // A round trip of more than 100 ms: a stop would be as late.
     void aLateLinkEndsTheMotionAndLetsNoneBegin() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.1);
         bench.tick(2);
-        // From here on the robot answers, but what it answers is ever older: 60 packages, 120 ms.
+        // From here on the answers of the robot become older: 60 packages, 120 ms.
         std::vector<Command> sent{bench.command};
         bench.answering = false;
         MotionState state = bench.mailbox.epoch().state(jog);
@@ -394,7 +394,7 @@ private Q_SLOTS:
         const MotionId next = bench.startJog(0.05);
         bench.tick(3);
         bench.data.tcpSpeed.linear.x() = 0;
-        bench.tick(10);  // stands by chance: this is no end of the stop that was asked for
+        bench.tick(10);  // accidental standstill: not the end of the requested stop
         QCOMPARE(bench.loop.status().lastStop.count, 0U);
         bench.mailbox.end(next, StopCause::Released, bench.now());
         bench.tick(10);
@@ -417,7 +417,8 @@ private Q_SLOTS:
         bench.clock.advanceNs(200 * kNsPerMs);
         Command out;
         QVERIFY(bench.loop.fallback(bench.now(), out));
-        QCOMPARE(out.request.number, number);  // another number would make the robot do something again
+        QCOMPARE(out.request.number,
+                 number);  // another number would make the robot execute the request again
         bench.data.echo.answer.number = number;
         bench.data.echo.answer.whole = 7;
         bench.tick();
@@ -475,8 +476,8 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().request.kind, RequestKind::None);
     }
 
-    // Eight threads send targets without rest; 10 000 times a stop comes in between. Once the robot was told
-    // to idle, no later package moves it, whatever the threads send.
+    // Eight threads permanently send targets; 10 000 times a stop occurs in between. After the first idle package,
+    // no later package moves the robot.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Bench bench;
         bench.takeControl();

@@ -74,7 +74,7 @@ private Q_SLOTS:
         QVERIFY(!box.refresh(motion, ms(192)));
     }
 
-    // The refresh comes late but before the control thread has looked: it must not revive anything.
+    // The refresh is late but arrives before the control thread has checked: it must not reactivate the motion.
     void aLateRefreshIsTheEnd() {
         Mailbox box;
         const MotionId motion = box.start(jogX(0.01), ms(0));
@@ -101,8 +101,8 @@ private Q_SLOTS:
         QCOMPARE(box.active(ms(5001))->id, second);
     }
 
-    // Eight threads hold and change a motion as fast as they can while it is stopped. Once stop() has
-    // returned the reader must never see that motion again, and each of the eight is told.
+    // Eight threads hold and change a motion at the maximum rate while it is stopped. After stop() has returned the
+    // reader must not see this motion again, and each of the eight threads is notified.
     void stopIsFinalUnderContention() {
         Mailbox box;
         constexpr int kThreads = 8;
@@ -141,7 +141,7 @@ private Q_SLOTS:
             }
             QVERIFY(!box.refresh(motion, 0));
         }
-        // Only ends when the threads were really at it while motions were stopped under them.
+        // Ends only after the threads were active while motions were stopped.
         QTRY_VERIFY(refused > 1000);
         quit = true;
         for (auto& thread : threads) {
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE(box.active(0), nullptr);
     }
 
-    // The reader gets whole commands only: all six values of one writer.
+    // The reader receives complete commands only: all six values from one writer.
     void commandsAreNeverTorn() {
         Mailbox box;
         std::atomic<bool> quit{false};
@@ -191,7 +191,7 @@ private Q_SLOTS:
         const auto stops = mailbox.epoch().stops();
         const MotionId first = mailbox.startUnlessStopped(stops, {}, 1);
         QVERIFY(first != kNoMotion);
-        mailbox.end(first, StopCause::Completed, 2);  // ends and other motions are no stops
+        mailbox.end(first, StopCause::Completed, 2);  // ends and other motions do not count as stops
         const MotionId second = mailbox.startUnlessStopped(stops, {}, 3);
         QVERIFY(second > first);
         QVERIFY(mailbox.epoch().isActive(second));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When a stop in control counts as confirmed, and when it has to go out on every route.
+// Conditions for the confirmation of a stop in control, and for stopping through all interfaces.
 #include <QTest>
 #include <algorithm>
 #include <utility>
@@ -34,7 +34,7 @@ struct Scene {
         evidence.dataNs = evidence.fresh ? evidence.nowNs : evidence.dataNs;
         return confirmation.look(evidence);
     }
-    /// Time until the verdict is another than Waiting [ms]; the arm as `change` makes it every 10 ms.
+    /// Time until the verdict is no longer Waiting [ms]; `change` updates the arm every 10 ms.
     template <class Change>
     std::pair<Verdict, int> verdict(Change change) {
         for (int ms = 10; ms < 5000; ms += 10) {
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::EveryRoute);
         QCOMPARE(ms, 100);
     }
-    // From a high speed that takes longer, and costs no control.
+    // From a high speed this takes longer, without a loss of control.
     void anArmThatBrakesIsLeftToBrake() {
         Scene fast;
         fast.evidence.tcpSpeed = 0.8;
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::EveryRoute);
         QCOMPARE(ms, 200);
     }
-    // Someone in alarm presses again and again.
+    // A user who presses repeatedly.
     void furtherStopsDoNotPostponeTheVerdict() {
         for (const bool fresh : {false, true}) {
             Scene scene;
@@ -147,7 +147,7 @@ private Q_SLOTS:
         scene.evidence.restingEpoch = kEpoch + 2;
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    // Another program has replaced ours and happens to wait.
+    // Another program has replaced ours and is waiting.
     void standstillThatOurProgramDoesNotReportIsNotEnough() {
         Scene scene;
         const auto [seen, ms] = scene.verdict([&](int) { scene.evidence.moving = false; });

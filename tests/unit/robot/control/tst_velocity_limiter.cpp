@@ -53,7 +53,7 @@ private Q_SLOTS:
         QCOMPARE(limiter.scale, 1.0);
     }
 
-    // A robot that tells a part only, or nonsense, is held to what its model bears, and can be moved.
+    // A robot that reports incomplete or implausible values gets the limits of its model, and can be moved.
     void whatTheRobotDoesNotTellIsTheModels() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration told;
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(2 * limiter.scale - 30 * kDeg) < 1e-9);
     }
 
-    // Turning the base of an arm stretched out moves the TCP far faster than the joint's own number says.
+    // Rotating the base of a stretched arm moves the TCP much faster than the joint speed limit suggests.
     void aJointJogMayNotExceedTheCapOnTheTcp() {
         const JointPositions stretched(0, -10 * kDeg, 15 * kDeg, 0, 90 * kDeg, 0);
         const Limiter limiter = limitAt(joint(0, 30 * kDeg), stretched);
@@ -156,7 +156,7 @@ private Q_SLOTS:
         Limiter limiter = limitAt(target, stretched);
         QCOMPARE(limiter.kind, LimiterKind::JogSpeed);
         QVERIFY(std::abs(10 * kDeg * radius * limiter.scale - 0.05) < 1e-9);
-        // The elbow is held to it as well: the TCP is near the axis of the shoulder.
+        // The limit also applies to the elbow: the TCP is near the axis of the shoulder.
         const JointPositions folded(0, 0, 170 * kDeg, 0, 90 * kDeg, 0);
         target = joint(1, 10 * kDeg);
         target.speedCap = 0.02;
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(30 * kDeg * radius * limiter.scale <= 0.25 + 1e-9);
     }
 
-    // The elbow swings out while the TCP sits on the base axis and hardly moves.
+    // The elbow moves outwards while the TCP is on the base axis and hardly moves.
     void theElbowIsHeldToTheCapToo() {
         MotionLimits limits;
         limits.jointSpeed = 3;
@@ -196,8 +196,8 @@ private Q_SLOTS:
         QVERIFY((twistInBase(target, {}).linear - Eigen::Vector3d(0, 0.1, 0)).norm() < 1e-12);
     }
 
-    // Played forward in time with the speed allowed at each step: the joint comes to rest before its limit,
-    // and braking never asks for more than the arm's brisk deceleration.
+    // Simulated over time with the permitted speed at each step: the joint stops before its limit, and the
+    // deceleration never exceeds the maximum of the arm.
     void aJointStopsBeforeItsLimit() {
         for (const int number : {0, 3, 5}) {
             for (const double direction : {1.0, -1.0}) {
@@ -231,7 +231,7 @@ private Q_SLOTS:
         q[3] = kJointPositionLimit - 0.001;
         QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
         QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
-        q[3] = kJointPositionLimit + 0.01;  // beyond it, however it came there
+        q[3] = kJointPositionLimit + 0.01;  // beyond the limit, for any reason
         QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
         QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
     }
@@ -239,7 +239,7 @@ private Q_SLOTS:
     void cartesianMotionSlowsDownForAJointLimitAndNamesIt() {
         JointPositions q = kGoodPose;
         q[0] = kJointPositionLimit - 0.012;
-        // Which way along the tangent turns the base further in?
+        // The tangential direction that rotates the base further.
         const Pose tcp = tcpAt(q);
         const Eigen::Vector3d tangent = Eigen::Vector3d(-tcp.position.y(), tcp.position.x(), 0).normalized();
         const Eigen::Vector3d in = 0.1 * tangent;
@@ -279,7 +279,7 @@ private Q_SLOTS:
                 QVERIFY(limiter.scale >= 0 && limiter.scale <= 1);
             }
         }
-        QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint by joint there is always a way out
+        QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint jogs can always leave a singularity
     }
 
     void nothingAskedIsNothingLimited() { QCOMPARE(limitAt(JogTarget{}, kGoodPose).scale, 1.0); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A file is replaced completely or not at all, on full disks too.
+// A file is replaced completely or not at all, also on full disks.
 
 #include <QDir>
 #include <QFile>
@@ -39,7 +39,7 @@ QByteArray pattern(qsizetype size, char first) {
     return bytes;
 }
 
-/// Around the blocks of file systems and the buffer of QFile (16384).
+/// Around the block size of file systems and the buffer size of QFile (16384).
 QList<qsizetype> sizesAroundBuffers() {
     QList<qsizetype> sizes{0, 1, 100};
     for (const qsizetype buffer : {4096, 8192, 16384, 32768, 49152}) {
@@ -48,7 +48,7 @@ QList<qsizetype> sizesAroundBuffers() {
     return sizes;
 }
 
-/// The old file or the new one, and the result says which.
+/// The file contains the old or the new content, as reported by the result.
 void replaceOnFullDisk(const SmallDisk& disk) {
     const QString path = disk.filePath("cell.tiller");
     int failures = 0;

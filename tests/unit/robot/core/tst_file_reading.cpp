@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Only regular files of a bounded size are read.
+// Only regular files of limited size are read.
 
 #include <QFile>
 #include <QTemporaryDir>

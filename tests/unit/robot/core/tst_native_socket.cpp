@@ -13,7 +13,7 @@ using native_socket::Status;
 
 namespace {
 
-/// Hands out the descriptor of the connection, as our servers do.
+/// Returns the descriptor of the connection, like our servers.
 class DescriptorServer : public QTcpServer {
 public:
     qintptr taken = -1;

@@ -91,7 +91,7 @@ private Q_SLOTS:
     }
 
     void ur5eGravityTorqueGivesTheRecordedCurrents() {
-        // 21.261 Nm at 2.14101 A, as reported by a simulated controller standing still.
+        // 21.261 Nm at 2.14101 A, as reported by a simulated controller at standstill.
         const auto& gain = robotModel(RobotModelId::UR5e).torquePerCurrent;
         QVERIFY(std::abs(21.261 / gain[1] - 2.141012668609619) < 1e-3);
         QVERIFY(std::abs(14.823 / gain[2] - 1.492674708366394) < 1e-3);

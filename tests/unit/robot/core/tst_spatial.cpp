@@ -38,7 +38,7 @@ private Q_SLOTS:
             for (int n = 0; n < 200; ++n) {
                 const Eigen::Vector3d v = randomAxis(random) * (kPi - short_of);
                 const Eigen::Vector3d back = rotationVector(rotationMatrix(v));
-                // At pi itself both signs of the axis are the same rotation.
+                // At pi both signs of the axis represent the same rotation.
                 QVERIFY(std::min((back - v).norm(), (back + v).norm()) < 1e-9);
                 QVERIFY((rotationMatrix(back) - rotationMatrix(v)).norm() < 1e-12);
                 QVERIFY(back.norm() <= kPi + 1e-12);
@@ -66,7 +66,7 @@ private Q_SLOTS:
     }
 
     void rpyTurnsAboutFixedAxesInOrderXYZ() {
-        // First 90 deg about x, then 90 deg about z: what was y points along z afterwards.
+        // First 90 deg about x, then 90 deg about z: y becomes z.
         const Eigen::Matrix3d R = rotationMatrix(rotationVectorFromRpy(Eigen::Vector3d(kPi / 2, 0, kPi / 2)));
         QVERIFY((R * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm() < 1e-14);
         QVERIFY((R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-14);

@@ -14,7 +14,7 @@ namespace {
 
 const QByteArray kGreeting = "Connected: Universal Robots Dashboard Server\n";
 
-// Answers each command as the table says, anything else like a controller that does not know it.
+// Answers each command according to the table, others like a controller that does not know them.
 RawPeer::Script answering(std::map<QByteArray, QByteArray> replies) {
     return [replies = std::move(replies)](RawPeer::Link& link) {
         link.send(kGreeting);

@@ -12,7 +12,7 @@ using test::RawPeer;
 
 namespace {
 
-/// A robot that goes through its modes as it is told, and counts what it was told.
+/// A robot that changes its modes on command, and counts the commands.
 struct Robot {
     std::atomic<int> safety{1};  ///< SafetyMode
     std::atomic<int> mode{7};    ///< RobotMode
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(nextRecoveryStep(SafetyMode::Normal, RobotMode::PowerOff), RecoveryStep::PowerOn);
         QCOMPARE(nextRecoveryStep(SafetyMode::Reduced, RobotMode::Idle), RecoveryStep::ReleaseBrakes);
         QCOMPARE(nextRecoveryStep(SafetyMode::Reduced, RobotMode::Running), RecoveryStep::Done);
-        // The safety system comes first, whatever the arm does.
+        // The safety mode has priority over the robot mode.
         for (const RobotMode mode : {RobotMode::PowerOff, RobotMode::Idle, RobotMode::Running}) {
             QCOMPARE(nextRecoveryStep(SafetyMode::ProtectiveStop, mode), RecoveryStep::Unlock);
             QCOMPARE(nextRecoveryStep(SafetyMode::Violation, mode), RecoveryStep::RestartSafety);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated arm, noise and all, and the recording of what it did: a row a control period, as a receiver would have it.
+// A simulated arm with noise, and the recording of its motion: one row per control period, as by a receiver.
 
 #include <map>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace tiller::test {
 
-/// A table that says what arm it is of.
+/// A table that contains the model of its arm.
 class MadeRecording : public recording::TableRecording {
 public:
     MadeRecording(recording::RecordedTable table, std::string model) : TableRecording(std::move(table)) {
@@ -33,21 +33,21 @@ public:
         arm.setDriveState(simulator::arm::DriveState::Running);
     }
 
-    /// So many control periods, a row each.
+    /// Runs this number of control periods, with one row each.
     void run(int periods) {
         for (int i = 0; i < periods; ++i) {
             arm.step();
             keep();
         }
     }
-    /// Until the command is done.
+    /// Runs until the command is complete.
     void finish(const simulator::arm::MotionStart& start) {
         while (arm.motion().progress(start.id) == simulator::arm::MotionProgress::Running) {
             run(1);
         }
     }
     std::uint64_t rows() const { return rows_; }
-    /// Every n-th row of it, without those in [from, to).
+    /// Every n-th row, without those in [from, to).
     MadeRecording recording(std::size_t every = 1, std::size_t from = 0, std::size_t to = 0) const {
         recording::RecordedTable table{QStringLiteral("made.csv"), QStringLiteral("CSV"), {}, {}, {}};
         for (const auto& [name, values] : columns) {

@@ -24,7 +24,7 @@ simulator::arm::Payload gripper() {
     return {1.2, {0, 0.01, 0.06}, Vector6::Zero()};
 }
 
-/// Joint and straight moves with a payload; the arm ends where it began.
+/// Joint and linear moves with a payload; the arm ends at its start.
 void work(RecordedArm& robot) {
     auto& arm = robot.arm;
     const JointPositions home = arm.state().targetQ;
@@ -92,7 +92,7 @@ void TestDivergence::anUndisturbedArmNeverParts() {
     for (const Outcome& each : report.outcomes) {
         QVERIFY(each.missing.empty());
         QCOMPARE(each.rows, report.rows - report.leftOut);
-        // Far from it, too.
+        // Much smaller, in fact.
         QVERIFY2(each.greatest && each.greatest->amount < each.limit / 10,
                  qPrintable(QString::number(each.greatest ? each.greatest->amount : -1)));
     }
@@ -106,7 +106,7 @@ void TestDivergence::aPushIsFoundWhereItBegins_data() {
     QTest::newRow("lighter, found by the force alone") << true << 35.0;
 }
 
-// The stop comes later, as it does when the controller takes its time.
+// The stop comes later, as with a real controller.
 void TestDivergence::aPushIsFoundWhereItBegins() {
     QFETCH(bool, moving);
     QFETCH(double, force);
@@ -136,7 +136,7 @@ void TestDivergence::aPushIsFoundWhereItBegins() {
     QVERIFY(forces.parted && std::abs(forces.parted->amount - force) < 3);
     QCOMPARE(forces.parted->joint, -1);
     if (force > 50) {
-        // Straight down on an arm that reaches out: the shoulder has to hold most of it.
+        // Straight down on an extended arm: the shoulder has to carry most of it.
         const Outcome& currents = outcome(report, Quantity::JointCurrent);
         QVERIFY(currents.parted.has_value());
         QCOMPARE(currents.parted->row, push);
@@ -162,7 +162,7 @@ void TestDivergence::anotherLoadThanTheControllerKnowsParts() {
 void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     RecordedArm robot;
     work(robot);
-    // From row 400 on the elbow lags behind, more and more.
+    // From row 400 on, the elbow lags increasingly.
     std::vector<double>& elbow = robot.columns["actual_q_2"];
     for (std::size_t row = 400; row < elbow.size(); ++row) {
         elbow[row] += 0.01 * kDegree * static_cast<double>(row - 400);
@@ -173,7 +173,7 @@ void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     QVERIFY2(found.row >= 450 && found.row <= 453, qPrintable(QString::number(found.row)));
     QVERIFY(found.amount > 5 * kDegree);
     QCOMPARE(report.first()->row, found.row);
-    // With another limit, elsewhere; with none, nowhere.
+    // With another limit at another row; without a limit never.
     Choice choice;
     choice.limits.jointPosition = 1 * kDegree;
     const std::uint64_t later =
@@ -245,7 +245,7 @@ void TestDivergence::withoutPowerOrLedByHandNothingIsCompared() {
     robot.arm.setDriveState(simulator::arm::DriveState::Running);
     robot.run(200);
     for (std::size_t row = 450; row < 500; ++row) {
-        robot.columns["robot_status_bits"][row] = 7;  // power, program, and the button of freedrive
+        robot.columns["robot_status_bits"][row] = 7;  // power, program, and the freedrive button
         robot.columns["actual_TCP_force_2"][row] += 100;
     }
     const Report report = compare(robot.recording()).value();
@@ -307,7 +307,7 @@ void TestDivergence::whichArmItIsOfHasToBeKnown() {
     Choice choice;
     choice.model = RobotModelId::UR5e;
     QVERIFY(!compare(robot.recording(), choice).value().first());
-    // A wrong one shows.
+    // A wrong model is detected.
     choice.model = RobotModelId::UR20;
     QVERIFY(compare(robot.recording(), choice).value().partedFromStart());
 }
@@ -320,7 +320,7 @@ void TestDivergence::limitsAreNumbers() {
         choice.limits.force = wrong;
         QCOMPARE(compare(robot.recording(), choice).error().code, ErrorCode::InvalidArgument);
     }
-    // Rows that tell nothing of what was between them.
+    // Rows with too large intervals.
     const auto sparse = robot.recording(10);
     RecordedArm slow;
     slow.run(2000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Analog outputs and input registers against the simulated controller.
+// Analog outputs and input registers with the simulated controller.
 #include <QTest>
 #include <cmath>
 

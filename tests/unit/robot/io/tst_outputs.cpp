@@ -15,14 +15,14 @@ using test::RtdePeer;
 
 namespace {
 
-// Only a failing test waits for it.
+// Only reached by a failing test.
 constexpr auto kPatience = 20s;
 
 Deadline patience() {
     return Deadline::after(kPatience);
 }
 
-/// A robot whose reports the test decides, or which does what it was told.
+/// A robot whose reports are set by the test, or that executes the commands.
 struct Bench {
     explicit Bench(test::RtdePeerOptions robot = {})
         : peer(std::move(robot)), outputs(options(), feedback()) {}
@@ -45,7 +45,7 @@ struct Bench {
             return report;
         }};
     }
-    /// What a controller does with the newest inputs.
+    /// Executes the newest inputs like a controller.
     void follow() {
         apply("standard_digital_output", 0);
         apply("configurable_digital_output", 8);
@@ -137,11 +137,11 @@ void TestOutputs::groupsAreSetTogether() {
 void TestOutputs::waitsForTheRobotsWord() {
     Bench bench;
     bench.obedient = false;
-    // Connecting is not what the 50 ms are for: nothing would have been sent.
+    // The connection must not use up the 50 ms: nothing would be sent.
     QVERIFY(bench.outputs.connect(patience()).ok());
     const auto set = bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms));
     QCOMPARE(set.error().code, ErrorCode::Timeout);
-    // It was sent all the same, and taken back it would have to be confirmed as well.
+    // It was sent nevertheless, and reverting it would require a confirmation as well.
     QTRY_COMPARE_WITH_TIMEOUT(bench.peer.inputPackages(), 1, 20000);
 
     const CancelToken token;
@@ -150,7 +150,7 @@ void TestOutputs::waitsForTheRobotsWord() {
              ErrorCode::Cancelled);
 }
 
-// The controller may have forgotten the connection, and takes what is sent on it for ever.
+// The controller may have dropped the connection and accept data on it forever.
 void TestOutputs::whatIsNotConfirmedIsSentOnANewConnectionNextTime() {
     Bench bench;
     bench.obedient = false;
@@ -167,7 +167,7 @@ void TestOutputs::oldReportsConfirmNothing() {
     bench.obedient = false;
     bench.frozen = true;
     QVERIFY(bench.outputs.connect(patience()).ok());
-    // The report already says what is wanted, but it is older than the command.
+    // The report already contains the requested value, but it is older than the command.
     QCOMPARE(bench.outputs.setDigitalOutput(0, false, Deadline::after(50ms)).error().code,
              ErrorCode::Timeout);
     bench.frozen = false;
@@ -226,7 +226,7 @@ void TestOutputs::inputsTheRobotLacksAreNamed() {
     Bench bench(robot);
     QVERIFY(bench.outputs.connect(patience()).ok());
     QCOMPARE(bench.outputs.setDigitalOutput(16, true, patience()).error().code, ErrorCode::FieldUnknown);
-    // All or nothing: a set that touches the tool leaves the others alone.
+    // All or nothing: a set including the tool leaves the others unchanged.
     QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, patience()).error().code,
              ErrorCode::FieldUnknown);
     QCOMPARE(bench.peer.inputPackages(), 0);
@@ -244,8 +244,8 @@ void TestOutputs::connectsByItselfWhenNeeded() {
     QVERIFY(!bench.outputs.isConnected());
     QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
     QCOMPARE(bench.peer.connections(), 2);
-    // The robot was switched off and on: noticed at the next command, at the latest at the one after. Each
-    // has time to connect anew, and one that went into the dying connection is not waited for too long.
+    // The robot was switched off and on: detected at the next command, or at the one after it. Each has time to
+    // reconnect, and a command sent on the old connection is not waited for too long.
     bench.peer.closeConnection();
     QTRY_VERIFY_WITH_TIMEOUT(
         bench.outputs.setDigitalOutput(0, true, Deadline::after(5s)).ok() && bench.peer.connections() >= 3,

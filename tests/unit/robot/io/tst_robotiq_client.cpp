@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gripper's socket, spoken to a peer that does what the test says.
+// The client of the gripper's socket, with a peer controlled by the test.
 #include <QTest>
 #include <limits>
 #include <map>
@@ -15,12 +15,12 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// A gripper's variables, served as the URCap does. What was said to it is kept.
+/// The variables of a gripper, served like the URCap. Received lines are stored.
 struct Gripper {
     std::map<QByteArray, int> values{{"STA", 3},   {"FLT", 0}, {"GTO", 1},
                                      {"PRE", 255}, {"OBJ", 2}, {"POS", 120}};
-    QByteArrayList lines;  ///< of the newest connection; read it when the client is gone
-    int staleAnswers = 0;  ///< so often PRE is still that of an earlier motion
+    QByteArrayList lines;  ///< of the newest connection; read them after the client has disconnected
+    int staleAnswers = 0;  ///< number of replies in which PRE still belongs to the previous motion
     bool resets = true;
 
     QByteArray answer(const QByteArray& line) {
@@ -38,7 +38,7 @@ struct Gripper {
             if (words[i] == "POS") {
                 values["PRE"] = words[i + 1].toInt();
             } else if (words[i] == "ACT" && resets) {
-                values["STA"] = words[i + 1].toInt();  // 1: being activated
+                values["STA"] = words[i + 1].toInt();  // 1: activation in progress
             } else {
                 values[words[i]] = words[i + 1].toInt();
             }
@@ -66,7 +66,7 @@ struct Bench {
     RobotiqClient client;
 };
 
-/// Answers each line with the next of these, and then says nothing more.
+/// Answers each line with the next of these replies, and then no more.
 std::function<void(RawPeer::Link&)> saying(const QByteArrayList& answers) {
     return [answers](RawPeer::Link& link) {
         for (const QByteArray& answer : answers) {

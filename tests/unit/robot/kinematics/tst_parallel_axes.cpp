@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What calibrated arms tell of themselves, and what is made of it.
+// Parameters reported by calibrated arms, and their conversion.
 
 #include <QTest>
 #include <algorithm>
@@ -160,7 +160,7 @@ private Q_SLOTS:
             QVERIFY(std::isfinite(number) || calibrated(model, told) == model.dh);
         }
         QVERIFY(calibrated(model, DhParameters()) == model.dh);
-        DhParameters bent = realArm();  // no axes of such an arm
+        DhParameters bent = realArm();  // not the axes of such an arm
         bent.alpha[1] = 1;
         QVERIFY(calibrated(model, bent) == model.dh);
     }

@@ -13,7 +13,7 @@ namespace {
 const Eigen::Vector3d kTip(0.012, -0.034, 0.187);
 const Eigen::Vector3d kPoint(-0.42, 0.13, 0.05);
 
-/// Flange poses with which a tool of that tip stands on the point.
+/// Flange poses for which the tip of the tool is at the point.
 std::vector<Eigen::Isometry3d> posesOnPoint(std::initializer_list<Eigen::Vector3d> turns) {
     std::vector<Eigen::Isometry3d> result;
     for (const Eigen::Vector3d& turn : turns) {

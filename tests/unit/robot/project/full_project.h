@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A project with something of everything a file can hold, for tests of files and of what works on projects.
+// A project with all elements of a file, for tests of files and of project functions.
 
 #include "robot/project/project_file.h"
 #include "robot/project/waypoint_revision.h"

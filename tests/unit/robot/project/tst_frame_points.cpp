@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Three points and the frame they make; and those that make none.
+// Three points and the resulting frame; and points without a frame.
 
 #include <QTest>
 #include <limits>
@@ -29,7 +29,7 @@ private Q_SLOTS:
             const Eigen::Isometry3d T = pose.transform();
             const double along = 0.03 + std::abs(any(random));
             const double side = 0.015 + std::abs(any(random));
-            // The third point need not stand over the origin, only on the side of +Y.
+            // The third point may be anywhere on the +Y side.
             const FramePoints points{T * Vector3d::Zero(), T * Vector3d(along, 0, 0),
                                      T * Vector3d(any(random) > 0 ? 0.05 : -0.05, side, 0)};
             const std::optional<Pose> made = frameThrough(points);
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY(check(points).problem == Problem::Incomplete);
         QVERIFY(!frameThrough(points).has_value());
         QVERIFY(std::abs(check(points).alongX - 0.1) < 1e-12);
-        points.onX = Vector3d(0.11, 0.2, 0.3);  // said before the third is taken
+        points.onX = Vector3d(0.11, 0.2, 0.3);  // reported before the third point is recorded
         QVERIFY(check(points).problem == Problem::XTooClose);
     }
 

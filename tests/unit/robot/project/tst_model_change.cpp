@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A project of a UR5e for a UR10e and for a UR3e: the places stay, or the joints stay.
+// A UR5e project for a UR10e and a UR3e: the poses or the joint positions are kept.
 #include <QTest>
 
 #include "full_project.h"
@@ -73,7 +73,7 @@ Pattern trayPattern(const Project& project) {
     return pattern;
 }
 
-/// How far the TCP of a waypoint is from its place with the arm it was taught with [m].
+/// Distance of a waypoint's TCP from its position with the original arm [m].
 double off(const Waypoint& now, const FrameList& frames, const RobotModel& arm, const Waypoint& before) {
     const Reach target = reach(arm, now, frames);
     return poseDifference(kinematics::forwardTcp(arm.dh, target.q, now.tcpOffset),
@@ -128,7 +128,7 @@ private Q_SLOTS:
                                    kinematics::forwardTcp(ur10e().dh, now.points[i].q, now.tcpOffset))
                         .distance < 1e-6);
         }
-        // With the joints as they were the arm ends far away: what the question is about.
+        // With unchanged joint positions the arm ends far away.
         QVERIFY(off(before.waypoints.at(0), before.frames, ur10e(), before.waypoints.at(0)) > 0.1);
     }
 
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(far.ruling, Ruling::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
-        // A position has joints only: it would be somewhere else.
+        // A position has joint positions only: it would be elsewhere.
         QCOMPARE(change.removed, QStringList{QStringLiteral("Outside")});
         QCOMPARE(change.project.positions.list.size(), std::size_t(1));
         QVERIFY(change.project.positions.home.isNull());
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(laid, 6);
     }
 
-    // Everything else of a project stays, and the change can be saved.
+    // Everything else of the project is unchanged, and the result can be saved.
     void theRestStays() {
         const Project before = fullProject();
         for (const Keep keep : {Keep::Poses, Keep::Joints}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Several windows and programs with one project file: none replaces what it has not read.
+// Several windows and programs with one project file: none replaces content that it has not read.
 
 #include <QCoreApplication>
 #include <QDir>
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(second.save(withWaypoints({"b"}), 1)->outcome == Outcome::OpenElsewhere);
         QCOMPARE(contentOf(path_), before);
         QVERIFY(first.save(withWaypoints({"a", "b"}), 1)->outcome == Outcome::Saved);
-        // A link to the project has the same lock.
+        // A link to the project uses the same lock.
         const QString link = directory_->filePath("link.tiller");
         QVERIFY(QFile::link(path_, link));
         ProjectAccess third(link);
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(first.save(withWaypoints({"first"}), 1)->outcome == Outcome::OpenElsewhere);
         QVERIFY(second.save(withWaypoints({"second"}), 1)->outcome == Outcome::Saved);
         first.close();
-        // The lock of the second one is still there.
+        // The lock of the second window is still there.
         ProjectAccess third(path_);
         QVERIFY(third.load().ok());
         QVERIFY(third.check().owner.has_value());
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path_), foreign);
         QCOMPARE(access.load()->waypoints.at(0).name, QString("other"));
         QVERIFY(access.save(withWaypoints({"mine"}), 2)->outcome == Outcome::Saved);
-        // The same time stamp and the same size hide nothing.
+        // Equal time stamp and size do not hide a change.
         QByteArray sneaky = contentOf(path_);
         const QDateTime stamp = QFileInfo(path_).lastModified();
         sneaky.replace("mine", "mime");
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(access.save(withWaypoints({"again"}), 3)->outcome == Outcome::ChangedByOther);
     }
 
-    // Saving by itself waits for a slow disk in another thread, and can come after the file was read again.
+    // Automatic saving waits for a slow disk in another thread, and may come after the file was read again.
     void whatWaitsToBeSavedDoesNotReplaceWhatWasReloaded() {
         ProjectAccess access(path_);
         QVERIFY(access.load().ok());
@@ -208,7 +208,7 @@ private Q_SLOTS:
             CopyKeeper keeper(folder);
             QVERIFY(keeper.keep(withWaypoints({"a"}), "Sample", 1).ok());
             QVERIFY(keeper.keep(withWaypoints({"a", "b"}), "Sample", 2).ok());
-            QVERIFY(keeper.keep(withWaypoints({}), "Sample", 1).ok());  // an older one
+            QVERIFY(keeper.keep(withWaypoints({}), "Sample", 1).ok());  // an older state
             QVERIFY(keptCopies(folder).isEmpty());
         }
         const QList<KeptCopy> kept = keptCopies(folder);

@@ -294,7 +294,7 @@ private Q_SLOTS:
 
         QFile file(path_);
         QVERIFY(file.open(QIODevice::ReadWrite));
-        QVERIFY(file.resize(kMaxProjectFileBytes + 1));  // sparse: costs nothing
+        QVERIFY(file.resize(kMaxProjectFileBytes + 1));  // a sparse file needs no disk space
         file.close();
         const auto loaded = loadProject(path_);
         QVERIFY(loaded.error().code == ErrorCode::FileCorrupt);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file holds beside frames and plain waypoints: round trips, faults by name, and a thousand damaged files.
+// Round trips, error messages and 1000 damaged files for the parts of a project other than frames and waypoints.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -23,7 +23,7 @@ QJsonObject rootOfFull() {
     return QJsonDocument::fromJson(bytesOfFull()).object();
 }
 
-/// `value` with what is at `path` ("tools[1].name", dots and indexes) replaced; undefined removes it.
+/// Returns `value` with the element at `path` ("tools[1].name", dots and indexes) replaced; undefined removes it.
 QJsonValue replaced(const QJsonValue& value, const QString& path, const QJsonValue& by) {
     if (path.isEmpty()) {
         return by;
@@ -55,7 +55,8 @@ QByteArray fullWith(const QString& path, const QJsonValue& by) {
     return QJsonDocument(replaced(rootOfFull(), path, by).toObject()).toJson();
 }
 
-/// Every waypoint of `found` is one of `whole`, as it was, or lost only what refers to a lost pattern.
+/// Returns true if every waypoint of `found` is a waypoint of `whole`, unchanged except for references to a lost
+/// pattern.
 bool allFrom(const WaypointList& found, const WaypointList& whole) {
     return std::all_of(found.begin(), found.end(), [&](const Waypoint& point) {
         const int at = whole.indexOf(point.id);
@@ -303,7 +304,7 @@ private Q_SLOTS:
         QCOMPARE(found->document.waypoints.size(), document.waypoints.size());
         QVERIFY(found->document.tooling.activeTool.isNull());
         QCOMPARE(found->document.tooling.tools.size(), std::size_t(1));
-        // The places of a lost pattern are waypoints still.
+        // The positions of a lost pattern remain as waypoints.
         QVERIFY(found->document.waypoints.at(1).place.isNull());
         QVERIFY(serializeProject(found->document).ok());
     }
@@ -342,7 +343,7 @@ private Q_SLOTS:
                 ++refused;
                 QVERIFY(!read.error().context.isEmpty());
             } else {
-                // Whatever is accepted can be written and comes back as it is.
+                // Any accepted document can be written and read back unchanged.
                 const Result<QByteArray> again = serializeProject(*read);
                 QVERIFY2(again.ok(), qPrintable(again.error().toString()));
                 QVERIFY(*parseProject(*again) == *read);
@@ -360,7 +361,7 @@ private Q_SLOTS:
     void noWholeWaypointIsDroppedSilently() {
         const Project whole = fullProject();
         const QJsonObject root = QJsonDocument::fromJson(*serializeProject(whole)).object();
-        // One value anywhere in the file is replaced by something of another kind, a thousand times.
+        // Replaces a value at a random place in the file by one of another type, 1000 times.
         QStringList paths;
         const std::function<void(const QJsonValue&, const QString&)> collect = [&](const QJsonValue& value,
                                                                                    const QString& path) {
@@ -391,7 +392,7 @@ private Q_SLOTS:
             }
             const int kept = found->document.waypoints.size();
             if (kept + found->lostWaypoints != whole.waypoints.size()) {
-                // Only where the whole list, or a list it stands in, was replaced; and that is said.
+                // The list is lost only if it or a list that contains it was replaced, and that is reported.
                 QVERIFY2(path == "waypoints", qPrintable(path));
                 QVERIFY(!found->problems.isEmpty() || by.isArray());
             }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The flag that says whether the arm gets to a waypoint, held against a second way to find out: the geometry of the
-// arm itself, without angles and without the code that is tested. Axes 2, 3 and 4 are parallel and level, axis 5
-// stands on them and on axis 6; where those are, three lengths decide.
+// Compares the reachability flag of a waypoint with an independent calculation from the geometry of the arm,
+// without joint angles and without the code under test. Axes 2, 3 and 4 are parallel and horizontal, axis 5 is
+// perpendicular to them and to axis 6; given their positions, three lengths decide.
 
 #include <QTest>
 #include <algorithm>
@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kWaypoints = 10'000;
-/// So near the end of the reach either answer is right: the catalogue's right angles are rounded [m].
+/// Within this distance of the end of the reach, either answer is accepted, because the right angles of the
+/// catalogue are rounded [m].
 constexpr double kEitherWay = 1e-6;
 
 class Dice {
@@ -35,7 +36,7 @@ public:
         std::normal_distribution<double> normal;
         return Vector3d(normal(engine_), normal(engine_), normal(engine_)).normalized();
     }
-    /// Evenly in the ball [m].
+    /// Returns a uniformly distributed point in the ball [m].
     Vector3d place(double radius) { return direction() * radius * std::cbrt(between(0, 1)); }
     Isometry3d pose(double radius) {
         Isometry3d T = Isometry3d::Identity();
@@ -55,7 +56,7 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// T_base_flange, axis by axis, with right angles that are right.
+/// T_base_flange, axis by axis, with exact right angles.
 Isometry3d flangeAt(const DhParameters& dh, const JointPositions& q) {
     Isometry3d T = Isometry3d::Identity();
     for (std::size_t i = 0; i < 6; ++i) {
@@ -67,7 +68,8 @@ Isometry3d flangeAt(const DhParameters& dh, const JointPositions& q) {
     return T;
 }
 
-/// How much length is left to the flange pose: below 0 the arm is that much too short or too long [m].
+/// Returns the length that remains at the flange pose; negative when the arm is too short or too long by that much
+/// [m].
 double slack(const DhParameters& dh, const Isometry3d& flange) {
     const Vector3d axis6 = flange.linear().col(2);
     const Vector3d wrist = flange.translation() - dh.d[5] * axis6;
@@ -93,7 +95,7 @@ double slack(const DhParameters& dh, const Isometry3d& flange) {
             offer((elbowEnd - dh.d[4] * axis5.normalized()).norm());
             offer((elbowEnd + dh.d[4] * axis5.normalized()).norm());
         } else {
-            // Axis 6 lies along axis 2: wrist 3 is free, and axis 5 anywhere around it.
+            // Axis 6 is parallel to axis 2: wrist 3 is free, and axis 5 can be anywhere around it.
             const double inPlane = elbowEnd.norm();
             const double middle = (longest + shortest) / 2;
             offer(std::clamp(middle, std::abs(inPlane - dh.d[4]), inPlane + dh.d[4]));
@@ -105,10 +107,10 @@ double slack(const DhParameters& dh, const Isometry3d& flange) {
 struct Case {
     Waypoint point;
     FrameList frames;
-    QByteArray kind = "drawn";    ///< how it was made
-    Isometry3d flange;            ///< that it asks for
-    bool fromJoints = false;      ///< some joints give it: it is within reach
-    bool atTaughtJoints = false;  ///< and they are those it was taught with
+    QByteArray kind = "drawn";    ///< how the case was generated
+    Isometry3d flange;            ///< flange pose that the case asks for
+    bool fromJoints = false;      ///< generated from joints, so within reach
+    bool atTaughtJoints = false;  ///< generated from the taught joints
 };
 
 Case randomCase(const RobotModel& model, Dice& dice) {
@@ -218,19 +220,20 @@ private Q_SLOTS:
             QVERIFY2((there.linear() - c.flange.linear()).norm() < 1e-7, qPrintable(figures(c, left)));
             QVERIFY(reach.q.values.cwiseAbs().maxCoeff() <= kJointPositionLimit);
             if (c.atTaughtJoints) {
-                // At full length and where wrist 3 is free the last digits of the pose move the joints further.
+                // At full extension and where wrist 3 is free, the last digits of the pose have a larger effect on
+                // the joints.
                 QVERIFY2((reach.q.values - c.point.joints.values).cwiseAbs().maxCoeff() < 1e-3,
                          qPrintable(figures(c, left)));
             }
         }
-        // Both answers are common, or nothing is shown.
+        // Both answers must be frequent, or the test proves nothing.
         QVERIFY2(reached > kWaypoints / 4 && refused > kWaypoints / 10,
                  qPrintable(QStringLiteral("%1 reached, %2 refused").arg(reached).arg(refused)));
         QVERIFY(eitherWay < 10);
     }
 
-    // The second way would notice an arm that is a little too long: it is itself held against places that some
-    // joints give, and against the same places drawn out of reach.
+    // Checks the independent calculation itself: it must accept poses generated from joints and reject the same
+    // poses moved out of reach. It would detect an arm that is slightly too long.
     void theGeometryItselfKnowsTheReach() {
         Dice dice(99);
         for (const RobotModel& arm : robotModels()) {

@@ -19,7 +19,7 @@ const DhParameters& arm() {
 }
 const Pose kTool(0.01, 0.02, 0.15, 0, 0, 0);
 
-/// A hand that leads the arm about: slow waves, corners, pauses, ways back, and a tremble.
+/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremble.
 Demonstration shownBy(std::mt19937& random, int samples, double tremble) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::normal_distribution<double> noise(0, tremble > 0 ? tremble : 1);
@@ -33,7 +33,7 @@ Demonstration shownBy(std::mt19937& random, int samples, double tremble) {
             for (int joint = 0; joint < 6; ++joint) {
                 wanted[joint] = unit(random) * (i % 600 == 400 ? 0 : 0.6);  // [rad/s]
             }
-            qd = i % 1000 == 0 ? wanted : qd;  // a corner now and then
+            qd = i % 1000 == 0 ? wanted : qd;  // an occasional corner
         }
         qd += 0.02 * (wanted - qd);
         q += 0.002 * qd;
@@ -64,7 +64,7 @@ class TestDemonstration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Whatever was shown: no shown place is further from the kept path than it may be.
+    // For any demonstration, no demonstrated position is further from the kept path than allowed.
     void everyShownPlaceIsWithinTheTolerance() {
         std::mt19937 random(1);
         int kept = 0;
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(keptPath(one, arm(), {}, {}).size(), std::size_t(1));
     }
 
-    // There and back again is no straight way, though both ends are the same place.
+    // A movement there and back is not a straight path, although it starts and ends at the same position.
     void theFarEndOfAWayThereAndBackIsKept() {
         Demonstration shown;
         for (int i = 0; i <= 1000; ++i) {
@@ -153,7 +153,7 @@ private Q_SLOTS:
         }
     }
 
-    // What is made of the kept path for others goes along it, in its time.
+    // Samples along the kept path follow it with its timing.
     void alongThePathAreSamplesOfIt() {
         std::mt19937 random(3);
         const Demonstration shown = shownBy(random, 800, 0);

@@ -17,14 +17,14 @@ namespace {
 constexpr double kPeriod = 0.002;
 constexpr double kPeriodNs = kPeriod * 1e9;
 
-/// What is worked on when.
+/// Times at which each package is processed.
 struct Cycle {
     std::int64_t arrivedNs;
     std::int64_t dueNs;
     std::int64_t heldNs() const { return dueNs - arrivedNs; }
 };
 
-/// Sends packages that come `delay(i)` [ns] after they were made.
+/// Sends packages that arrive `delay(i)` [ns] after they were generated.
 std::vector<Cycle> follow(ArrivalPace& pace, int packages, const std::function<double(int)>& delay,
                           double drift = 0) {
     std::vector<Cycle> cycles;
@@ -36,7 +36,7 @@ std::vector<Cycle> follow(ArrivalPace& pace, int packages, const std::function<d
     return cycles;
 }
 
-/// Furthest that neighbours from `first` on are from a period apart [ns].
+/// Largest deviation of the distance between neighbours from one period, from `first` on [ns].
 double unevenness(const std::vector<Cycle>& cycles, std::size_t first) {
     double most = 0;
     for (std::size_t i = std::max<std::size_t>(first, 1); i < cycles.size(); ++i) {
@@ -46,7 +46,7 @@ double unevenness(const std::vector<Cycle>& cycles, std::size_t first) {
     return most;
 }
 
-/// Between nothing and `most` [ns], the same in every run.
+/// Random delays between 0 and `most` [ns], the same in every run.
 std::function<double(int)> jitter(double most) {
     return [random = std::mt19937(4711), most](int /*package*/) mutable {
         return most * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
@@ -62,9 +62,9 @@ private Q_SLOTS:
     void unevenArrivalsAreLaidOutEvenly() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 5000, jitter(300'000));
-        // Two parts in a thousand of a period: what the estimates move on, not what the arrivals do.
+        // 0.2 % of a period: the remaining drift comes from the estimates, not from the arrivals.
         QVERIFY2(unevenness(cycles, 1000) < 4'000, qPrintable(QString::number(unevenness(cycles, 1000))));
-        // No more than the jitter asks for: on the average half of it.
+        // The delay must not exceed what the jitter requires: half of it on average.
         double held = 0;
         for (const Cycle& cycle : cycles) {
             QVERIFY(cycle.heldNs() >= 0);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         }
     }
 
-    // Clocks differ: by 100 ppm either way at most in any machine that is well.
+    // Clocks of healthy machines differ by at most 100 ppm in either direction.
     void theOtherClockIsFollowed_data() {
         QTest::addColumn<double>("drift");
         QTest::newRow("fast") << 1e-4;
@@ -138,13 +138,13 @@ private Q_SLOTS:
             QVERIFY2(cycles[i].heldNs() > 0, qPrintable(QString::number(i)));
         }
         QVERIFY2(unevenness(cycles, kSoon) < 4'000, qPrintable(QString::number(unevenness(cycles, kSoon))));
-        // Once late ones have widened the margin it takes its time, but what is usual follows at once or
-        // soon.
+        // After late packages have widened the margin, it takes time to shrink; regular arrivals are still
+        // processed at once or soon.
         const std::int64_t most = longer > 0 && longer < 500'000 ? 500'000 : 250'000;
         QVERIFY2(cycles.back().heldNs() < most, qPrintable(QString::number(cycles.back().heldNs())));
     }
 
-    // Who looks late must not take his own lateness for the path's: that would make him later still.
+    // A late consumer must not attribute its own lateness to the network, which would make it even later.
     void workThatTakesLongDelaysNoneOfIt_data() {
         QTest::addColumn<double>("busy");
         QTest::addColumn<double>("drift");
@@ -157,7 +157,7 @@ private Q_SLOTS:
     void workThatTakesLongDelaysNoneOfIt() {
         QFETCH(double, busy);
         QFETCH(double, drift);
-        constexpr std::int64_t kLooking = 50'000;  // how long who waits must have waited
+        constexpr std::int64_t kLooking = 50'000;  // minimum waiting time of the consumer
         ArrivalPace pace(kPeriod);
         const auto shaken = jitter(300'000);
         std::int64_t ready = 0;
@@ -167,7 +167,7 @@ private Q_SLOTS:
             const std::int64_t found = std::max(came, ready);
             const std::int64_t begun = pace.follow(found, 777 + i * kPeriod, found - ready > kLooking);
             ready = begun + static_cast<std::int64_t>(busy * kPeriodNs);
-            // 0.3 ms of jitter, 0.55 ms of hold; and nothing that adds up.
+            // 0.3 ms of jitter, 0.55 ms of hold; no error accumulates.
             QVERIFY2(static_cast<double>(begun) - made < kPeriodNs / 2,
                      qPrintable(QStringLiteral("%1: %2").arg(i).arg(static_cast<double>(begun) - made)));
         }

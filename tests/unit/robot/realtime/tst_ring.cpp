@@ -44,7 +44,7 @@ void TestRing::comesOutInOrder() {
     auto cursor = ring.atBegin();
     Record got{};
     QVERIFY(!ring.pop(cursor, got));
-    // More than once around, never more than the capacity behind.
+    // Goes around more than once, but the reader is never further behind than the capacity.
     for (std::uint64_t i = 0; i < 20; i += 4) {
         for (std::uint64_t k = 0; k < 4; ++k) {
             push(ring, i + k);
@@ -186,7 +186,7 @@ void TestRing::nothingIsTornOrReorderedUnderContention() {
     for (std::uint64_t i = 0; i < kCount; ++i) {
         push(ring, i);
         if (i % 64 == 0) {
-            std::this_thread::yield();  // lets the consumer catch up now and then
+            std::this_thread::yield();  // lets the consumer catch up occasionally
         }
     }
     consumer.join();

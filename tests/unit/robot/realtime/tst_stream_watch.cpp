@@ -60,7 +60,7 @@ void TestStreamWatch::burstAfterAStallCountsEachLatePackage() {
     StreamWatch watch;
     watch.begin(0.002);
     watch.add(1.000, 0);
-    // The host slept for 10 ms and then found five packages at once.
+    // The host was suspended for 10 ms and then received five packages at once.
     int late = 0;
     for (int i = 1; i <= 5; ++i) {
         late += watch.add(1.0 + i * 0.002, 10 * kNsPerMs).late ? 1 : 0;
@@ -95,7 +95,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     }
 }
 
-// A simulated robot that was held up, a way over other cables: late for ever would help nobody.
+// A simulated robot was held up, or the route has changed: reporting lateness forever would not help.
 void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
     StreamWatch watch;
     watch.begin(0.002);
@@ -120,7 +120,7 @@ void TestStreamWatch::restartOfTheControllerIsNoGap() {
     QCOMPARE(verdict.lost, std::uint64_t(0));
     QVERIFY(!verdict.late);
     QVERIFY(!watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).late);
-    // Nor is the same time stamp twice.
+    // The same time stamp twice does not count either.
     QCOMPARE(watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).lost, std::uint64_t(0));
 }
 

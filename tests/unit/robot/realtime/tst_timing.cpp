@@ -91,7 +91,7 @@ void TestTiming::countAboveAThreshold() {
     for (int i = 1; i <= 100; ++i) {
         histogram.add(i * kNsPerMs);
     }
-    // To the accuracy of a bucket, a sixteenth.
+    // Accurate to one bucket, a sixteenth.
     const auto above = histogram.countAbove(50 * kNsPerMs);
     QVERIFY(above <= 50 && above >= 46);
     QCOMPARE(histogram.countAbove(200 * kNsPerMs), std::uint64_t(0));
@@ -124,7 +124,7 @@ void TestTiming::timerKeepsToItsGrid() {
     for (int i = 0; i < 5; ++i) {
         periods += 1 + timer.wait();
     }
-    // Never early: each wake lies at or after its place on the grid. How late it is is the machine's affair.
+    // Never early: each wake-up is at or after its grid point. The lateness depends on the machine.
     QVERIFY(clock.nowNs() - before >= static_cast<std::int64_t>(periods) * 2 * kNsPerMs);
 }
 
@@ -141,7 +141,7 @@ void TestTiming::timerSkipsWhatWasMissed() {
 
 void TestTiming::priorityIsReportedAsGranted() {
     PriorityReport report;
-    // In a thread of its own: it would stay with this one.
+    // Runs in a separate thread, because the setting would remain with this one.
     std::thread([&] {
         nameThread("a name longer than the system keeps");
         report = requestThreadPriority(90);
@@ -159,7 +159,8 @@ void TestTiming::noWishIsNoRefusal() {
 }
 
 void TestTiming::aWaitLearnsHowLateThisMachineWakesUp() {
-    // Wake-ups of which 99 of 100 are at most 60 us late: it gets up a little before, whatever it began with.
+    // 99 of 100 wake-ups are at most 60 us late: the wait learns to wake up slightly early, whatever its initial
+    // value.
     std::mt19937 random(7);
     std::uniform_int_distribution<std::int64_t> usual(10'000, 60'000);
     PunctualWait wait(true);
@@ -184,7 +185,7 @@ void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
     }
     QCOMPARE(wait.awakeNs(), std::int64_t(0));
     for (int i = 0; i < 1000; ++i) {
-        wait.learn(20'000);  // whatever kept the machine has gone
+        wait.learn(20'000);  // the cause of the delays is gone
     }
     QVERIFY(wait.awakeNs() > 0);
 }
@@ -209,7 +210,7 @@ void TestTiming::aPunctualWaitIsNeverEarlyAndSaysWhatItCost() {
     }
     QVERIFY(wait.spentNs() >= 0);
     const std::int64_t spent = wait.spentNs();
-    wait.until(clock, clock.nowNs() - 1);  // over already
+    wait.until(clock, clock.nowNs() - 1);  // already in the past
     QCOMPARE(wait.spentNs(), spent);
 }
 

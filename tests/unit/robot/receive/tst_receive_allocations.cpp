@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The receive loop allocates nothing once it runs, nor does who reads its samples.
+// Neither the running receive loop nor the reader of its samples allocates memory.
 #include <QTest>
 #include <atomic>
 #include <thread>
@@ -17,7 +17,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-/// Answers the handshake, then sends as many packages as `wanted` says, without allocating.
+/// Answers the handshake, then sends `wanted` packages without allocating.
 class Feeder {
 public:
     void operator()(ScriptedPeer::Link& link) {
@@ -128,7 +128,8 @@ void TestReceiveAllocations::receivingAllocatesNothing() {
     const auto before = test::hotCounts().allocations;
     test::countHotThreads(true);
     feeder.wanted = static_cast<int>(kAll);
-    // The subscriber's side is under the same rule. Ended by the test's time limit if packages stay away.
+    // The subscriber must not allocate either. If packages fail to arrive, the time limit of the test ends the
+    // loop.
     while (taken < kAll) {
         if (subscription.next(fromRing)) {
             ++taken;

@@ -17,7 +17,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Only a failing test waits for it.
+// Used up only by a failing test.
 constexpr int kPatienceMs = 20000;
 #define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
 #define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
@@ -28,13 +28,13 @@ ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Nobody but the test ends a connection, however late a thread comes.
+    // Only the test ends a connection, no matter how late a thread is scheduled.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
 }
 
-/// The next sample, waited for.
+/// Waits for the next sample.
 bool fetch(Subscription& subscription, Sample& sample) {
     return QTest::qWaitFor([&] { return subscription.pending() > 0; }, kPatienceMs) &&
            subscription.next(sample);
@@ -199,7 +199,7 @@ void TestReceiver::waitingForDataWantsFreshOnes() {
     const auto sample = receiver.waitForData(Deadline::after(60s));
     QVERIFY(sample.ok());
     QCOMPARE(sample->sequence, std::uint64_t(2));
-    // A sample of a connection that is gone is not what the arm does now, however young it is.
+    // A sample of a closed connection does not describe the current state, however recent it is.
     peer.closeConnection();
     TRY_VERIFY(receiver.state() == ReceiverState::Waiting);
     QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
@@ -262,7 +262,7 @@ void TestReceiver::samplesCarryTheClocksTime() {
     QVERIFY(!receiver.isFresh(299ms));
 }
 
-// The host slept, or the path was blocked: what is read then is as old as it lay there.
+// After the host was suspended or the path was blocked, the age of the samples counts from their arrival.
 void TestReceiver::whatLayInABacklogIsNotFresh() {
     VirtualClock clock;
     RtdePeer peer;
@@ -282,7 +282,7 @@ void TestReceiver::whatLayInABacklogIsNotFresh() {
         clock.advanceNs(2 * kNsPerMs);
     }
     clock.advanceNs(1000 * kNsPerMs);
-    send(1.02);  // sent when the last one should have been followed
+    send(1.02);  // sent when the next one was already due
     TRY_VERIFY(std::llabs(receiver.ageNs() - 1000 * kNsPerMs) < kNsPerMs);
     QVERIFY(!receiver.isFresh(100ms));
     send(1.92);
@@ -291,7 +291,8 @@ void TestReceiver::whatLayInABacklogIsNotFresh() {
     TRY_VERIFY(receiver.isFresh(1ms));
 }
 
-// Whatever was under way when the path comes back: an attempt, then the wait after it, then one that works.
+// Covers every state in which the path can return: during an attempt, during the wait after it, and an attempt that
+// succeeds.
 void TestReceiver::dataComeBackWithinTwoSeconds() {
     const ReceiverOptions options;
     const auto longest = *std::max_element(options.reconnectDelays.begin(), options.reconnectDelays.end());
@@ -355,7 +356,7 @@ void TestReceiver::fieldsTheRobotLacksAreAbsent() {
     QVERIFY(!state.has("ft_raw_wrench"));
     QVERIFY(!state.has("payload"));
     QVERIFY(state.has("actual_q"));
-    // What follows the gaps is still in its place.
+    // The fields after the gaps are still at their positions.
     QCOMPARE(state.payloadCentreOfGravity().z(), 9.0);
     QCOMPARE(state.qd()[5], 1.0);
     QCOMPARE(receiver.absentFields().size(), std::size_t(3));
@@ -411,7 +412,7 @@ void TestReceiver::comesBackByItself() {
     QVERIFY(fetch(subscription, sample));
     QCOMPARE(sample.connection, std::uint64_t(2));
     QCOMPARE(sample.sequence, std::uint64_t(2));
-    // What the interruption cost is known from the time stamps; the controller did not skip it.
+    // The time stamps show how many samples the interruption cost; the controller did not skip any.
     QCOMPARE(sample.lostBefore, std::uint64_t(499));
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
 }
@@ -439,13 +440,13 @@ void TestReceiver::givesUpASilentConnection() {
     QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
-    // As long as the clock stands still nobody is silent, however long the test takes.
+    // While the clock stands still no connection times out, however long the test takes.
     clock.advanceNs(2400 * kNsPerMs);
     QTest::qWait(120);
     QCOMPARE(peer.connections(), 1);
     clock.advanceNs(200 * kNsPerMs);
     TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
-    // Again and again: when its wait of 1 ms begins, only the receiver knows.
+    // Repeated, because only the receiver knows when its wait of 1 ms begins.
     TRY_VERIFY((clock.advanceNs(kNsPerMs), peer.connections() == 2));
 }
 
@@ -519,7 +520,7 @@ void TestReceiver::startsAgainAfterStop() {
     Receiver receiver(to(peer.port()));
     for (std::uint64_t round = 1; round <= 3; ++round) {
         QVERIFY(receiver.start().ok());
-        QVERIFY(receiver.start().ok());  // once is enough
+        QVERIFY(receiver.start().ok());  // a single start is sufficient
         peer.send(static_cast<double>(round));
         TRY_COMPARE(receiver.counters().packets, round);
         receiver.stop();
@@ -545,7 +546,7 @@ void TestReceiver::stopsPromptly() {
     options.silenceLimit = 1h;
     options.reconnectDelays = {1h};
     if (situation == QLatin1String("nobody there")) {
-        // A documentation address: no answer, or no route where there is no network.
+        // A documentation address: no answer, or no route if there is no network.
         options.host = QStringLiteral("192.0.2.1");
     } else if (situation == QLatin1String("waiting")) {
         options.port = portNobodyListensOn();
@@ -559,7 +560,7 @@ void TestReceiver::stopsPromptly() {
     } else if (situation == QLatin1String("waiting")) {
         TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
     }
-    // All these waits are an hour; that stop() returns at all is the point. (How fast is for benchmarks.)
+    // All these waits are one hour; the test is that stop() returns at all. Benchmarks measure how fast.
     receiver.stop();
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
 }

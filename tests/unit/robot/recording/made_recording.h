@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Samples of a robot that is not there, and files made of them, without a socket or a thread.
+// Samples of an imaginary robot and files made of them, without a socket or a thread.
 
 #include <QFile>
 #include <cmath>
@@ -17,13 +17,13 @@ namespace tiller::test {
 /// 2026-01-01 00:00:00 UTC
 inline constexpr std::int64_t kMadeStartNs = 1'767'225'600'000'000'000;
 
-/// Every package of a robot that swings, from the first on; each value is known.
+/// Packages of a swinging robot, from the first one on; every value is known.
 class MadeSamples {
 public:
     explicit MadeSamples(std::vector<std::string> fields = receive::defaultFields())
         : layout(std::make_shared<receive::SampleLayout>(fields)), sample_(layout) {}
 
-    /// Of the row, counted from 0.
+    /// Sample of the row, counted from 0.
     const receive::Sample& at(std::uint64_t row) {
         sample_.sequence = row + 1;
         sample_.hostTimeNs = static_cast<std::int64_t>(row) * 2'000'000 + 1'000'000'000;
@@ -59,7 +59,7 @@ private:
     receive::Sample sample_;
 };
 
-/// A whole file of so many rows, with a closed part every `part` of them. Row `gap` comes after 5 lost packages.
+/// Returns a whole file with `rows` rows and a closed part every `part` rows. Row `gap` follows 5 lost packages.
 inline std::string madeFile(const recording::RecordingFormat& format, std::uint64_t rows,
                             std::uint64_t gap = 0) {
     MadeSamples samples;

@@ -154,7 +154,7 @@ void TestCsvRecording::whatIsNoTableSaysSo() {
     QCOMPARE(open("hello\nworld\nthis is text\n").error().code, ErrorCode::FileCorrupt);
     QCOMPARE(openCsv(folder_.filePath("none.csv")).error().code, ErrorCode::FileNotReadable);
     QCOMPARE(openCsv(folder_.path()).error().code, ErrorCode::FileNotReadable);
-    QVERIFY(open("timestamp,a\n").ok());  // a recording that had just begun
+    QVERIFY(open("timestamp,a\n").ok());  // a recording that has just started
 }
 
 void TestCsvRecording::summariesKeepSpikes() {

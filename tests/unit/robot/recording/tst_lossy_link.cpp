@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A link that drops one packet in a hundred, a disk that fills, errs or stands still, and files that end anywhere: every gap
-// stands in the file with its length, nothing is out of order, and what a file ends behind can be read.
+// A link that drops one packet in a hundred, a disk that is full, fails or stalls, and truncated files: the file
+// contains every gap with its length, nothing is out of order, and a truncated file remains readable.
 
 #include <QDir>
 #include <QFile>
@@ -46,8 +46,8 @@ struct Bench {
         to.silenceLimit = 1h;
         return to;
     }
-    /// Sends the packets from number to number, but for those the link drops, and waits until they have come.
-    /// Returns  false when they have not
+    /// Sends the packets of a range, except those that the link drops, and waits until they have arrived.
+    /// Returns  false if they have not arrived
     bool send(int from, int to, std::mt19937* drops) {
         std::bernoulli_distribution isDropped(0.01);
         std::uniform_int_distribution<int> burst(1, 4);
@@ -74,18 +74,18 @@ struct Bench {
     test::RtdePeer peer;
     receive::Receiver receiver;
     QTemporaryDir folder;
-    std::vector<double> sent;                   ///< their time stamps
-    std::map<std::size_t, std::uint64_t> gaps;  ///< by the row after each: how many packets are missing
+    std::vector<double> sent;                   ///< time stamps of the sent packets
+    std::map<std::size_t, std::uint64_t> gaps;  ///< number of missing packets by the row after each gap
     int missing = 0;
 };
 
-/// A disk of which one write gets half through, and those behind it not at all; or one that stands still.
+/// A disk on which one write is cut short and all following ones fail, or a disk that stalls.
 class BadDisk : public RecordingFile {
 public:
     struct Story {
         int failsFrom = std::numeric_limits<int>::max();  ///< the write, counted from 1
         std::atomic<int> writes{0};
-        std::atomic<bool> standsStill{false};  ///< from the next write on, until it does no more
+        std::atomic<bool> standsStill{false};  ///< stalls at the next write until reset
     };
     explicit BadDisk(Story& story) : story_(story) {}
 
@@ -122,7 +122,7 @@ std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
     return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
 }
 
-/// The rows are those that were sent, from the first on, and their gaps those that were.
+/// Checks that the rows are those that were sent, from the first one on, with the correct gaps.
 void verifyBeginningOf(const Bench& bench, const Recording& recording) {
     QVERIFY(recording.rows() <= bench.sent.size());
     const std::vector<double> stamps = column(recording, "timestamp");
@@ -173,7 +173,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
     std::mt19937 random(19);
     for (int from = 1; from < 10'000; from += 500) {
         QVERIFY(bench.send(from, from + 499, &random));
-        // The ring holds some 4000: whoever sends faster than a robot waits for the file.
+        // The ring holds about 4000 samples: a sender faster than a robot waits for the file.
         const std::uint64_t due = bench.sent.size() < 1500 ? 0 : bench.sent.size() - 1500;
         QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kPatienceMs);
     }
@@ -187,7 +187,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         QCOMPARE(whole->rows(), static_cast<std::uint64_t>(bench.sent.size()));
         verifyBeginningOf(bench, *whole);
     }
-    // And of every beginning of the file, as a power failure leaves it.
+    // Checks every prefix of the file, as a power failure would leave it.
     QFile file(options.path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray bytes = file.readAll();
@@ -200,7 +200,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         cut.close();
         const auto opened = openRecording(cut.fileName());
         if (!opened.ok()) {
-            QVERIFY2(part == 1, qPrintable(opened.error().toString()));  // not a whole row yet
+            QVERIFY2(part == 1, qPrintable(opened.error().toString()));  // not yet a complete row
             continue;
         }
         QVERIFY((*opened)->rows() >= before);
@@ -240,7 +240,7 @@ void TestLossyLink::aFullDiskKeepsWhatWasWritten() {
     const auto opened = openRecording(options.path);
     QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
     QVERIFY((*opened)->rows() > 0);
-    // As many as it says; no more than half a second of what had been written is lost.
+    // Contains as many rows as reported; no more than half a second of written data is lost.
     QVERIFY((*opened)->rows() + kHalfASecond >= recorder.progress().rows);
     verifyBeginningOf(bench, **opened);
 #else
@@ -302,7 +302,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
     QVERIFY(bench.send(1, 500, nullptr));
     QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kPatienceMs);
     story.standsStill = true;
-    // Far more than the ring holds. send() comes back when the receiver has all of them.
+    // Far more than the ring holds. send() returns when the receiver has all of them.
     constexpr int kAll = 20'000;
     QVERIFY(bench.send(501, kAll, nullptr));
     QVERIFY(recorder.progress().rows < static_cast<std::uint64_t>(kAll) / 2);
@@ -318,7 +318,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
     QVERIFY(lost > 0);
     QCOMPARE(whole->rows() + lost, static_cast<std::uint64_t>(kAll));
     QCOMPARE(recorder.progress().lost, lost);
-    // Each where it is, with its length.
+    // Each gap is in its place with its length.
     const std::vector<double> stamps = column(*whole, "timestamp");
     std::map<std::size_t, std::uint64_t> found;
     for (const RecordedGap& gap : whole->gaps()) {

@@ -61,7 +61,7 @@ void TestMcap::whatIsWrittenIsReadBack() {
         QVERIFY2(column, name.c_str());
         all.push_back(*column);
     }
-    const auto values = recording->read(all, {300, 10'000}).value();  // a range that reaches too far
+    const auto values = recording->read(all, {300, 10'000}).value();  // a range beyond the end
     for (std::size_t i = 0; i < all.size(); ++i) {
         QCOMPARE(values[i].size(), std::size_t(400));
         for (std::size_t row = 0; row < 400; ++row) {
@@ -108,7 +108,7 @@ void TestMcap::factsAttachmentsAndTheLogComeAlong() {
     QVERIFY(std::abs(recording->events().front().seconds - 0.5) < 1e-6);
 }
 
-// No spike is lost, whatever level of summary answers.
+// No spike is lost, whichever level of summary answers.
 void TestMcap::summariesAreThoseOfTheRows() {
     constexpr std::uint64_t kRows = 20'000;
     const auto recording = opened(test::madeFile(*mcapFormat(), kRows));
@@ -135,7 +135,7 @@ void TestMcap::summariesAreThoseOfTheRows() {
                 const auto to = raw.begin() + static_cast<std::ptrdiff_t>(
                                                   std::min(raw.size(), (block + 1) * summary.rowsEach));
                 QVERIFY(from < to);
-                // A last block may end with the range.
+                // The last block may end with the range.
                 if (block + 1 < summary.min.size()) {
                     QCOMPARE(summary.min[block], *std::min_element(from, to));
                     QCOMPARE(summary.max[block], *std::max_element(from, to));
@@ -145,7 +145,7 @@ void TestMcap::summariesAreThoseOfTheRows() {
     }
 }
 
-// A power failure: the file ends anywhere.
+// After a power failure the file ends at an arbitrary byte.
 void TestMcap::aCutFileGivesWhatIsWhole() {
     MadeSamples samples;
     std::vector<std::string> fields;
@@ -220,7 +220,7 @@ void TestMcap::thousandMutationsDoNoHarm() {
         std::string file = whole;
         const int changes = 1 + static_cast<int>(random() % 8);
         for (int change = 0; change < changes; ++change) {
-            // Half of them where lengths and counts are, at both ends.
+            // Half of the changes hit lengths and counts at both ends of the file.
             const std::size_t near = random() % 600;
             const std::size_t at = random() % 4 == 0   ? near
                                    : random() % 3 == 0 ? file.size() - 1 - near
@@ -256,7 +256,7 @@ void TestMcap::thousandMutationsDoNoHarm() {
             }
         }
     }
-    // Most changes hit one part only, and the others are still there.
+    // Most changes affect only one part; the others are still readable.
     QVERIFY2(readable > 300, qPrintable(QString::number(readable)));
 }
 
@@ -280,7 +280,7 @@ void TestMcap::fieldsTheRobotDoesNotSendAreLeftOut() {
     const auto encoder =
         mcapFormat()->encoder({samples.layout, {"timestamp", "robot_mode", "actual_q"}, false});
     encoder->add(sample, 0, samples.utcNs(0));
-    // Another robot answers, and that one has it.
+    // Another robot answers and provides the field.
     sample = samples.at(1);
     sample.connection = 2;
     encoder->add(sample, 0, samples.utcNs(1));
@@ -297,11 +297,11 @@ void TestMcap::theClockFollowsTheSoonestPackage() {
     constexpr std::int64_t kMs = 1'000'000;
     const std::int64_t base = test::kMadeStartNs;
     QCOMPARE(clock.toUtc(10.000, base + 3 * kMs, 1), base + 3 * kMs);
-    // One that came sooner tells that the first was late; time does not go back for it.
+    // A packet that arrives earlier than expected shows that the first one was late; time does not go backwards.
     QCOMPARE(clock.toUtc(10.002, base + 3 * kMs, 1), base + 3 * kMs);
     const std::int64_t third = clock.toUtc(10.004, base + 40 * kMs, 1);
     QVERIFY(std::abs(third - (base + 5 * kMs)) < 1000);
-    // The controller was started again.
+    // The controller was restarted.
     QCOMPARE(clock.toUtc(0.5, base + 9000 * kMs, 2), base + 9000 * kMs);
     QCOMPARE(clock.toUtc(receive::kAbsent, base + 9500 * kMs, 2), base + 9500 * kMs);
 }

@@ -36,13 +36,13 @@ receive::ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Nobody but the test ends a connection, however late a thread comes.
+    // Only the test ends a connection, no matter how late a thread is scheduled.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
 }
 
-/// A receiver on a peer, and a folder to record into.
+/// A receiver connected to a peer, and a folder to record into.
 struct Bench {
     Bench() : receiver(to(peer.port())) { receiver.start().value(); }
 
@@ -60,14 +60,14 @@ struct Bench {
     receive::Receiver receiver;
 };
 
-/// A file on a disk or a share that takes everything and loses it at one of the later steps.
+/// A file on a disk or a share that accepts all data and fails in a later step.
 class TreacherousFile : public RecordingFile {
 public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
-        int from = 1;               ///< it fails from this call on
-        std::atomic<int> calls{0};  ///< of that step so far
+        int from = 1;               ///< the call from which on it fails
+        std::atomic<int> calls{0};  ///< calls of that step so far
         std::atomic<bool> closed{false};
     };
     explicit TreacherousFile(Story& story) : story_(story) {}
@@ -95,7 +95,7 @@ private:
     std::unique_ptr<RecordingFile> file_ = systemFile();
 };
 
-/// What the program does when it is started as the one to be killed: records until it is.
+/// Main function of the process that the test kills: records until then.
 int recordUntilKilled(const QString& path) {
     Bench bench;
     Recorder recorder;
@@ -172,7 +172,7 @@ void TestRecorder::writesOneRowPerPackage() {
     for (int i = 1; i <= 2500; ++i) {
         QCOMPARE(table->values[0][static_cast<std::size_t>(i) - 1], i * 0.002);
     }
-    // The columns listing 4 of the paper picks.
+    // The columns of listing 4 of the paper.
     for (const char* column :
          {"actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3", "actual_q_4", "actual_q_5"}) {
         QVERIFY2(table->column(column) != nullptr, column);
@@ -209,7 +209,7 @@ void TestRecorder::everyNthPackageBecomesARow() {
     options.every = 5;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     bench.send(1, 21);
-    // Three that the controller skipped: lost, other than those that are left out.
+    // The controller skipped three packages: they count as lost, unlike packages that are left out on purpose.
     bench.send(25, 30);
     TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(27));
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(6));
@@ -237,12 +237,12 @@ void TestRecorder::ringOverrunIsAGapToo() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Far more than the ring holds; how many the recorder catches depends on the machine, the sum does not.
+    // Far more than the ring holds; how many the recorder reads depends on the machine, the sum does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2000));
-    receiver.stop();  // the last of them is in the ring then
+    receiver.stop();  // the last of them is now in the ring
     recorder.stop();
     QCOMPARE(recorder.progress().rows + recorder.progress().lost, std::uint64_t(2000));
     const auto table = readCsv(path);
@@ -259,7 +259,7 @@ void TestRecorder::rowsReachTheFileWhileRecording() {
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
     bench.send(1, 10);
-    // Without stop(): the recorder comes round by itself.
+    // Without stop(): the recorder writes on its own schedule.
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(10));
     const auto table = readCsv(bench.path());
     QVERIFY(!table->truncated);
@@ -407,7 +407,7 @@ void TestRecorder::unwritablePlacesAreErrors() {
     const auto started = recorder.start({bench.folder.filePath(name), {}}, bench.receiver);
     QCOMPARE(started.error().code, ErrorCode::FileNotWritable);
     QVERIFY(!started.error().controllerMessage.isEmpty());
-    // And everything goes on.
+    // Recording can be started again.
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
 }
 
@@ -453,7 +453,7 @@ void TestRecorder::fullDiskKeepsWhatWasWritten() {
     QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
     QVERIFY(sent >= recorder.progress().rows);
     QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
-    // The receiver has noticed nothing, and there is a life after it.
+    // The receiver was not affected, and a new recording can start.
     QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.error().code, ErrorCode::None);
@@ -469,7 +469,7 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
     QProcess victim;
     victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--record-until-killed"), path});
     QVERIFY(victim.waitForStarted(kPatienceMs));
-    // It says how far it is after every package.
+    // The child reports its progress after every package.
     qulonglong rows = 0;
     QByteArray line;
     while (rows < 200) {
@@ -487,7 +487,7 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
     const auto table = readCsv(path);
     QVERIFY2(table.ok(), qPrintable(table.error().toString()));
     QVERIFY(!table->truncated);
-    // All it had said were written are there.
+    // All rows reported as written are present.
     QVERIFY(table->rows() >= rows);
     for (std::size_t i = 0; i < table->rows(); ++i) {
         QCOMPARE(table->values[0][i], static_cast<double>(i + 1) * 0.002);
@@ -503,7 +503,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): nobody shall go on believing that it records.
+    // Without stop(): the progress must no longer claim that a recording runs.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
@@ -524,7 +524,7 @@ void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
 
-    // The one that stop() waits for.
+    // The error that stop() waits for.
     TreacherousFile::Story last{TreacherousFile::At::Sync};
     Recorder second([&] { return std::make_unique<TreacherousFile>(last); });
     QVERIFY(second.start({bench.path(), {}}, bench.receiver).ok());
@@ -543,7 +543,7 @@ void TestRecorder::anErrorOfClosingIsNotARecording() {
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
-    // What was written is still what it is.
+    // The data already written are unchanged.
     QCOMPARE(readCsv(bench.path())->rows(), std::size_t(3));
 }
 

@@ -37,13 +37,13 @@ receive::ReceiverOptions to(std::uint16_t port) {
 struct Bench {
     Bench() : receiver(to(peer.port())) { receiver.start().value(); }
     QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
-    /// So many packages on from the last one, with this force.
+    /// Sends `count` further packages with this force.
     void send(int count, double force) {
         peer.set("actual_TCP_force", {0, 0, force, 0, 0, 0});
         for (int i = 0; i < count; ++i) {
             peer.send(++sent * 0.002);
         }
-        // The peer takes what it sends from what is set then.
+        // The peer sends the values that are set at the time of sending.
         QTRY_COMPARE_WITH_TIMEOUT(receiver.counters().packets, static_cast<std::uint64_t>(sent), kPatienceMs);
     }
     QTemporaryDir folder;
@@ -52,7 +52,7 @@ struct Bench {
     int sent = 0;
 };
 
-/// A disk that takes nothing until it is told to.
+/// A disk that accepts nothing until released.
 class StalledFile : public RecordingFile {
 public:
     struct Gate {
@@ -157,7 +157,7 @@ void TestTriggers::aConditionHasToComeTrue() {
         sample.values[1] = mode;
         return watch.add(sample);
     };
-    QCOMPARE(add(7), Verdict::Keep);  // it was true before anybody asked
+    QCOMPARE(add(7), Verdict::Keep);  // the condition was already true
     QCOMPARE(add(5), Verdict::Keep);
     QCOMPARE(add(7), Verdict::Begin);
     QCOMPARE(add(7), Verdict::Write);
@@ -207,7 +207,7 @@ void TestTriggers::eachTimeGetsAFileWithTheTimeBefore() {
     Recorder recorder;
     RecorderOptions options{.path = bench.path("force.csv"), .fields = {"actual_TCP_force"}};
     options.trigger = RecordingTrigger::parse("actual_TCP_force_2 > 20").value();
-    options.trigger->before = 60;  // all there was
+    options.trigger->before = 60;  // everything that was available
     options.trigger->files = 2;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     QCOMPARE(recorder.progress().state, RecorderState::Waiting);
@@ -226,7 +226,7 @@ void TestTriggers::eachTimeGetsAFileWithTheTimeBefore() {
     QCOMPARE(second->read(std::vector<std::size_t>{0}, {0, 1}).value().front().front(), 9 * 0.002);
     QVERIFY(second->gaps().empty());
     recorder.stop();
-    // An earlier run's files are kept.
+    // Files of an earlier run are kept.
     QCOMPARE(QFileInfo(numberedPath(bench.path("force.csv"), 3)).fileName(), QStringLiteral("force_003.csv"));
 }
 
@@ -260,7 +260,7 @@ void TestTriggers::aStalledDiskNeverMakesTheReceiverWait() {
     for (int i = 3; i <= 1000; ++i) {
         peer.send(i * 0.002);
     }
-    // All of it comes while the disk does not answer.
+    // All packages arrive while the disk stalls.
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1000));
     QVERIFY(gate.waiting);
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
@@ -268,7 +268,7 @@ void TestTriggers::aStalledDiskNeverMakesTheReceiverWait() {
     gate.set(true);
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
-    // And what the ring could not keep is said in the file.
+    // The file states how many samples the ring could not hold.
     const auto recording = openRecording(path).value();
     QCOMPARE(recording->rows(), recorder.progress().rows);
     QCOMPARE(recording->gaps().size(), std::size_t(1));
@@ -296,7 +296,7 @@ void TestTriggers::recordsMcapAndWhatIsSaid() {
     QVERIFY(recorder.start({.path = bench.path("a.mcap"), .format = mcapFormat()}, bench.receiver).ok());
     bench.send(100, 1);
     recorder.note({test::kMadeStartNs, 20, "operator", "the part is in the gripper"});
-    TRY_COMPARE(recorder.progress().rows, std::uint64_t(100));  // without stop(): a crash would keep them
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(100));  // without stop(): a crash must not lose them
     recorder.stop();
     QCOMPARE(recorder.progress().bytes, QFileInfo(bench.path("a.mcap")).size());
     const auto recording = openRecording(bench.path("a.mcap")).value();

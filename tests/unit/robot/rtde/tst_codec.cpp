@@ -24,7 +24,7 @@ Bytes withText(Bytes head, std::string_view text) {
     return head;
 }
 
-/// Takes the one package out of a buffer and leaves a copy of its payload.
+/// Takes the only package out of a buffer and keeps a copy of its payload.
 struct Taken {
     PackageType type{};
     Bytes payload;
@@ -188,7 +188,7 @@ void TestCodec::everyPackageRoundTrips() {
     QVERIFY(reply.fields == inputs);
     QCOMPARE(int(reply.recipeId), 255);
 
-    // Every type name there is.
+    // All type names.
     std::vector<FieldAnswer> types;
     for (int i = 0; i <= static_cast<int>(DataType::Vector6UInt32); ++i) {
         types.push_back(FieldAnswer::of(static_cast<DataType>(i)));
@@ -230,7 +230,7 @@ void TestCodec::textMessagesInBothVersionsAndDirections() {
         const auto back = readControllerText(taken.payload, version).value();
         QCOMPARE(back.message, text.message);
         QCOMPARE(back.level, text.level);
-        // Version 1 has no place for a source from the controller.
+        // Version 1 has no field for the source of a message.
         QCOMPARE(back.source, version == ProtocolVersion::V1 ? std::string() : text.source);
     }
     Bytes out;
@@ -256,7 +256,7 @@ void TestCodec::trailingCommaIsNoField() {
     QCOMPARE(splitNames("timestamp,actual_q,"), names);
     QCOMPARE(splitNames("timestamp,actual_q"), names);
     QVERIFY(splitNames("").empty());
-    // An empty name in the middle is a field, one that nobody knows.
+    // An empty name in the middle is a field with an unknown name.
     QCOMPARE(splitNames("a,,b").size(), std::size_t(3));
     QCOMPARE(readSetupInputsReply(withText(bytes({1}), "DOUBLE,")).value().fields.size(), std::size_t(1));
 }

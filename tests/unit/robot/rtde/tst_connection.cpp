@@ -14,7 +14,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Long enough for any machine; only a hanging test waits for it.
+// Long enough for any machine; used up only by a hanging test.
 constexpr auto kPatience = 20s;
 
 ConnectionOptions to(std::uint16_t port, std::vector<std::string> outputs = {"timestamp", "actual_q"}) {
@@ -308,7 +308,7 @@ void TestConnection::noticesTheEnd() {
 }
 
 void TestConnection::floodOfTextDoesNotHoldTheReader() {
-    // As fast as the wire takes them, for as long as the client listens.
+    // As fast as the connection accepts them, for as long as the client listens.
     Bytes texts;
     for (int i = 0; i < 100; ++i) {
         writeControllerText(texts, ProtocolVersion::V2, {TextLevel::Info, std::string(200, 'x'), "flood"});
@@ -350,7 +350,7 @@ void TestConnection::floodOfTextDoesNotHoldTheReader() {
 }
 
 void TestConnection::slowReaderOfInputsNeverBlocks() {
-    // Answers the handshake and reads nothing after it.
+    // Answers the handshake and does not read anything after that.
     std::atomic<bool> drain{false};
     ScriptedPeer peer([&](ScriptedPeer::Link& link) {
         for (int answers = 0; answers < 3 && !link.isOver();) {
@@ -376,7 +376,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
         int whole = 0;
         while (!link.isOver()) {
             if (const auto package = link.nextPackage()) {
-                // Never a torn package, however many were dropped.
+                // No package is torn, however many were dropped.
                 whole = package->payload.size() == 1 + 40 * 8 ? whole + 1 : -1000000;
                 if (whole < 0) {
                     return;
@@ -400,7 +400,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
     }
     QVERIFY(busy);
     drain = true;
-    // Once the peer reads again packages pass, and the stream is still in step.
+    // When the peer reads again, packages pass and the stream is still synchronized.
     QTRY_COMPARE_WITH_TIMEOUT((*connection)->sendInputs(0, values), Connection::Send::Sent, 20000);
     for (int i = 0; i < 100; ++i) {
         QVERIFY((*connection)->sendInputs(0, values) != Connection::Send::Failed);

@@ -9,8 +9,8 @@ using namespace tiller::rtde;
 
 namespace {
 
-// By type, as the field tables of the clients that have to be served list them; written out again here so
-// that a slip in the catalogue shows.
+// The fields by type, as listed in the tables of the clients to be supported; repeated here so that an error in the
+// catalogue is detected.
 struct Names {
     DataType type;
     const char* list;
@@ -101,7 +101,8 @@ void TestFields::listsAgree() {
     check(kOutputs, findOutput, Direction::Output, outputs);
     std::size_t inputs = 0;
     check(kInputs, findInput, Direction::Input, inputs);
-    // Nothing else besides the numbered registers: 64 bits, 48 integers, 48 doubles, both ways as outputs.
+    // Apart from these there are only the numbered registers: 64 bits, 48 integers and 48 doubles, which are all
+    // available as outputs.
     const std::size_t registers = 64 + 48 + 48;
     QCOMPARE(outputFields().size(), outputs + 2 * registers);
     QCOMPARE(inputFields().size(), inputs + registers);

@@ -11,14 +11,14 @@ using namespace tiller::rtde;
 
 namespace {
 
-/// Feeds a session and shows what it sends.
+/// Feeds a session and records what it sends.
 struct Talk {
     explicit Talk(SessionRequest request) : session(std::move(request)) { session.begin(sent); }
 
     Session session;
     Bytes sent;
 
-    /// The one request waiting to be answered; takes it away.
+    /// Takes the pending request and returns its type.
     PackageType asked() {
         PackageSplitter splitter;
         splitter.feed(sent);
@@ -60,7 +60,7 @@ struct Talk {
         return readSetupOutputsRequest(payload, session.protocol()).value().names;
     }
 
-    Bytes payload;  ///< of the last request asked() took
+    Bytes payload;  ///< payload of the last request that asked() took
 };
 
 SessionRequest outputs(std::vector<std::string> names, double frequency = 0) {
@@ -142,7 +142,7 @@ void TestSession::fallsBackToVersionOne() {
     talk.asked();
     talk.acceptStart();
     QCOMPARE(talk.session.state(), Session::State::Running);
-    // Version 1 cannot ask for less than everything.
+    // Version 1 cannot request a lower rate.
     QCOMPARE(talk.session.period(), 0.008);
 }
 
@@ -286,7 +286,7 @@ void TestSession::textMessagesMayComeAtAnyPoint() {
     text("two");
     talk.giveVersion();
     text("three");
-    // One in version 1's form although version 2 was agreed on.
+    // An answer in the form of version 1 although version 2 was agreed on.
     talk.answer([&](Bytes& out) {
         writeControllerText(out, ProtocolVersion::V1, {TextLevel::Info, "x", ""});
     });
@@ -332,7 +332,7 @@ void TestSession::pausesAndResumes() {
     talk.sent.clear();
     talk.session.pause(talk.sent);
     QCOMPARE(talk.asked(), PackageType::Pause);
-    // Data that were on their way.
+    // Data that were still in transit.
     talk.session.handle({PackageType::Data, {}}, talk.sent);
     QCOMPARE(talk.session.state(), Session::State::Pausing);
     talk.answer([](Bytes& out) { writePauseReply(out, true); });
@@ -368,13 +368,13 @@ void TestSession::wrongCountsAndGarbageAreErrors() {
         QCOMPARE(talk.session.error().code, ErrorCode::ProtocolError);
     }
     {
-        // All types known, and yet no recipe.
+        // All types are known, but there is no recipe.
         Talk talk(outputs({"timestamp"}));
         talk.acceptProtocol();
         talk.giveVersion();
         talk.giveOutputs(0, {kDouble});
         QCOMPARE(talk.session.error().code, ErrorCode::Rejected);
-        // Nothing brings it back.
+        // Nothing restores the session.
         talk.sent.clear();
         talk.giveOutputs(1, {kDouble});
         QVERIFY(talk.session.isFailed());

@@ -60,7 +60,7 @@ private Q_SLOTS:
 void TestSplitter::takesEverySegmentation() {
     const Bytes bytes = stream();
     QCOMPARE(expected().size(), std::size_t(4));
-    // Every way to cut the stream into three.
+    // All ways to cut the stream into three parts.
     for (std::size_t a = 0; a <= bytes.size(); ++a) {
         for (std::size_t b = a; b <= bytes.size(); ++b) {
             PackageSplitter splitter;
@@ -90,7 +90,7 @@ void TestSplitter::takesByteByByte() {
 }
 
 void TestSplitter::takesRandomSegmentsOfALongStream() {
-    // Long enough for the buffer to come round many times.
+    // Long enough for the buffer to wrap around many times.
     std::mt19937 random(1);
     Bytes bytes;
     std::vector<Bytes> payloads;
@@ -151,7 +151,7 @@ void TestSplitter::reportsSizesThatCannotBe() {
     QCOMPARE(static_cast<int>(splitter.fault()), fault);
     QCOMPARE(splitter.error().code, ErrorCode::ProtocolError);
     QVERIFY2(splitter.error().context.contains(QString::number(size)), qPrintable(splitter.error().context));
-    // Nothing is taken any more.
+    // No further data are accepted.
     QCOMPARE(splitter.feed(stream()), std::size_t(0));
     QVERIFY(!splitter.next());
 }

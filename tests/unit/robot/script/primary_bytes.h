@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Primary packages as a controller writes them, put together by hand from the interface description.
+// Primary packages as a controller sends them, assembled by hand from the interface description.
 
 #include <QByteArray>
 #include <bit>

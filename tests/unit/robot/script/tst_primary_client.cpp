@@ -87,7 +87,7 @@ private Q_SLOTS:
         });
         PrimaryClient client(to(peer.port(), true));
         client.start();
-        // The error itself is shown until the next connection stands, which is no time to look for it.
+        // The error itself is visible only until the next connection is established, too short to check it.
         QTRY_COMPARE_WITH_TIMEOUT(client.malformedPackages(), 1U, 20000);
         QTRY_COMPARE_WITH_TIMEOUT(client.state().robotMode, RobotMode::Idle, 20000);
         QCOMPARE(client.connectionError().code, ErrorCode::None);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(client.droppedMessages(), 90U);
     }
 
-    // What is not read stays at the sender. A slow machine reads less, never more.
+    // Unread data stay at the sender. A slow machine reads less, never more.
     void aFloodIsReadAtABoundedRate() {
         std::atomic<qint64> sent{0};
         RawPeer peer([&sent](RawPeer::Link& link) {
@@ -140,7 +140,7 @@ private Q_SLOTS:
         time.start();
         QTest::qWait(1000);
         constexpr double kBytesPerMs = 2000;
-        constexpr double kBuffers = 16e6;  // of TCP, at both ends
+        constexpr double kBuffers = 16e6;  // TCP buffers at both ends
         const double taken = static_cast<double>(sent);
         QVERIFY2(taken < kBuffers + kBytesPerMs * static_cast<double>(time.elapsed()),
                  qPrintable(QString::number(taken)));

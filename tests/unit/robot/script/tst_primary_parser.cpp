@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(parser.takeMessages().front().title, QStringLiteral("URControl"));
     }
 
-    // The bytes of a recorded package, as its description gives them.
+    // The bytes of a recorded package, according to its description.
     void compileErrorHasLineAndColumn() {
         const auto m =
             only(message(10, Wire().i32(3).i32(1).text("compile_error_name_not_found:txtmsg:").bytes()));
@@ -126,12 +126,12 @@ private Q_SLOTS:
         QCOMPARE(c.dh.d[0], 0.1625);
         QCOMPARE(c.robotType, 1);
         QCOMPARE(c.robotSubType, 3);
-        // Later packages come without it; it stays known.
+        // Later packages omit the value; it remains known.
         parser.feed(view(robotState(robotModeData(7, false))), 0);
         QVERIFY(parser.configuration().has_value());
     }
 
-    // Its own calibration stands in KinematicsInfo, and counts whichever of the two comes first.
+    // The calibration is part of KinematicsInfo and is used whichever of the two packages arrives first.
     void theCalibrationIsThatOfKinematicsInfo() {
         Wire own;
         for (int i = 0; i < 6; ++i) {
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QCOMPARE(parser.takeMessages().size(), 1U);
     }
 
-    // Real packages with bytes changed at random, and pure noise: whatever comes, no crash and no hang.
+    // Real packages with random changes, and pure noise: the parser neither crashes nor hangs.
     void noiseIsSurvived() {
         std::mt19937 random(1);
         const QByteArray good =

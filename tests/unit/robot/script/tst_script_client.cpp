@@ -37,7 +37,8 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), text.toUtf8() + '\n');
     }
 
-    // Unread, what the controller streams would make it a connection that was cut: what was sent could go with it.
+    // Unread data of the controller would turn the end into a connection reset, which could discard the sent
+    // program.
     void itHangsUpInGoodOrder() {
         std::promise<bool> ended;
         std::promise<void> streamed;
@@ -80,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), QByteArray("textmsg(\"a\")\n"));
     }
 
-    // What it streamed meanwhile is no reason to believe that it listens.
+    // Data received in the meantime do not prove that the controller listens.
     void aControllerThatHungUpIsNoticedBeforeSending() {
         RawPeer peer([](RawPeer::Link& link) { link.send(QByteArray(100'000, 'x')); });
         ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
@@ -118,14 +119,14 @@ private Q_SLOTS:
     void aCancelledConnectEndsAtOnce() {
         const CancelToken token;
         token.cancel();
-        // A documentation address: nobody answers there.
+        // A documentation address: nothing answers there.
         ScriptClient client(QStringLiteral("192.0.2.1"));
         const ErrorCode code = client.connect(Deadline::after(milliseconds(600'000), token)).error().code;
         QVERIFY(code == ErrorCode::Cancelled || code == ErrorCode::HostUnreachable);
     }
 
-    // A controller that does not read: the sender gives up at its deadline and hangs up, so that no half
-    // program is left in the line.
+    // With a controller that does not read, the sender gives up at its deadline and closes the connection, so that
+    // no partial program remains in the stream.
     void aFullLineIsATimeoutAndEndsTheConnection() {
         std::promise<void> done;
         RawPeer peer([&, wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of a program of the user's when its watchdog thread is inserted, in our own interpreter.
+// Behaviour of a user program with an inserted watchdog thread, run in our own interpreter.
 #include <QTest>
 
 #include "robot/script/supervised_program.h"
@@ -25,7 +25,7 @@ Heartbeat heartbeat() {
     return out;
 }
 
-/// A supervised program on a robot made of memory.
+/// A supervised program on a simulated robot.
 struct Bench {
     urscript::FakeHost host;
     std::unique_ptr<urscript::Interpreter> program;
@@ -43,8 +43,8 @@ struct Bench {
         }
         program = std::make_unique<urscript::Interpreter>(compiled.program, host);
     }
-    /// Runs until the program ends, for so many frames at most.
-    /// Returns  how many it ran
+    /// Runs until the program ends, for at most the given number of frames.
+    /// Returns  the number of frames run
     int run(int frames, bool alive) {
         for (int i = 0; i < frames; ++i) {
             host.intIn[24] += alive ? 1 : 0;
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY(bench.run(300, true) <= kTimeoutFrames + 2);
     }
 
-    // Some controllers may clear the inputs of a client that has gone: that is a different number, too.
+    // Some controllers may clear the inputs of a disconnected client, which changes the number as well.
     void clearedRegistersAreNoHeartbeat() {
         Bench bench(kEndless);
         QCOMPARE(bench.run(300, true), 300);
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void aStopEndsItAtOnce() {
         Bench bench(kMoving);
-        bench.host.intOut[26] = 4321;  // of a program before
+        bench.host.intOut[26] = 4321;  // left by an earlier program
         QCOMPARE(bench.run(300, true), 300);
         bench.host.intIn[25] = 8;
         QVERIFY(bench.run(300, true) <= 2);
@@ -177,12 +177,12 @@ private Q_SLOTS:
         QCOMPARE(count(QStringLiteral("def a():\n  sync()\nend\ndef b():\n  sync()\nend\n")), 2);
         QCOMPARE(count(QStringLiteral("sec a():\n  set_standard_digital_out(1, True)\nend\n")), 0);
         QCOMPARE(count(QStringLiteral("sec a():\n  sync()\nend\nmovej([0,0,0,0,0,0])\n")), 1);
-        // Programs for ur_rtde end like this; it is no line of a program.
+        // Programs for ur_rtde end like this; the last line is not part of the program.
         const QString whole = QStringLiteral("def a():\n  sync()\nend\nrun program\n");
         QCOMPARE(count(whole), 1);
         QVERIFY(
             supervised(whole, heartbeat(), kVersion).text.endsWith(QStringLiteral("\nend\nrun program\n")));
-        // Functions inside of a program, and words in comments and strings, begin none.
+        // Functions inside a program, and words in comments and strings, do not start a program.
         QCOMPARE(count(QStringLiteral(
                      "def a():\n  def f():\n    # end\n    textmsg(\"end def x():\")\n    if True:\n"
                      "      sync()\n    end\n  end\n  f()\nend # def\n\n")),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a real controller might do otherwise: every switch is taken by its words, is listed, and does
-// something.
+// Assumptions about real controllers: every switch is accepted by its name, is listed and has an effect.
 
 #include <QFile>
 #include <QTest>
@@ -45,7 +44,7 @@ const char* const kTurning =
     "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\n  stopj(4)\n"
     "  write_output_integer_register(0, 1)\n  while True:\n    sync()\n  end\nend\n";
 
-/// Periods from the first command to stop until the joints stand.
+/// Periods from the first stop command until the joints stand still.
 int brakingPeriods(const char* assumption, double slider) {
     Plant plant(with(assumption));
     plant.setSpeedSlider(slider);
@@ -62,7 +61,7 @@ int brakingPeriods(const char* assumption, double slider) {
     return braking;
 }
 
-/// One client with registers 24 and 25, as a controller serves it.
+/// A client that writes registers 24 and 25, as served by a controller.
 struct Writer {
     explicit Writer(const SimulatorOptions& options) : plant(options), inputs(plant, options.software) {
         recipe =
@@ -78,7 +77,7 @@ struct Writer {
         QVERIFY(rtde::encodeValues(recipe.layout, values, bytes));
         inputs.apply(recipe, bytes);
     }
-    /// Ends the period; the next one begins.
+    /// Ends the current period; the next one begins.
     void period() {
         plant.step();
         inputs.applyRest();
@@ -125,7 +124,8 @@ private Q_SLOTS:
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
-            // What depends on it, what the control program does about it, and where the question comes from.
+            // What depends on the assumption, how the control program deals with it, and the source of the
+            // question.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
             for (const QString& told : rest.first(3)) {
@@ -143,7 +143,7 @@ private Q_SLOTS:
     }
 
     void aScaledStopTakesAsMuchLonger() {
-        // 0.4 rad/s at 4 rad/s2 take 50 periods; at a fifth of it, ten.
+        // 0.4 rad/s at 4 rad/s2 take 50 periods; at a fifth of the speed ten.
         const int real = brakingPeriods("", 0.2);
         QVERIFY2(real >= 9 && real <= 12, qPrintable(QString::number(real)));
         const int scaled = brakingPeriods("stops=scaled", 0.2);
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY2(periods[true] >= 10 * periods[false], qPrintable(QString::number(periods[true])));
     }
 
-    // However far a pause has come, and in whatever time the arm moved before.
+    // Independent of how far a pause has progressed and how long the arm moved before.
     void whatAPauseSlowsDownGetsNoFasterWhenTheProgramEnds_data() {
         QTest::addColumn<QString>("words");
         QTest::newRow("as by default") << QString();
@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (std::int32_t n = 1; n < 5; ++n) {
             writer.write(n);
             writer.plant.step();
-            // The newest two are mixed, and nothing older.
+            // The two newest values are mixed, nothing older.
             QCOMPARE(writer.first(), n - 1 + first);
             QCOMPARE(writer.third(), n - 1 + third);
             writer.inputs.applyRest();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of builtins in the simulator's README: it is written from the rows the compiler uses, and each
-// builtin is called on a robot to see that its state there is true.
+// The table of builtins in the README of the simulator is generated from the rows that the compiler uses. Each
+// builtin is called on a robot to verify its status in the table.
 //
-// To write it anew:  TILLER_UPDATE=1 tst_builtin_table theReadmeIsCurrent
+// To regenerate the table:  TILLER_UPDATE=1 tst_builtin_table theReadmeIsCurrent
 
 #include <QFile>
 #include <QTcpServer>
@@ -61,7 +61,7 @@ QString table() {
     return out;
 }
 
-/// Arguments that make sense, by the name of the parameter.
+/// Returns a plausible argument for a parameter of this name.
 QString argument(const std::string& name) {
     static const std::map<std::string, QString> kArguments{
         {"pose", "p[0.3,-0.3,0.3,0,3.14,0]"},
@@ -135,7 +135,7 @@ QString argument(const std::string& name) {
     return it == kArguments.end() ? QStringLiteral("1") : it->second;
 }
 
-/// Calls that need other arguments, or something before them.
+/// Calls that need other arguments or a preceding statement.
 QString callOf(const Builtin& b) {
     static const std::map<std::string, QString> kCalls{
         {"add_frame", "add_frame(\"g\", p[1,0,0,0,0,0])"},
@@ -244,7 +244,7 @@ private Q_SLOTS:
         Plant plant(options);
         const QString frame =
             polyScopeX ? QStringLiteral("add_frame(\"f\", p[0.3,0,0.3,0,0,0])\n") : QString();
-        QTcpServer server;  // for those that look for one
+        QTcpServer server;  // for builtins that connect to a server
         QVERIFY(server.listen(QHostAddress::LocalHost));
         const QString call = callOf(b).replace("PORT", QString::number(server.serverPort()));
         const QString program = "def t():\n" + frame + call + "\nend\n";

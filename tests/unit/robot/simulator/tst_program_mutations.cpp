@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program file of the pendant with each node we know, damaged in a thousand ways: it becomes URScript that
-// compiles or is an error with its place, or it is refused with a reason. Nothing crashes or goes on for
-// ever.
+// A program file of the pendant with every known node, damaged in a thousand ways: it is converted to URScript that
+// compiles or gives an error with its position, or it is refused with a reason. It never crashes or runs forever.
 
 #include <QTest>
 #include <random>
@@ -126,7 +125,7 @@ public:
 private:
     int below(qsizetype end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
 
-    /// One element's begin, such as a tag or an attribute's value, so that many results are still XML.
+    /// Start and length of one element, such as a tag or an attribute value, so that many results are still XML.
     std::pair<int, int> piece(const QByteArray& content, char open, char close) {
         const qsizetype begin = content.indexOf(open, below(content.size()));
         const qsizetype end = begin < 0 ? -1 : content.indexOf(close, begin + 1);
@@ -145,23 +144,23 @@ private:
             case 2:
                 content.truncate(below(content.size()));
                 break;
-            case 3: {  // a value of another attribute
+            case 3: {  // replaces the value by that of another attribute
                 const auto [to, length] = piece(content, '"', '"');
                 const auto [from, other] = piece(content, '"', '"');
                 content.replace(to, length, content.mid(from, other));
                 break;
             }
-            case 4: {  // a tag again, somewhere
+            case 4: {  // repeats a tag elsewhere
                 const auto [from, length] = piece(content, '<', '>');
                 content.insert(below(content.size()), content.mid(from, length));
                 break;
             }
-            case 5: {  // a tag gone
+            case 5: {  // removes a tag
                 const auto [from, length] = piece(content, '<', '>');
                 content.remove(from, length);
                 break;
             }
-            case 6: {  // a path to elsewhere
+            case 6: {  // changes a path
                 static const char* const kPaths[] = {"\"..\"",
                                                      "\"../..\"",
                                                      "\"../../..\"",
@@ -176,7 +175,7 @@ private:
                 content.replace(to, length, kPaths[below(std::size(kPaths))]);
                 break;
             }
-            default: {  // a stretch again
+            default: {  // repeats a section
                 const QByteArray stretch = content.mid(below(content.size()), 1 + below(300));
                 content.insert(below(content.size()), stretch);
                 break;
@@ -217,13 +216,13 @@ private Q_SLOTS:
             const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
-        // Otherwise they would all have ended at the first line.
+        // Otherwise all of them would have ended at the first line.
         QVERIFY2(told > 50 && refused > 50, qPrintable(QStringLiteral("%1 %2").arg(told).arg(refused)));
     }
 
     void aThousandDamagedArchivesAreRefusedOrRead() {
-        // As the pendant compresses them: qCompress() gives the same deflated bytes in another frame, and the
-        // sum at the end is what the damage is found by.
+        // Compressed as on the pendant: qCompress() gives the same deflated bytes with a different header, and
+        // damage is detected by the checksum at the end.
         const QByteArray zlib = qCompress(everyNode());
         const QByteArray gzip = QByteArray("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10) +
                                 zlib.mid(6, zlib.size() - 10) + QByteArray(8, '\0');

@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         QCOMPARE(plant.telemetry().robotStatusBits(), 3U);
         QCOMPARE(plant.pins().digitalOutputs, 1ULL);
-        // Long enough for a client that looks at every second package.
+        // Long enough for a client that reads every second package.
         steps(plant, 3);
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         steps(plant, 3);
@@ -102,7 +102,7 @@ private Q_SLOTS:
         submit(plant, kEndless);
         steps(plant, 3);
         QCOMPARE(plant.programs().state(), RuntimeState::Stopped);
-        QCOMPARE(plant.takeOutbox().size(), std::size_t(1));  // it says why
+        QCOMPARE(plant.takeOutbox().size(), std::size_t(1));  // the reason is reported
     }
 
     void powerOffEndsTheProgram() {
@@ -227,7 +227,7 @@ private Q_SLOTS:
         }
         steps(plant, 500);
         for (const auto& message : plant.takeOutbox()) {
-            QVERIFY(message[14] != 10);  // no exception among them
+            QVERIFY(message[14] != 10);  // no exception is reported
         }
         QCOMPARE(plant.pins().digitalOutputs, 4ULL);
         QCOMPARE(plant.arm().payload().mass, 1.5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What programs reach beside arm and registers: named frames, rules of terminals, the Modbus map, values
-// asked of people, estimates of the payload, software versions.
+// Facilities of programs other than arm and registers: named frames, terminal actions, the Modbus map, values
+// entered by operators, payload estimates, software versions.
 
 #include <QTcpServer>
 #include <QTcpSocket>
@@ -26,7 +26,7 @@ SimulatorOptions running(SoftwareVersion software = {5, 22, 1, 0}) {
 
 constexpr SoftwareVersion kX{10, 12, 0, 0};
 
-/// A robot with what it says to primary clients.
+/// A simulated robot that records its messages to primary clients.
 struct Robot {
     explicit Robot(const SimulatorOptions& options = running()) : plant(options) {}
 
@@ -49,7 +49,7 @@ struct Robot {
         steps(5);
         return bodies(0);
     }
-    /// Bodies of the robot messages of a kind.
+    /// Bodies of the robot messages of one type.
     QByteArrayList bodies(int kind) const {
         QByteArrayList out;
         for (const QByteArray& m : messages) {
@@ -59,7 +59,7 @@ struct Robot {
         }
         return out;
     }
-    /// Of the last runtime exception.
+    /// Text of the last runtime exception.
     QByteArray error() const { return bodies(10).isEmpty() ? QByteArray() : bodies(10).last().mid(8); }
 
     Plant plant;
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QCOMPARE(robot.bodies(9).size(), 1);
         QCOMPARE(robot.bodies(9)[0].mid(4), QByteArray("\0\0\0\1How many?", 13));
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Playing);
-        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // not what was asked for
+        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // not the requested type
         QVERIFY(robot.plant.scriptHost().answerRequest(std::int32_t{7}));
         robot.steps(2);
         QVERIFY(robot.plant.scriptHost().answerRequest(std::string("me")));
@@ -246,7 +246,7 @@ private Q_SLOTS:
         robot.steps(5);
         QCOMPARE(robot.bodies(0), (QByteArrayList{"8", "me", "True", "0.25"}));
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Stopped);
-        QVERIFY(!robot.plant.scriptHost().answerRequest(true));  // nothing is asked any more
+        QVERIFY(!robot.plant.scriptHost().answerRequest(true));  // no request is pending
     }
 
     // ---- other programs
@@ -297,7 +297,7 @@ private Q_SLOTS:
     }
     void theJacobiansChangeIsItsDerivative() {
         Robot robot;
-        // After a small time the Jacobian is what derivative and time make of it.
+        // After a short time the Jacobian is the integral of its derivative.
         QCOMPARE(robot.told("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
                             "change = (get_jacobian(q + h * qd) - get_jacobian(q)) / h - "
                             "get_jacobian_time_derivative(q, qd)\nworst = 0\ni = 0\nwhile i < 6:\n"
@@ -339,7 +339,7 @@ private Q_SLOTS:
         QCOMPARE(robot.error(), QByteArray("Type error: speedl argument 'a' must be a number, not float"));
     }
     void infiniteAccelerationIsAsMuchAsThereIs() {
-        // A spline's last step divides by a time of nothing; clients rely on that.
+        // The last step of a spline divides by a time of zero; clients rely on this.
         Robot robot;
         robot.submit(
             "speedj([0.1,0,0,0,0,0], 1 / 0.0, 0.1)\nspeedl([0,0,0.01,0,0,0], 1 / 0.0, 0.1)\nstopj(4)");

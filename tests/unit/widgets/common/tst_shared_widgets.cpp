@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(!notice.isVisible());
     }
 
-    // An answer may bring the next notice: a second click at the same place must not close that one unread.
+    // Closing a notice may show the next one: a second click at the same place must not close that one unread.
     void aSecondClickDoesNotCloseTheNoticeThatTheFirstBrought() {
         NoticeBar notice;
         notice.resize(400, 120);

@@ -11,7 +11,7 @@ class TestSteadyScrollArea : public QObject {
     Q_OBJECT
 
 private:
-    /// A wide page, whose fields are at its two ends.
+    /// A wide page with fields at both ends.
     struct Page {
         SteadyScrollArea area;
         QLineEdit* near = new QLineEdit;

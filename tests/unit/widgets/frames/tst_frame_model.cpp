@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames as a table, and every edit of them with its way back on the waypoints' history.
+// Frames as a table, with every edit undoable on the history of the waypoints.
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -31,7 +31,8 @@ private Q_SLOTS:
         project::Project cell;
         cell.frames.append(tray_);
         cell.frames.append(table_);
-        // Two move with the tray; the joints of the third rule, it only remembers a pose in it.
+        // Two waypoints move with the tray; the third one is defined by its joints and only remembers a pose in the
+        // tray.
         for (int i = 0; i < 3; ++i) {
             Waypoint point;
             point.id = QUuid::createUuid();
@@ -112,10 +113,10 @@ private Q_SLOTS:
         }
         QVERIFY(project::poseDifference(placeOf(0), first).distance < 1e-9);
         QVERIFY(document_->reach(0).ok());
-        // And a file of it can be read again: no waypoint names a frame that is not there.
+        // The saved file can be read again: no waypoint refers to a missing frame.
         const auto bytes = project::serializeProject(document_->project());
         QVERIFY(bytes && project::parseProject(*bytes));
-        // One step back brings all of it.
+        // One undo step restores all of it.
         document_->undoStack().undo();
         QCOMPARE(model_->rowCount(), 2);
         QCOMPARE(model_->rowOf(tray_.id), 0);

@@ -114,12 +114,13 @@ private Q_SLOTS:
         auto* make = button("frame.teacher.make");
         click("frame.teacher.origin");
         feed(beside(0.0123, 0));
-        QTRY_VERIFY2(feedback().contains("12.3 mm"), qPrintable(feedback()));  // how far the tip is now
+        QTRY_VERIFY2(feedback().contains("12.3 mm"),
+                     qPrintable(feedback()));  // distance of the tip at this moment
         click("frame.teacher.onX");
         QVERIFY2(feedback().contains("only 12.3 mm") && feedback().contains("20 mm"), qPrintable(feedback()));
         QVERIFY(!make->isEnabled());
         feed(beside(0.1, 0));
-        QTest::keyClick(tab_.get(), Qt::Key_P);  // the bad one again, not the next
+        QTest::keyClick(tab_.get(), Qt::Key_P);  // repeats the bad point, not the next one
         feed(beside(0.25, 0.004));
         QTRY_VERIFY2(feedback().contains("4.0 mm"), qPrintable(feedback()));
         click("frame.teacher.towardsY");
@@ -158,7 +159,7 @@ private Q_SLOTS:
         feed(beside(0.1, 0));
         click("frame.teacher.onX");
         QVERIFY(tab_->marks().empty());
-        feed(beside(0, 0.1));  // the tip stands in for the third point
+        feed(beside(0, 0.1));  // the tip serves as the third point
         QTRY_COMPARE(tab_->marks().size(), std::size_t(1));
         QVERIFY(tab_->marks()[0].selected);
         QVERIFY((tab_->marks()[0].T_base_frame.position - kCorner.position).norm() < 1e-12);
@@ -179,7 +180,7 @@ private Q_SLOTS:
         QVERIFY2(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()));
         QVERIFY2(notice()->text().contains("2 waypoints move with it"), qPrintable(notice()->text()));
         QVERIFY(frame(0).T_base_frame == before);
-        feed(beside(0.5, 0));  // the arm goes on: what was shown is what is kept
+        feed(beside(0.5, 0));  // the arm moves on: the displayed pose is the one that is kept
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == there);
         QVERIFY2(notice()->text().contains("2 waypoints moved with it"), qPrintable(notice()->text()));
@@ -230,7 +231,7 @@ private Q_SLOTS:
         auto* editor = table()->findChild<QLineEdit*>("frame.editor");
         QVERIFY(editor != nullptr);
         QTest::keyClicks(editor, "TUPray");  // letters that are shortcuts elsewhere
-        feed(beside(0.1, 0));                // the table goes on being live
+        feed(beside(0.1, 0));                // the table keeps updating
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE(names(), QStringList({"TUPray"}));
         document_->undoStack().undo();
@@ -253,7 +254,7 @@ private Q_SLOTS:
         QSignalSpy messages(tab_.get(), &FramesTab::message);
         type("y", "-450,5");
         QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoints moved"));
-        QVERIFY(box("y")->isVisible());  // the hand goes on with the next figure
+        QVERIFY(box("y")->isVisible());  // the hand continues with the next figure
         QVERIFY(std::abs(frame(0).T_base_frame.position.y() + 0.4505) < 1e-12);
         QCOMPARE(frame(0).T_base_frame.position.x(), tcp.position.x());
         QVERIFY(frame(0).T_base_frame.rotation == tcp.rotation);
@@ -344,7 +345,7 @@ private Q_SLOTS:
 
 private:
     void feed(const Pose& tcp) { Q_EMIT session_->stateChanged(liveAt(tcp)); }
-    /// A frame at the corner, and so many waypoints that move with it.
+    /// Teaches a frame at the corner and the given number of waypoints in it.
     void teachWithWaypoints(int count) {
         feed(kCorner);
         tab_->teachFromTcp();

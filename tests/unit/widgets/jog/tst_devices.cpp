@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gamepads and SpaceMouse: the way from a raw axis to a jog, with devices that are only numbers, and, where
-// SDL has them, with a virtual joystick.
+// Gamepads and SpaceMouse: from the raw axis to a jog, with simulated devices and, where SDL supports it, with a
+// virtual joystick.
 #include <QApplication>
 #include <QCheckBox>
 #include <QSignalSpy>
@@ -29,7 +29,7 @@ struct Stick {
     DeviceReading reading;
     DeviceShape shape;
     bool plugged = true;
-    std::function<void()> duringRead;  ///< what its driver does meanwhile
+    std::function<void()> duringRead;  ///< behaviour of the driver in the meantime
 };
 
 class FakeDevice : public InputDevice {
@@ -65,7 +65,7 @@ private:
     bool given_ = false;
 };
 
-/// Device, rules and a port that only writes down.
+/// Device, rules and a port that records the requests.
 struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
@@ -94,7 +94,7 @@ struct Bench : WrittenPort {
         stick.reading.deadMan = deadMan;
         devices.poll();
     }
-    /// Time goes on as timers would have it: the device is read, the motion refreshed.
+    /// Advances the time as timers would: the device is read, the motion refreshed.
     void run(int ms) {
         for (int t = 0; t < ms; t += 10) {
             clock.advanceNs(10 * kNsPerMs);
@@ -107,7 +107,7 @@ struct Bench : WrittenPort {
 };
 
 #ifdef TILLER_HAS_SDL
-/// A gamepad that is plugged in as long as this lives.
+/// A virtual gamepad that is plugged in during the lifetime of the object.
 class VirtualPad {
 public:
     VirtualPad() {
@@ -226,7 +226,7 @@ private Q_SLOTS:
         b.push(0, 1.0);
         b.run(500);
         QVERIFY2(b.ends.isEmpty(), "it reports all the time");
-        // From here on the driver says nothing new; what it said last still stands.
+        // From here on the driver reports nothing new; the last reading stays.
         b.stick.reading.fresh = false;
         b.run(90);
         QVERIFY(b.ends.isEmpty());
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
         QVERIFY2(b.devices.used() == b.device(), "it is still there");
-        // Back again, it has to be let go first.
+        // When it is back, the stick has to be released first.
         b.stick.reading.fresh = true;
         b.run(100);
         QCOMPARE(b.next, 1U);
@@ -265,7 +265,7 @@ private Q_SLOTS:
         b.push(0, 0.0);
         b.push(0, 1.0);
         b.run(100);
-        // One read takes 150 ms: nothing else ran meanwhile.
+        // One read takes 150 ms, during which nothing else runs.
         b.stick.duringRead = [&b] { b.clock.advanceNs(150 * kNsPerMs); };
         b.devices.poll();
         b.stick.duringRead = nullptr;
@@ -279,7 +279,7 @@ private Q_SLOTS:
         b.devices.use(b.device());
         b.push(0, 0.0);
         b.push(0, 1.0);
-        // The motion is still refreshed, but nobody reads the device any more.
+        // The motion is still refreshed, but the device is no longer read.
         for (int t = 0; t < 100; t += 20) {
             b.clock.advanceNs(20 * kNsPerMs);
             b.jog.pump();
@@ -392,21 +392,21 @@ private Q_SLOTS:
         b.devices.use(b.devices.devices().back().get());
         pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         b.run(50);
-        // A hand that holds the stick out, and trembles.
+        // A hand that holds the stick deflected and trembles.
         for (int i = 0; i < 30; ++i) {
             pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
             b.run(100);
         }
         QCOMPARE(b.next, 1U);
         QVERIFY(b.ends.isEmpty());
-        // The driver hangs: SDL gives the last value for ever. At 40 mm/s that may be worth 25 mm.
+        // The driver hangs, so SDL returns the last value forever. At 40 mm/s this may cost up to 25 mm.
         b.run(400);
         QVERIFY(b.ends.isEmpty());
         b.run(300);
         QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
         b.run(3000);
         QCOMPARE(b.next, 1U);
-        // It wakes up, still pushed out: it has to come back first.
+        // The driver recovers while the stick is still deflected: the stick has to return first.
         pad.push(SDL_CONTROLLER_AXIS_LEFTX, 31000);
         b.run(100);
         QCOMPARE(b.next, 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the jog column commands: every key, every selection, every way of moving.
+// Commands of the jog column: every key, every selection, every kind of motion.
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QVERIFY(s.session.jogs.isEmpty());
         QCOMPARE(s.session.moves.size(), 1);
         QVERIFY(std::abs(s.session.moves.first().pose.position.x() - (-0.1435 + 0.001)) < 1e-12);
-        QVERIFY(s.column.isHolding());  // runs to its end by itself
+        QVERIFY(s.column.isHolding());  // completes by itself
         QVERIFY(s.session.ends.isEmpty());
         s.session.running = 0;  // arrived
         s.key("jog.X+")->guard().pump();
@@ -155,7 +155,7 @@ private Q_SLOTS:
 
     void homeMovesWhileHeldOnly() {
         JogScene s;
-        s.choose("jogMotion", 2);  // even then
+        s.choose("jogMotion", 2);  // in this case as well
         s.press("homeKey");
         QCOMPARE(s.session.moves.size(), 1);
         QCOMPARE(s.session.moves.first().kind, MoveRequest::Kind::MoveJ);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the jog column shows: what moves, what is left, why nothing moves, and all of it at every size.
+// The display of the jog column: the current motion, the remaining travel, the reason why nothing moves, at every
+// size.
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -25,7 +26,7 @@ using control::StopCause;
 
 namespace {
 
-/// Paint events of all widgets since it was made.
+/// Counts the paint events of all widgets since its construction.
 class PaintCount : public QObject {
 public:
     PaintCount() { qApp->installEventFilter(this); }
@@ -66,7 +67,7 @@ private Q_SLOTS:
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
-    // The arm could reach further down, were it not for the floor of the cell.
+    // The arm could reach further down if the cell had no floor.
     void theReachDownEndsAtTheSafetyDistanceFromTheFloor() {
         constexpr double kDeg = std::numbers::pi / 180;
         JogScene s;
@@ -100,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(!s.key("jog.Y+")->isConfirmed());
         s.release("jog.X+");
         QVERIFY(!s.key("jog.X+")->isConfirmed());
-        s.column.applyState(s.state);  // still coasting, but nobody holds
+        s.column.applyState(s.state);  // still coasting, but no key is held
         QVERIFY(!s.key("jog.X+")->isConfirmed());
     }
 
@@ -196,7 +197,7 @@ private Q_SLOTS:
         QTest::mousePress(key, Qt::LeftButton);
         QVERIFY(!column.isHolding());
         QTest::mouseRelease(key, Qt::LeftButton);
-        // The column follows what the session tells.
+        // The column follows the session.
         Q_EMIT session.stateChanged(readyState());
         QVERIFY(key->isEnabled());
         QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
@@ -214,21 +215,21 @@ private Q_SLOTS:
         QCOMPARE(pose->deltaText(0), QStringLiteral("+12.40"));
         QCOMPARE(pose->deltaText(1), QStringLiteral("0.00"));
         s.release("jog.X+");
-        QTest::mouseClick(pose, Qt::LeftButton);  // zero here
+        QTest::mouseClick(pose, Qt::LeftButton);  // zero at this position
         QCOMPARE(pose->deltaText(0), QStringLiteral("0.00"));
         s.state.link = LinkState::Lost;
         s.column.applyState(s.state);
         QCOMPARE(pose->positionText(0), QStringLiteral("–"));
     }
 
-    // An arm at rest trembles a little in its own data.
+    // The data of an arm at rest fluctuate slightly.
     void aReadOutIsPaintedOnlyWhenItsTextChanges() {
         JogScene s({390, 948});
         auto* pose = s.column.findChild<PoseView*>();
         auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
         QVERIFY(pose->isVisible() && row->isVisible());
-        const auto settle = [] { QTest::qWait(250); };  // two periods of the figures
+        const auto settle = [] { QTest::qWait(250); };  // two update periods of the figures
         settle();
         PaintCount paints;
         for (int i = 1; i <= 20; ++i) {
@@ -248,7 +249,7 @@ private Q_SLOTS:
         QTRY_VERIFY(paints.of(row) > 0);
     }
 
-    // The marker is drawn on its own ground: while the arm moves nothing else of the column is painted for it.
+    // The marker is a separate widget: while the arm moves, nothing else in the column is repainted for it.
     void aMarkerThatMovesPaintsNothingElse() {
         JogScene s({390, 948});
         auto* rows = s.column.findChild<JointRows*>();
@@ -289,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // On a screen of 1600 x 900 there is room for both.
+    // A screen of 1600 x 900 has room for both.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
@@ -353,7 +354,7 @@ private Q_SLOTS:
             s.state.tcpPose.position.x() += 0.0124;
             s.state.q[2] = -351 * std::numbers::pi / 180;
             s.column.applyState(s.state);
-            QTest::qWait(150);  // the digits follow ten times a second
+            QTest::qWait(150);  // the figures update ten times a second
             QVERIFY(!s.column.grab().isNull());
             keepPicture(s.column, QStringLiteral("jog-") + scheme);
             s.release("jog.X+");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The armed keyboard follows keys, not what they write: by scan code from press to release, whatever
-// modifier, lock key or layout comes in between; and what does not fit ends the motion.
+// The armed keyboard follows physical keys by scan code from press to release, whatever modifier, lock key or
+// layout changes in between; events that do not fit end the motion.
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>
@@ -18,7 +18,7 @@ using control::StopCause;
 
 namespace {
 
-/// The armed keyboard in front of a port that only writes down.
+/// The armed keyboard with a port that records its requests.
 struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
@@ -76,7 +76,7 @@ private Q_SLOTS:
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
         QCOMPARE(b.ends.size(), 1);
-        // And it is known to be up: the next press moves, the next release ends it.
+        // The key is known to be up: the next press moves, the next release ends the motion.
         b.down(scan::kPlusDe, Qt::Key_Plus);
         QVERIFY2(!b.moves(), "the sign alone");
         b.down(scan::k1, Qt::Key_1);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
-        // The next arrow does not turn.
+        // The next arrow key does not turn.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
         b.up(scan::kRight, Qt::Key_Right);
@@ -173,7 +173,7 @@ private Q_SLOTS:
             b.down(code, key);
         }
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
-        // Another key while the first is still down is no new press of all.
+        // Another key while the first is still down does not count as a press.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(!b.moves());
         b.up(scan::kRight, Qt::Key_Right);
@@ -242,7 +242,7 @@ private Q_SLOTS:
         b.down(0, Qt::Key_1);
         b.down(0, Qt::Key_Plus);
         QVERIFY(b.moves());
-        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, by what it writes now
+        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, identified by the character it now produces
         QVERIFY(!b.moves());
         QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
     }
@@ -263,7 +263,7 @@ private Q_SLOTS:
     }
 
     void autoRepeatInPairsBeginsNothing() {
-        // A display server that cannot tell repeats: a release and a press with one time stamp.
+        // A display server without information about repeats: a release and a press with the same time stamp.
         Bench b;
         b.down(scan::kRight, Qt::Key_Right, {{}, false, 1000});
         b.up(scan::kRight, Qt::Key_Right, {{}, false, 1500});

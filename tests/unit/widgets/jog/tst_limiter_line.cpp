@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What limits the arm stands on one line and the way out of it on the next, whole at every width of the column.
+// The limit that stops the arm is shown on one line and the way out of it on the next, without truncation at any
+// column width.
 #include <QApplication>
 #include <QTest>
 #include <numbers>
@@ -17,7 +18,7 @@ class TestLimiterLine : public QObject {
     Q_OBJECT
 
 private:
-    /// A state for each thing that the line can name.
+    /// One state per limit that the line can name.
     static QList<QPair<QByteArray, SessionState>> limits() {
         using control::LimiterKind;
         QList<QPair<QByteArray, SessionState>> out;
@@ -72,7 +73,7 @@ private Q_SLOTS:
         QCOMPARE(line->height(), height);
     }
 
-    // A refusal says what to do at its end.
+    // A refusal ends with the action to take.
     void aSentenceIsBrokenNotCutOff() {
         LimiterLine line;
         line.resize(344, 38);

@@ -40,13 +40,13 @@ private:
         }
     };
 
-    /// A session that tells what the test says, and a line to type in.
+    /// A session that reports the states of the test, and a line edit.
     struct Dark {
         VirtualClock clock;
         RobotSession session{clock};
         StopKeys keys{session, clock};
         SessionState state;
-        QList<int> passed;  ///< to the line
+        QList<int> passed;  ///< key events that reached the line edit
         class Line : public QLineEdit {
         public:
             explicit Line(QList<int>& passed) : passed_(passed) {}
@@ -124,7 +124,8 @@ private Q_SLOTS:
         QCOMPARE(clicked.count(), 1);
         QVERIFY(s.stops.isEmpty());
     }
-    // A window manager may leave the keyboard with the window that the dialog blocks; Qt drops its key events.
+    // A window manager may leave the keyboard focus with the window that the dialog blocks; Qt drops its key
+    // events.
     void aBlockedWindowStops_data() {
         QTest::addColumn<Qt::Key>("key");
         QTest::addColumn<Qt::KeyboardModifier>("modifier");
@@ -168,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(s.stops.isEmpty());
         QVERIFY(dialog.isVisible());
     }
-    // With two dialogs the upper one alone takes part.
+    // With two dialogs only the upper one takes part.
     void aBlockedWindowStopsBelowTwoDialogs() {
         Scene s;
         QDialog lower(&s.window);
@@ -277,7 +278,7 @@ private Q_SLOTS:
         Dark s;
         s.tell(LinkState::Live, true);
         s.tell(LinkState::Stale, true);
-        s.clock.advanceNs(10 * kNsPerSecond);  // and still nobody knows
+        s.clock.advanceNs(10 * kNsPerSecond);  // the state is still unknown
         s.tell(LinkState::Lost, true);
         s.press(Qt::Key_Escape);
         s.press(Qt::Key_Escape);
@@ -288,7 +289,7 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // Whoever only monitors must not end a production by typing.
+    // An operator who only monitors must not stop a production program by typing.
     void aProgramOfOthersRunsOnWhileWeMonitor() {
         for (const ControlState control : {ControlState::None, ControlState::Refused}) {
             Dark s;
@@ -304,7 +305,7 @@ private Q_SLOTS:
             QCOMPARE(s.passed.size(), 3);
         }
     }
-    // Another program throws ours out, and the operator reaches for the key that has just been a stop key.
+    // Another program takes over while the operator reaches for a key that was a stop key a moment ago.
     void theKeysStopForThreeSecondsAfterControlWasLost() {
         Dark s;
         s.state.runtimeState = RuntimeState::Playing;
@@ -332,7 +333,7 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // Held longer than the reflex lasts, a stop key must not close the dialog it was pressed in.
+    // A stop key held longer than the reaction time must not close the dialog in which it was pressed.
     void theRepeatsOfAStopKeyMeanNothing() {
         Scene s;
         QTest::keyPress(s.edit, Qt::Key_Space);

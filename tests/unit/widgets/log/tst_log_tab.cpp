@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 2);
     }
 
-    // What came later must never stand above what came before it.
+    // A later message must never be above an earlier one.
     void onlyNeighboursAreCountedTogether() {
         const auto say = [this](Severity severity, const char* text) {
             tab_->append(severity, text, Origin::Robot);
@@ -209,19 +209,19 @@ private Q_SLOTS:
         QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QCOMPARE(wanted.count(), 2);
-        // Another file is another incident, whatever the words.
+        // Another file is another incident, even with the same text.
         tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
                               "/a/c.mcap");
         QCOMPARE(rows(), 3);
     }
 
-    // What came while another page was shown is what one comes back for.
+    // Messages that arrived while another page was shown are the ones the operator returns for.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
             return last.isValid() && last.bottom() <= table()->viewport()->height();
         };
-        tab_ = std::make_unique<LogTab>(*session_);  // one that was never shown
+        tab_ = std::make_unique<LogTab>(*session_);  // a tab that was never shown
         for (int n = 0; n < 100; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checklist of the first five minutes: what ticks a line, what does not, and the card it is shown on.
+// The checklist of the first five minutes: what ticks an item, what does not, and the card that shows it.
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -24,7 +24,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Taught with these joints.
+/// Returns a waypoint taught with these joints.
 project::Waypoint taughtAt(const JointPositions& q) {
     project::Waypoint point;
     point.id = QUuid::createUuid();
@@ -46,7 +46,7 @@ private:
 
     void show(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
     bool isDone(FirstStep step) const { return steps_->isDone(step); }
-    /// A move of ours from here to there, as frames show it.
+    /// Simulates one of our own moves as frames show it.
     void move(const JointPositions& from, const JointPositions& to) {
         SessionState state = liveState(from);
         show(state);

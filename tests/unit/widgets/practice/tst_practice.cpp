@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Doing a practice task: when it can be started, what is set up and taken back, and the card that shows it.
+// Practice tasks: when they can be started, what is set up and restored, and the card that shows them.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -28,7 +28,7 @@ private:
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<Practice> practice_;
-    QString elsewhere_;  ///< why this is not the robot to practise on
+    QString elsewhere_;  ///< reason why practising is not possible on this robot
     QList<PracticeTask> setUp_;
     int tidied_ = 0;
 
@@ -143,7 +143,7 @@ private Q_SLOTS:
         practice_->start();
         QCOMPARE(document_->waypoints().size(), 1);
         QCOMPARE(document_->waypoints().at(0).joints.values, kReadyJoints.values);
-        // As a touch up changes it, with the arm at the part.
+        // A touch-up with the arm at the part.
         SessionState there = liveState();
         there.tcpPose.position.x() += kPartMoved;
         show(there);
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QVERIFY2(!practice_->passed(), "not entered yet");
         QTest::keyClick(answer, Qt::Key_Return);
         QVERIFY(practice_->passed());
-        // Done: the field goes, and the focus with it to the view, not to what comes next.
+        // When the task is done the field disappears, and the focus moves to the view, not to the next task.
         answer->setFocus();
         practice_->finish();
         QVERIFY(!answer->isVisible() && view.hasFocus());

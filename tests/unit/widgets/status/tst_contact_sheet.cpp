@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every mode of every enumeration on one sheet, as the header shows it, and whether people tell them apart
-// who see no red or no green. The sheet lies beside the test program (or where TILLER_SCREENSHOTS says).
+// Shows every mode of every enumeration on one sheet as in the header bar, and checks that people with red-green
+// colour blindness can distinguish them. The sheet is written beside the test program or to TILLER_SCREENSHOTS.
 
 #include <QApplication>
 #include <QDir>
@@ -31,8 +31,8 @@ double fromLinear(double c) {
     return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// What an eye without the red or the green receptor sees. Source: Machado, Oliveira, Fernandes 2009, full
-/// severity, on linear RGB.
+/// The colour as seen by an eye without the red or the green receptor. Source: Machado, Oliveira, Fernandes 2009,
+/// full severity, on linear RGB.
 QColor seenBy(const QColor& colour, Vision vision) {
     using Matrix = std::array<std::array<double, 3>, 3>;
     static constexpr Matrix kProtanopia = {
@@ -53,7 +53,7 @@ QColor seenBy(const QColor& colour, Vision vision) {
                             static_cast<float>(out[2]));
 }
 
-/// Difference as the eye weighs it (CIE 1976): 2 is just noticeable, 20 is another colour.
+/// Perceived colour difference (CIE 1976): 2 is just noticeable, 20 is a different colour.
 double distance(const QColor& a, const QColor& b) {
     const auto lab = [](const QColor& c) {
         const double r = toLinear(c.redF());
@@ -75,7 +75,7 @@ struct Cell {
     QString name;
     ModeLook look;
     QImage picture;
-    QImage icon;  ///< the same without its words
+    QImage icon;  ///< the same without its text
 };
 
 QImage pictureOf(const QString& group, const ModeLook& look, const QString& words) {
@@ -104,10 +104,10 @@ QVector<Cell> allCells() {
     return cells;
 }
 
-/// Where the chip draws shape and mark.
+/// Area of the chip with shape and mark.
 constexpr QRect kIcon(10, 22, 34, 26);
 
-/// Pixels of the icon that this eye sees in clearly another colour.
+/// Pixels of the icon whose colour is clearly different for this eye.
 int iconDifference(const QImage& a, const QImage& b, Vision vision) {
     int different = 0;
     for (int y = kIcon.top(); y <= kIcon.bottom(); ++y) {
@@ -168,7 +168,7 @@ class TestContactSheet : public QObject {
 
 private Q_SLOTS:
     void theMeasureItselfTellsColoursApart() {
-        // A red and a green of one lightness: different to most, the same without the green receptor.
+        // A red and a green of the same lightness: different for most people, identical without the green receptor.
         const QColor red(196, 80, 80);
         const QColor green(122, 117, 65);
         QVERIFY(distance(red, green) > 40);
@@ -176,7 +176,7 @@ private Q_SLOTS:
                 distance(red, green) / 2);
         const QColor grey(120, 120, 120);
         QVERIFY(distance(seenBy(grey, Vision::Protanopia), grey) < 3);
-        // Two modes with the same shape and no mark are not told apart by their icons.
+        // Two modes with the same shape and no mark cannot be distinguished by their icons.
         const ModeLook a{QStringLiteral("One"), StateChip::Shape::Octagon, StateChip::Emphasis::Alarm, {}};
         const ModeLook b{QStringLiteral("Two"), StateChip::Shape::Octagon, StateChip::Emphasis::Alarm, {}};
         QCOMPARE(iconDifference(pictureOf({}, a, {}), pictureOf({}, b, {}), Vision::Normal), 0);
@@ -199,7 +199,7 @@ private Q_SLOTS:
             for (int i = 0; i < cells.size(); ++i) {
                 for (int j = i + 1; j < cells.size(); ++j) {
                     if (cells[i].group != cells[j].group) {
-                        continue;  // the caption above tells them apart
+                        continue;  // the caption above distinguishes them
                     }
                     if (cells[i].look.text == cells[j].look.text ||
                         cells[i].look.advice == cells[j].look.advice) {
@@ -241,7 +241,7 @@ private Q_SLOTS:
     }
 
     void whatNeedsAPersonDiffersFromNormalByColourToo() {
-        // Colour is never the only sign, but where it appears it has to be seen by everybody.
+        // Colour is never the only sign, but where it is used everybody must be able to see it.
         for (const Theme& theme : {Theme::light(), Theme::dark()}) {
             for (const QColor& fill : {theme.stop, theme.operatorNeeded, theme.moving}) {
                 for (const Vision vision : kVisions) {

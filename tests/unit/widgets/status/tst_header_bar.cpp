@@ -174,7 +174,7 @@ private Q_SLOTS:
         state.robotMode = mode;
         state.safetyMode = safety;
         header.applyState(state);
-        QVERIFY(session.asked.isEmpty());  // nothing happens by itself
+        QVERIFY(session.asked.isEmpty());  // nothing is sent without an action of the operator
         auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
         QVERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
@@ -264,7 +264,7 @@ private Q_SLOTS:
         QCOMPARE(session.stops.size(), 1);
     }
 
-    /// A press at x, drawn by so many pixels, and let go.
+    /// Presses at x, drags by the given number of pixels and releases.
     static void draw(QWidget* slider, int x, int by) {
         QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, 30));
         QTest::mouseMove(slider, QPoint(x + by, 30));
@@ -277,7 +277,7 @@ private Q_SLOTS:
         header.show();
         header.applyState(movingState());
         auto* slider = header.findChild<SpeedChip*>();
-        QVERIFY(session.speeds.isEmpty());  // what the robot reports is not sent back
+        QVERIFY(session.speeds.isEmpty());  // reported values are not sent back
         draw(slider, 100, -slider->width());
         QCOMPARE(session.speeds, QList<double>{0.02});
         draw(slider, 10, slider->width());
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds.size(), 2);
     }
 
-    // A click that was meant for something else must not change the robot's speed.
+    // A misplaced click must not change the speed of the robot.
     void aClickAloneDoesNotMoveTheSlider() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds, QList<double>{0.36});
     }
 
-    // Power on, Release brakes, Take control: the second click comes where the first one went.
+    // Power on, Release brakes, Take control: the second click goes to the position of the first one.
     void nothingSlidesUnderASecondClick_data() {
         QTest::addColumn<int>("width");
         for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {
@@ -338,7 +338,7 @@ private Q_SLOTS:
         const QPoint hand = button->geometry().center();
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
-        // The robot follows at once, the words get longer and the next step is another one.
+        // The robot follows at once, the captions become longer and the next step is shown.
         for (const RobotMode mode : {RobotMode::Booting, RobotMode::Idle, RobotMode::Running}) {
             state.robotMode = mode;
             state.control = mode == RobotMode::Running ? ControlState::InControl : ControlState::None;
@@ -351,7 +351,7 @@ private Q_SLOTS:
         }
         QCOMPARE(session.asked.size(), 1);
         QVERIFY(session.speeds.isEmpty());
-        // Half a second later all is as it should be.
+        // Half a second later everything is in its final state.
         QTRY_VERIFY(!button->isVisible());
         state.control = ControlState::None;
         header.applyState(state);
@@ -359,7 +359,7 @@ private Q_SLOTS:
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
-    // Not only for the moment after a click: what can be pressed has one place.
+    // Not only for a moment after a click: each button keeps its position.
     void whateverTheWordsAreEachKeyHasOnePlace_data() { nothingSlidesUnderASecondClick_data(); }
     void whateverTheWordsAreEachKeyHasOnePlace() {
         QFETCH(int, width);
@@ -401,7 +401,7 @@ private Q_SLOTS:
         compare(state);
     }
 
-    // A key that is greyed hands its focus on, as a rule: here to the robot's speed.
+    // A disabled button normally hands its focus on, in this case to the speed slider.
     void theFocusDoesNotGoFromTheKeyToTheSlider() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -440,8 +440,8 @@ private Q_SLOTS:
         slider.setReported(0.35, true);
         QCOMPARE(slider.value(), 50);
         QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(111, 30));
-        slider.setReported(0.50, true);  // the robot followed
-        slider.setReported(0.20, true);  // the pendant changed it
+        slider.setReported(0.50, true);  // the robot has followed
+        slider.setReported(0.20, true);  // changed on the pendant
         QCOMPARE(slider.value(), 20);
     }
 

@@ -82,7 +82,7 @@ private Q_SLOTS:
         state.safetyMode = SafetyMode::SafeguardStop;
         state.safetyStatus = SafetyMode::AutomaticModeSafeguardStop;
         QCOMPARE(state.safety(), SafetyMode::AutomaticModeSafeguardStop);
-        state.safetyStatus = SafetyMode::Undefined;  // software without it
+        state.safetyStatus = SafetyMode::Undefined;  // older software does not report it
         QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
         state.safetyStatus = SafetyMode::Normal;
         QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
     }
 
-    // What was late an hour ago says nothing about the link as it is now.
+    // Packets that were late an hour ago say nothing about the present connection.
     void onlyWhatIsLateNowIsNamed() {
         SessionState state;
         state.link = LinkState::Live;
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG MAY STOP"));
     }
 
-    // Neither who controls nor what runs is known without data.
+    // Without data it is unknown which program controls the robot and which runs.
     void withoutDataControlIsNotReady() {
         for (const ControlState control :
              {ControlState::InControl, ControlState::None, ControlState::Taking, ControlState::Refused}) {

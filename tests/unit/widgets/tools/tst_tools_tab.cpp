@@ -33,7 +33,7 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// Joints with which a tool of this offset stands on the point, tilted by `turn` from straight down.
+/// Joints with which a tool of this offset touches the point, tilted by `turn` from vertical.
 std::optional<JointPositions> onPoint(const Pose& tool, const Eigen::Vector3d& point,
                                       const Eigen::Vector3d& turn) {
     const Pose target(point, rotationVector(rotationMatrix({M_PI, 0, 0}) * rotationMatrix(turn)));
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
         QCOMPARE(document_->tooling().tools.at(0).tcpOffset, state.tcpOffset);
         QVERIFY(label("tcp.facts").contains("active on the robot"));
-        // A second press tells that it is there already.
+        // A second press reports that the TCP is already in the list.
         click("tcp.fromRobot");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
 
@@ -132,7 +132,7 @@ private Q_SLOTS:
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
         QVERIFY(document_->tooling() == tooling);
-        // The robot gets a third one from elsewhere: that is new.
+        // Another program gives the robot a third TCP, which is new.
         state.tcpOffset = Pose(0, 0, 0.12, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->isVisible());
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(said.count(), 2);
     }
 
-    // The key of the notice sets what the notice says, never a value that came after it.
+    // The button of the notice sets the displayed value, never a later one.
     void theNoticeFollowsTheProjectAndTheRobot() {
         project::Tooling tooling;
         tooling.tools = {{QUuid::createUuid(), "gripper", Pose(), 0, {}, {}}};
@@ -158,11 +158,11 @@ private Q_SLOTS:
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
-        // Undone: the project has 0 again, and the notice says so.
+        // After undo the project has 0 again, and the notice says so.
         document_->undoStack().undo();
         QVERIFY(notice("tcp.page")->isVisible());
         QVERIFY2(notice("tcp.page")->text().contains("100.0 mm"), qPrintable(notice("tcp.page")->text()));
-        // The robot gets that TCP from elsewhere.
+        // Another program gives the robot that TCP.
         state.tcpOffset = Pose();
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
@@ -292,7 +292,7 @@ private Q_SLOTS:
             click("tcp.teacher.take");
         }
         choose("tcp.teacher.turning", 2);
-        // Tool straight down: its +Z is down, its +X along that of the base.
+        // Tool pointing straight down: +Z down, +X along +X of the base.
         for (const Eigen::Vector3d& way :
              {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, -0.05), Eigen::Vector3d(0.05, 0, 0)}) {
             feed(liveState(*onPoint(tool, point + way, {0, 0, 0})));
@@ -320,7 +320,7 @@ private Q_SLOTS:
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.z"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QVERIFY(std::abs(document_->tooling().payloads.at(0).centre.z() - 0.08) < 1e-12);
-        // Out of range: refused, never altered.
+        // Values out of range are refused, never altered.
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QTest::keyClick(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), Qt::Key_Escape);
@@ -361,7 +361,7 @@ private Q_SLOTS:
         click("payload.check");
         weigh(state);
         QCOMPARE(notice("payload.page")->title(), QString("The payload is correct"));
-        // A movement spoils it, and is said.
+        // A movement makes the measurement invalid, and this is reported.
         click("payload.check");
         state.moving = true;
         weigh(state, 1);
@@ -374,7 +374,7 @@ private Q_SLOTS:
         click("payload.weigh");
         const Eigen::Vector3d centre(0.01, -0.02, 0.07);
         for (int n = 0; n < 4; ++n) {
-            // The proposed pose, held.
+            // Moves to the proposed pose while the key is held.
             auto* next = tab_->findChild<HoldButton*>("payload.estimator.next");
             QTest::mousePress(next, Qt::LeftButton);
             QVERIFY(next->isHolding());
@@ -468,11 +468,11 @@ private Q_SLOTS:
 private:
     void feed(const SessionState& state) {
         Q_EMIT session_->stateChanged(state);
-        // The figures follow ten times a second.
+        // The figures update ten times a second.
         tab_->tcps().setState(state);
         tab_->positions().setState(state);
     }
-    /// So many samples of an arm at rest.
+    /// Feeds the given number of samples of an arm at rest.
     void weigh(SessionState state, int samples = StandstillMean::kSamples) {
         for (int n = 0; n < samples; ++n) {
             state.sequence = ++sequence_;
@@ -501,7 +501,7 @@ private:
         QTest::keyClicks(box, text);
         QTest::keyClick(box, Qt::Key_Return);
     }
-    /// All edits so far are undone, one by one, and done again: the project is the same, to the byte.
+    /// Undoes all edits one by one and redoes them: the project is identical byte by byte.
     void everythingGoesThereAndBack(int edits) {
         const QByteArray after = *project::serializeProject(document_->project());
         QCOMPARE(document_->undoStack().count(), edits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done to waypoints through questions: with real clicks and keys, undone and done again.
+// Dialogs that edit waypoints: with real clicks and keys, undo and redo.
 
 #include <QAction>
 #include <QApplication>
@@ -194,7 +194,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(3).name, QString("tray 1.1"));
         QVERIFY((document_->waypoints().at(7).pose.position - Eigen::Vector3d(-0.35, -0.05, 0.2)).norm() <
                 1e-9);
-        // It stays a pattern: one more row, and the place left out comes back.
+        // It remains a pattern: one row is added, and the omitted place is restored.
         const QUuid second = document_->waypoints().at(5).id;
         select({4});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(4).name, QString("tray 1.2"));
         QCOMPARE(document_->waypoints().at(6).name, QString("tray 2.1"));
         QVERIFY(document_->waypoints().indexOf(second) >= 0);
-        // A corner is touched up: all of it follows, in the same step.
+        // A corner is touched up: the whole pattern follows in the same undo step.
         project::Waypoint corner = document_->waypoints().at(0);
         corner.pose.position.z() += 0.03;
         document_->changeWaypoint(0, corner, "Touch up");
@@ -456,7 +456,7 @@ private:
     static void press(QDialog& dialog, const char* key) {
         QTest::mouseClick(dialog.findChild<QPushButton*>(key), Qt::LeftButton);
     }
-    /// Triggers the action, and does this in the dialog that it opens.
+    /// Triggers the action and runs the function in the dialog that it opens.
     void inDialog(const char* action, const std::function<void(QDialog&)>& inside) {
         bool seen = false;
         QTimer::singleShot(0, this, [&] {
@@ -488,7 +488,7 @@ private:
             press(dialog, "pattern.accept");
         });
     }
-    /// All edits so far are undone, one by one, and done again: the file is the same, to the byte.
+    /// Undoes all edits one by one and redoes them: the file is identical byte by byte.
     void thereAndBack(int edits) {
         QCOMPARE(document_->undoStack().count(), edits);
         const QByteArray after = bytes();

@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✓"));
     }
 
-    // An empty project takes the connected arm. The places that undo brings back were taught with the arm before.
+    // An empty project takes over the connected arm. Waypoints restored by undo were taught with the previous arm.
     void undoBringsBackTheArmOfItsPlaces() {
         project::Project cell = document_->project();
         cell.robot = RobotModelId::UR5e;
@@ -128,7 +128,7 @@ private Q_SLOTS:
         document_->redo();
         QVERIFY(document_->project().robot == RobotModelId::UR10e);
         QVERIFY(!document_->isOfOtherModel());
-        // A project opened meanwhile has its own arm.
+        // A project opened in the meantime has its own arm.
         document_->setProject(cell);
         QVERIFY(document_->project().robot == RobotModelId::UR5e);
     }
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY2(back.ok(), qPrintable(back.error().toString()));
         QCOMPARE(back->at(0).name, QString("home"));
         QVERIFY(std::abs(back->at(0).joints[0] - kStart[0]) < 1e-12);
-        // Without the heading line, in the order it is written.
+        // Without the header line, in the order in which it is written.
         QVERIFY(waypoint_clipboard::fromText(lines[1], {}).ok());
     }
 

@@ -35,7 +35,7 @@ using control::StopCause;
 
 namespace {
 
-/// Stands in for the arm: counts what the tab asks of it.
+/// Replaces the arm and counts the requests of the tab.
 struct FakeArm {
     std::vector<MoveRequest> moves;
     std::vector<StopCause> ends;
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().at(1) == before);
 
         click("waypoint.touchUp");
-        feed(liveState(moved(4, 0.9)));  // the arm goes on: what was shown is what is kept
+        feed(liveState(moved(4, 0.9)));  // the arm moves on: the displayed pose is the one that is kept
         click("notice.accept");
         QCOMPARE(document_->waypoints().at(1).joints, live.q);
         QCOMPARE(document_->waypoints().at(1).name, before.name);
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(names().at(0), QString("waypoint 1"));
     }
 
-    // Letters typed at the list look for a name: those of a word that has begun are no commands.
+    // Letters typed in the list search for a name; the following letters of a word are not commands.
     void aWordTypedAtTheListIsNoCommand() {
         const int interval = QApplication::keyboardInputInterval();
         const auto restore = qScopeGuard([interval] { QApplication::setKeyboardInputInterval(interval); });
@@ -218,7 +218,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 4);
     }
 
-    // What comes while a hand is on its way to a row pushes no row away.
+    // A notice that appears while the operator is about to click does not move any row.
     void aNoticeMovesNoRow() {
         teachThree();
         tab_->selectRow(0);
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QCOMPARE(tab_->currentRow(), 2);
         QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
         QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
-        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);  // already first: nothing
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);  // already first, so nothing happens
         QCOMPARE(names(), QStringList({"waypoint 4", "waypoint 1", "waypoint 2", "waypoint 3"}));
         QTest::keyClick(table(), Qt::Key_Delete);
         QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QVERIFY(!goTo()->isHolding());
     }
 
-    // The panel may have come to another window since the press.
+    // The key may have been released in another window.
     void theLetterGEndsWithTheWindowItWasPressedIn() {
         teachThree();
         feed(liveState(moved(0, 0.3)));
@@ -359,7 +359,7 @@ private Q_SLOTS:
         switch (how) {
             case 0:
             case 4:
-                keyUp(to, code, 0x041f);  // what a Russian layout makes of it
+                keyUp(to, code, 0x041f);  // the character produced by a Russian layout
                 break;
             case 1:
                 keyDown(to, scan::kShift, Qt::Key_Shift, {Qt::ShiftModifier});
@@ -372,7 +372,7 @@ private Q_SLOTS:
                 break;
         }
         QCOMPARE(arm_.ends, std::vector<StopCause>{cause});
-        // Whatever the keyboard repeats now is no press.
+        // Key repeats are not presses.
         keyDown(to, code, Qt::Key_G, {{}, true});
         QCOMPARE(arm_.moves.size(), std::size_t(1));
     }
@@ -507,7 +507,7 @@ private Q_SLOTS:
                                     .arg(rpy.x())
                                     .arg(rpy.y())
                                     .arg(rpy.z());
-        // Six figures out of a spreadsheet, without a heading.
+        // Six figures from a spreadsheet without a header line.
         paste(figures);
         QCOMPARE(document_->waypoints().size(), 2);
         project::Waypoint pasted = document_->waypoints().at(1);
@@ -517,12 +517,12 @@ private Q_SLOTS:
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(pasted.joints[i] - taught.joints[i]) < 0.5);
         }
-        // With a heading, some columns only.
+        // With a header line, some columns only.
         paste("Name\tX mm\tY mm\tZ mm\tRX °\tRY °\tRZ °\nover it\t" + figures);
         QCOMPARE(document_->waypoints().size(), 3);
         QCOMPARE(document_->waypoints().at(2).name, QStringLiteral("over it"));
         QVERIFY(document_->waypoints().at(2).move == project::MoveKind::Joint);
-        // Half a pose is none: nothing is pasted, and the reason is said.
+        // An incomplete pose is not pasted, and the reason is shown.
         paste("Name\tX mm\tY mm\nhalf\t1\t2");
         QCOMPARE(document_->waypoints().size(), 3);
     }
@@ -546,18 +546,18 @@ private Q_SLOTS:
         QVERIFY(after.ruling == project::Ruling::Joints);
         const Pose there = kinematics::forwardTcp(document_->robot().dh, after.joints, after.tcpOffset);
         QVERIFY(std::abs(there.position.z() * 1000 - (from + 50)) < 0.01);
-        // The nearest posture: no joint has turned over.
+        // The nearest configuration: no joint has turned over.
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(after.joints[i] - before.joints[i]) < 0.5);
         }
         QCOMPARE(document_->undoStack().undoText(), QStringLiteral("Change the pose of “waypoint 1”"));
 
-        // Where the arm cannot get, nothing is changed, and the box says where the waypoint is.
+        // If the arm cannot reach the pose, nothing is changed, and the box shows the pose of the waypoint.
         type(z, QStringLiteral("9000"));
         QCOMPARE(document_->waypoints().at(0), after);
         QVERIFY(std::abs(z->value() - (from + 50)) < 0.01);
 
-        // A pose that rules may be anywhere: it is kept and marked.
+        // A pose that defines the waypoint may be anywhere: it is kept and marked.
         tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
         QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
         QVERIFY(document_->waypoints().at(0).ruling == project::Ruling::Pose);
@@ -652,7 +652,7 @@ private:
     void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
 
     FakeArm arm_;
-    VirtualClock clock_;  // stands still: a late event loop ends no hold
+    VirtualClock clock_;  // constant, so that a late event loop does not end a hold
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;

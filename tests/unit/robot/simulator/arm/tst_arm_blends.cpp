@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves blended into each other: when the first returns, how near the corner is passed, what stays
+// Blended moves: when the first one returns, how close to the corner the path passes, which quantities stay
 // continuous.
 #include <QTest>
 #include <cmath>
@@ -102,7 +102,7 @@ void TestArmBlends::firstMoveReturnsWhereTheZoneBegins() {
     const MotionStart one = go(arm, Move::L, kB, with(Move::L, 0.05));
     arm.finish(one);
     const double left = (arm.tcp() - kB.position).norm();
-    // One or two periods before the zone, so that the next move is there when it begins.
+    // One or two periods before the zone, so that the next move is available when the zone begins.
     QVERIFY2(left >= 0.05 && left < 0.05 + 3 * 0.25 * kTick, qPrintable(QString::number(left)));
 }
 

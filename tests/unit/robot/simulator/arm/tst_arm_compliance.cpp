@@ -130,7 +130,7 @@ void TestArmCompliance::programMovesTheOtherAxes() {
     QVERIFY2(off.norm() < 1e-4, qPrintable(QString("%1 %2 %3").arg(off.x()).arg(off.y()).arg(off.z())));
     arm->compliance().endForceMode();
     arm.run(0.1);
-    // From here on the height is the program's again.
+    // From here on the program controls the height again.
     arm.finish(arm->motion().moveL(goal, {.a = 1.2, .v = 0.1}));
     QVERIFY((arm.tcp() - goal.position).norm() < 1e-8);
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
@@ -139,7 +139,7 @@ void TestArmCompliance::programMovesTheOtherAxes() {
 void TestArmCompliance::movingSidewaysKeepsTheForce() {
     WatchedArm arm;
     const Pose start = arm.state().targetTcpPose;
-    // The surface falls away by 1 mm in 100 mm.
+    // The surface descends by 1 mm in 100 mm.
     arm->environment().addPlane({.point = start.position - Eigen::Vector3d(0, 0, 0.005),
                                  .normal = {0.01, 0, 1},
                                  .material = {.friction = 0}});
@@ -176,7 +176,7 @@ void TestArmCompliance::noisyForceModeStillHolds() {
     const double z = arm.state().targetTcpPose.position.z();
     arm->compliance().startForceMode(pushDown(0));
     arm.run(5);
-    // Sensor noise alone does not carry the arm away.
+    // Sensor noise alone does not make the arm drift.
     QVERIFY2(std::abs(arm.tcp().z() - z) < 0.01, qPrintable(QString::number(arm.tcp().z() - z)));
 }
 
@@ -275,7 +275,7 @@ void TestArmCompliance::hardContactIsAProtectiveStop() {
     Pose below = arm.state().targetTcpPose;
     below.position.z() -= 0.15;
     arm->motion().moveL(below, {.a = 1.2, .v = 0.25});
-    double ratio = 0;  // of the contact force to the one that stops the arm
+    double ratio = 0;  // ratio of the contact force to the force that stops the arm
     for (int n = 0; n < 5000 && !arm->protectiveStop(); ++n) {
         QVERIFY(ratio <= 1);
         arm.step();

@@ -201,7 +201,7 @@ void TestArmMoves::circleKeepsItsRadius() {
     QVERIFY2(worst < 1e-8, qPrintable(QString::number(worst)));
     QVERIFY(highest > 0.0999);
     QVERIFY((arm.tcp() - goal.position).norm() < 1e-9);
-    // Fixed to the arc: half a turn about the circle's axis.
+    // Orientation fixed to the arc: half a turn about the axis of the circle.
     arm.finish(arm->motion().moveC(shifted(start, 0.1, 0, 0.1), start, {.a = 1.2, .v = 0.25},
                                    ArcOrientation::FixedToArc));
     if (!arm->protectiveStop()) {
@@ -238,7 +238,7 @@ void TestArmMoves::unreachableLineIsAProtectiveStop() {
     QVERIFY(arm->motion().moveJ(kTo, {}).ok());
 }
 
-// Programs that probe a surface move towards a point that is far away, and stop before they get there.
+// Programs that probe a surface move towards a distant point and stop before they reach it.
 void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
     for (const double distance : {1.0, 2.0, 1000.0}) {
         WatchedArm arm;
@@ -263,7 +263,7 @@ void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
 }
 
 void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
-    // Straight over the base: the wrist centre meets the cylinder around axis 1.
+    // Straight across the base: the wrist centre meets the cylinder around axis 1.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.14, -0.436, 0.35, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     const MotionStart move =
@@ -277,7 +277,7 @@ void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
 }
 
 void TestArmMoves::lineNearASingularityIsSlowed() {
-    // Past the base at the side: axis 1 has to turn fast, so the tool must go slowly there.
+    // Past the base: axis 1 has to turn fast, so the tool has to move slowly there.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.3, -0.18, 0.4, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     QVERIFY(!arm->protectiveStop());
@@ -399,7 +399,7 @@ void TestArmMoves::moveFromMotionStartsSmoothly() {
     arm->motion().moveJ(kTo, {.a = 3, .v = 1.5});
     arm.run(0.6);
     QVERIFY(arm.worstSpeed > 0.2);
-    // As after a killed thread: the next move begins while the arm still moves.
+    // As after a killed thread: the next move starts while the arm is still moving.
     const JointPositions goal(-1.2, -1.4, -2.0, -1.0, 1.4, 0.3);
     const MotionStart move = arm->motion().moveJ(goal, {.a = 3, .v = 1.5});
     QVERIFY(move.ok());

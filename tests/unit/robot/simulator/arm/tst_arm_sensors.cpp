@@ -99,7 +99,7 @@ void TestArmSensors::whatPushesTheFlangeIsCarriedByTheJoints() {
     QVERIFY((found - expected).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-// As set_payload() does it: both in one step.
+// As in set_payload(): both in one step.
 void TestArmSensors::zeroingBehindAPayloadTakesTheNewPayload() {
     for (const bool hangs : {true, false}) {
         WatchedArm arm;
@@ -123,7 +123,7 @@ void TestArmSensors::payloadAddsItsTorque() {
     const double before = arm.state().targetMoment[1];
     arm->setPayload({.mass = 3});
     arm.step();
-    // 3 kg at the flange, on the shoulder axis' lever in the horizontal plane.
+    // 3 kg at the flange, with the horizontal lever arm to the shoulder axis.
     const Eigen::Vector3d flange = arm.state().actualFlangePose.position;
     const double lever = std::abs(flange.x() * std::cos(-1.6007) + flange.y() * std::sin(-1.6007));
     QVERIFY(std::abs(std::abs(arm.state().targetMoment[1] - before) - 3 * 9.82 * lever) < 1e-6);
@@ -188,7 +188,7 @@ void TestArmSensors::forcesShowInTheJointTorques() {
     WatchedArm arm;
     arm->environment().setHandWrench({{0, 0, -20}, {0, 0, 0}});
     arm.run(0.004);
-    // Pushed down by 20 N like a load of that weight.
+    // Pushing down with 20 N has the same effect as a load of that weight.
     const double pushed = arm.state().externalTorque[1];
     WatchedArm loaded;
     loaded->environment().setLoad(Payload{.mass = 20 / 9.82});
@@ -202,7 +202,7 @@ void TestArmSensors::accelerometerFeelsGravityInTheToolFrame() {
     arm.run(0.01);
     const Eigen::Matrix3d R = rotationMatrix(arm.state().actualFlangePose.rotation);
     QVERIFY((R * arm.state().toolAccelerometer - Eigen::Vector3d(0, 0, 9.82)).norm() < 1e-9);
-    // The tool points down: its z axis feels gravity with a minus sign.
+    // The tool points down: gravity along its z axis is negative.
     QVERIFY(arm.state().toolAccelerometer.z() < -9.7);
     arm->motion().speedL({{0.5, 0, 0}, {0, 0, 0}}, 2.0, 0.1);
     arm.run(0.05);
@@ -214,7 +214,7 @@ void TestArmSensors::mountingChangesTheTorques() {
     WatchedArm arm;
     arm->setGravity({9.82, 0, 0});
     arm.step();
-    // On the wall the base joint carries the arm.
+    // With wall mounting the base joint carries the weight of the arm.
     QVERIFY(std::abs(arm.state().targetMoment[0]) > 10);
     QVERIFY(std::abs(arm.state().toolAccelerometer.norm() - 9.82) < 1e-9);
 }
@@ -229,7 +229,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     for (int n = 0; n < 2000; ++n) {
         a.step();
         b.step();
-        // Encoders read the same while nothing turns.
+        // Encoder readings are constant while nothing turns.
         QCOMPARE(a.state().actualQ, resting);
         QCOMPARE(a.state().actualQ, b.state().actualQ);
         QCOMPARE(a.state().actualCurrent, b.state().actualCurrent);
@@ -240,7 +240,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     QVERIFY(speed < 1e-3);
     QVERIFY(current > 1e-3 && current < 0.1);
     QVERIFY(a.state().isSteady());
-    // All joints but the first stand: what their readings scatter by is noise, and must not be there.
+    // All joints except the first one stand still, so their readings must not vary.
     a->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     b->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     double previous = a.state().actualQ[0];
@@ -260,8 +260,8 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     QCOMPARE(ideal.state().actualQ, ideal.state().targetQ);
 }
 
-// A script at a quarter of the speed gives a new acceleration every fourth period; what clients see in
-// between must not waver, not even in its last digit.
+// A script at a quarter of the frame rate gives a new acceleration every fourth period; the values in between must
+// be constant for clients, including the last digit.
 void TestArmSensors::aSteadyAccelerationIsTheSameFigure() {
     WatchedArm arm;
     arm->setSpeedFraction(0.25);
@@ -321,7 +321,7 @@ void TestArmSensors::brakingTurnsMotionIntoHeat() {
     WatchedArm arm;
     arm.run(0.1);
     const double before = arm.state().energyBraked;
-    // About a vertical axis no weight is lifted or lowered: what braking takes is what moving gave.
+    // Turning about a vertical axis lifts no weight: braking takes the same torque as accelerating.
     arm.finish(arm->motion().speedJ(JointVelocities(1, 0, 0, 0, 0, 0), 4));
     QVERIFY(arm.state().energyBraked - before < 0.05);
     arm.finish(arm->motion().stopJ(4));
@@ -354,8 +354,8 @@ void TestArmSensors::momentumOfOneTurningJoint() {
     QVERIFY(arm.state().momentum < 1e-9);
 }
 
-// The first joint turns about the base's z axis: what the base bears about it is that joint's torque, which
-// recursive Newton-Euler tells independently.
+// The first joint turns about the z axis of the base: the torque on the base about this axis is the joint torque,
+// which recursive Newton-Euler calculates independently.
 void TestArmSensors::theBaseBearsTheArmAndItsMotion() {
     WatchedArm arm;
     Payload payload;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Servo and torque commands: an arm led period by period.
+// Servo and torque commands, which guide the arm period by period.
 #include <Eigen/Cholesky>
 #include <QTest>
 #include <cmath>
@@ -115,7 +115,7 @@ void TestArmServo::directTorqueMovesAndGravityIsCompensated() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-// What a torque does to a joint is the business of the arm's inertia alone, once friction is compensated.
+// Once friction is compensated, the effect of a torque on a joint depends only on the inertia of the arm.
 void TestArmServo::directTorqueAcceleratesAsTheInertiaSays() {
     for (int j = 0; j < kJointCount; ++j) {
         WatchedArm arm;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A step of the arm neither allocates nor frees, whatever moves it. With --cost it prints nanoseconds per
-// step.
+// A simulation step of the arm neither allocates nor frees memory, in any kind of motion. With --cost the program
+// prints nanoseconds per step.
 #include <QTest>
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +29,7 @@ using namespace tiller::simulator::arm;
 namespace {
 template <class Each>
 double nanosecondsPerStep(WatchedArm& arm, int steps, Each&& each) {
-    // Processor time: other programs on the machine do not count.
+    // Processor time, so that other programs on the machine do not count.
     const std::clock_t start = std::clock();
     for (int n = 0; n < steps; ++n) {
         each(n);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A robot made of memory: every motion takes a fixed number of frames, registers and pins are arrays, sockets
-// are two strings. It records what the script asked for, so that tests can look at it.
+// A minimal robot in memory: every motion takes a fixed number of frames, registers and pins are arrays, sockets
+// are two strings. Tests can inspect the recorded requests of the script.
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ public:
     // ---- what tests set and look at
     double step = 0.002;
     std::int64_t timeNs = 12'345'000'000;
-    int moveFrames = 5;        ///< moves and stops
+    int moveFrames = 5;        ///< frames per move or stop
     double durationScale = 1;  ///< 4: speed slider at 25 %
     std::vector<std::string> messages;
     struct Started {
@@ -29,7 +29,7 @@ public:
     };
     std::vector<Started> motions;
     std::vector<ThreadId> abandoned;
-    std::vector<std::string> calls;  ///< everything without a member of its own
+    std::vector<std::string> calls;  ///< everything without a separate member
     std::vector<Popup> popups;
     bool popupAnswered = false;
     std::optional<RequestAnswer> answer;
@@ -42,9 +42,9 @@ public:
     JointPositions q{0.1, -1.2, 1.3, -1.4, -1.5, 0.6};
     JointVelocities qd;
     Twist tcpVelocity{{0.5, 0, 0}, {0, 0, 0.25}};
-    double inertia = 2;  ///< of each joint, without regard to the others [kg m2]
+    double inertia = 2;  ///< of each joint, without coupling to the others [kg m2]
     bool steady = true;
-    std::function<JointPositions(int)> history;  ///< of so many steps ago
+    std::function<JointPositions(int)> history;  ///< joint positions that number of steps ago
     Pose tcp;
     Payload load;
     std::array<bool, 128> boolIn{}, boolOut{};
@@ -129,7 +129,7 @@ public:
     double toolCurrent() const override { return 0.1; }
     Eigen::Vector3d toolAccelerometer() const override { return {0, 0, -9.81}; }
 
-    // ---- kinematics: the pose's numbers are taken as joints, which is enough to see arguments pass through
+    // ---- kinematics: the numbers of the pose are used as joints, which is sufficient to check arguments
     Pose forwardKinematics(const std::optional<JointPositions>& at,
                            const std::optional<Pose>&) const override {
         return Pose::fromArray((at ? *at : q).array());

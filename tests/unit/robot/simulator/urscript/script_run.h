@@ -33,14 +33,14 @@ struct ScriptRun {
         return interpreter->state();
     }
     std::string error() const { return interpreter->error() ? interpreter->error()->text : std::string(); }
-    /// A global in the format of to_str; "(unset)" when it has no value.
+    /// Value of a global variable in the format of to_str; "(unset)" if it has no value.
     std::string value(const char* name) const {
         const Value* v = interpreter->global(name);
         return v == nullptr ? "(unset)" : toStr(*v);
     }
 };
 
-/// The text message of `def t(): <body> textmsg(to_str(<expression>)) end`, or "error: ..." of compiling or
+/// Returns the text message of `def t(): <body> textmsg(to_str(<expression>)) end`, or "error: ..." of compiling or
 /// running.
 inline std::string evaluate(const std::string& expression, const std::string& body = {}) {
     const CompileOutcome outcome = compile("def t():\n" + body + "\nresult = " + expression + "\nend\n");

@@ -10,7 +10,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-// Every name of the reference, in its order.
+// All names of the reference, in its order.
 const char* const kReferenceNames =
     "movej movel movep movec optimovej optimovel servoj servoc speedj speedl stopj stopl force_mode "
     "end_force_mode "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The language reference, statement by statement: one function for each of its sections, one row for each
-// rule. What needs several frames, threads or errors with a place has a function of its own below; the whole
-// of scheduling and sockets is in tst_scheduling and tst_sockets.
+// The language reference, statement by statement: one function per section, one row per rule. Rules that need
+// several frames, threads or error positions have functions below; scheduling and sockets are covered by
+// tst_scheduling and tst_sockets.
 
 #include "robot/simulator/urscript/source_splitter.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
@@ -73,7 +73,7 @@ private Q_SLOTS:
              "[1.5, 0.36, 5, 0.00001, 0.000025, 100]");
         rule("hexadecimal", "", "[0x10, 0xff, 0xFFFFFFFF]", "[16, 255, -1]");
         rule("no escapes in strings", "", "str_len(\"a\\n\")", "3");
-        // Operators, from the strongest on.
+        // Operators, by descending precedence.
         rule("index before sign", "a = [1,2]", "-a[1]", "-2");
         rule("sign before times", "", "-2 * -3", "6");
         rule("times and modulo from the left", "", "7 * 3 % 5", "1");
@@ -136,8 +136,8 @@ private Q_SLOTS:
         QCOMPARE(units("stop program\ndef a():\nend\n\n"),
                  (std::vector<std::string>{"command stop program", "def a():\nend\n"}));
         QCOMPARE(units("textmsg(\"x\")\nmovej([0,0,0,0,0,0],\na=1)\n").size(), std::size_t(2));
-        QVERIFY(units("def a():\nend").empty());  // the newline makes it complete
-        // With the zero that ends a string in C behind each.
+        QVERIFY(units("def a():\nend").empty());  // the newline completes it
+        // Each followed by the terminating zero of a C string.
         QCOMPARE(units(std::string("f(1)\n\0g(2)\n\0", 12)), (std::vector<std::string>{"f(1)\n", "g(2)\n"}));
     }
     void section3CommandWords() {
@@ -430,7 +430,7 @@ private Q_SLOTS:
         QCOMPARE(run.host.ended, 1);
     }
 
-    // ---- 12. Interpreter mode: see tst_interpreter_mode; here what the language says of it
+    // ---- 12. Interpreter mode: see tst_interpreter_mode; this covers the language itself
     void section12InterpreterMode() {
         ScriptRun run(
             "def m():\n a = 1\n interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)\n a = 2\nend\n");
@@ -438,7 +438,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("a"), "1");  // it blocks the main thread
     }
 
-    // ---- 13. What clients do to a script before they send it
+    // ---- 13. Modifications that clients make to a script before sending it
     void section13OffsetInjection() {
         ScriptRun run(
             "def rtde_control():\n    global reg_offset_float = # float register offset\n0    global "
@@ -465,7 +465,7 @@ private Q_SLOTS:
         QCOMPARE(std::get<Move>(run.host.motions[1].command).blend, 0.02);
     }
 
-    // ---- 14. Constructs of both client scripts; programs with all of them are in tst_control_programs
+    // ---- 14. Constructs of both client scripts; tst_control_programs has complete programs
     void section14Constructs_data() {
         columns();
         rule("statements between definitions", "a = 1\ndef f(): return a end\na = 2\nthread t():\nend\na = 3",

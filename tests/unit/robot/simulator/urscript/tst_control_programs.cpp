@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole programs in the manner of the control scripts that clients upload: a loop over command registers, and
-// a loop over a socket with servo and trajectory threads.
+// Complete programs similar to the control scripts that clients upload: a loop over command registers, and a loop
+// over a socket with servo and trajectory threads.
 
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 
@@ -244,7 +244,7 @@ private Q_SLOTS:
                  -1.0);
         run.host.intIn[0] = 0;
         run.frames(5);
-        run.host.intIn[0] = 1;  // a new target while moving: the old thread is killed, the new one moves
+        run.host.intIn[0] = 1;  // a new target during motion: the old thread is killed, the new one moves
         run.frames(2);
         QCOMPARE(countOf<Move>(run.host), 2u);
         QCOMPARE(run.host.abandoned.size(), 1u);

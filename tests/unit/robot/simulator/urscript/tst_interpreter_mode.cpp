@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpreter mode: lines run inside a program, in its order, with its variables.
+// Interpreter mode: lines run inside a program, in order, with its variables.
 
 #include "robot/simulator/urscript/interpreter_mode.h"
 
@@ -86,7 +86,8 @@ private Q_SLOTS:
         QCOMPARE(s.line("textmsg(f(1) * 10 + f(a=1, b=4))"), "ack 2");
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "25");
-        QCOMPARE(s.line("def f(a): return 100 * a end"), "ack 3");  // again: the newest counts
+        QCOMPARE(s.line("def f(a): return 100 * a end"),
+                 "ack 3");  // redefined: the newest definition is used
         QCOMPARE(s.line("textmsg(f(2))"), "ack 4");
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "200");
@@ -136,7 +137,7 @@ private Q_SLOTS:
         s.frames(5);
         QCOMPARE(s.host.motions.size(), std::size_t(1));
         s.frames(20);
-        s.mode().abortMove();  // nothing under way
+        s.mode().abortMove();  // nothing is running
         s.frames(2);
         QCOMPARE(s.host.motions.size(), std::size_t(1));
     }
@@ -158,7 +159,7 @@ private Q_SLOTS:
         s.line("def f(): return v end");
         s.frames(1);
         QCOMPARE(s.line("clear_interpreter()"), "ack 3");
-        QCOMPARE(s.line("textmsg(f())"), "wait");  // not before it is clear
+        QCOMPARE(s.line("textmsg(f())"), "wait");  // not before the queue is cleared
         s.frames(1);
         QCOMPARE(s.mode().counts().lastCleared, 3u);
         QCOMPARE(s.line("textmsg(f())"), "discard compile_error_name_not_found:f:");
@@ -179,7 +180,7 @@ private Q_SLOTS:
         Session s;
         s.line("thread t(): while True: sync() end end");
         s.line("h = run t()");
-        s.line("k = run counter()");  // the program's own: stays
+        s.line("k = run counter()");  // defined by the program, so it stays
         s.frames(2);
         QCOMPARE(s.interpreter->threadCount(), 3);
         s.line("clear_interpreter()");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The language around expressions: layout, functions, scopes, flow of control, compile errors.
+// The language apart from expressions: layout, functions, scopes, control flow, compile errors.
 
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XML-RPC: what is sent for a call, what becomes of a reply, and what a program waits for.
+// XML-RPC: the request of a call, the handling of replies, and blocking of the program.
 
 #include "robot/simulator/urscript/xml_rpc.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
@@ -15,7 +15,7 @@ std::string ok(const std::string& value) {
            body;
 }
 
-/// The value of a reply in the format of to_str, or "error: ...", or "more".
+/// Value of a reply in the format of to_str, or "error: ...", or "more".
 std::string read(const std::string& reply, bool ended = true) {
     const auto outcome = xml_rpc::reply(reply, ended);
     if (!outcome.ok()) {
@@ -82,7 +82,7 @@ private Q_SLOTS:
             QCOMPARE(read(whole.substr(0, i), false), "more");
         }
         QCOMPARE(read(whole, false), "5");
-        // Without a length the end of the connection is the end of the reply.
+        // Without a length the reply ends with the connection.
         std::string unmeasured = whole;
         unmeasured.erase(unmeasured.find("Content-length"), std::string("Content-length: 000\r\n").size());
         QCOMPARE(read(unmeasured, false), "more");

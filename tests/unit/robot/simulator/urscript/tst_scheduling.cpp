@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "1");
     }
     void whoHasMostOfTheFrameLeftRunsFirst() {
-        // The main body has used half of its slice when the thread has all of its own.
+        // The main body has used half of its slice when the thread still has all of its own.
         ScriptRun run(
             "def m():\n order = \"\"\n thread t():\n order = order + \"t\"\n sync()\n order = order + \"t\"\n"
             " end\n h = run t()\n sleep(0.001)\n order = order + \"m\"\n sleep(0.002)\n"
@@ -213,7 +213,8 @@ private Q_SLOTS:
         QCOMPARE(run.host.motions.back().thread, 0);
     }
     void finishedMotionFreesTheArmBeforeThreadsRun() {
-        // The servo of the thread started last is over when the main body, first in the frame, stops.
+        // The servo command of the thread started last is already over when the main body, which runs first in the
+        // frame, stops.
         ScriptRun run(
             "def m():\nthread t():\nservoj([0,0,0,0,0,0], t=0.002)\nwhile True:\nsync()\nend\nend\nh = run "
             "t()\n"
@@ -278,7 +279,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "2");
     }
     void protectiveStopLetsTheFrameEnd() {
-        // A client expects the one-line program to be over although the robot is stopped.
+        // A client expects the one-line program to have ended although the robot is stopped.
         ScriptRun run("def m():\nprotective_stop()\nend\n");
         run.host.onProtectiveStop = [&] { run.interpreter->pause(); };
         QCOMPARE(run.frames(1), State::Finished);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Socket builtins against two strings, and the splitter that cuts incoming text into units.
+// Socket builtins with two strings as the connection, and the splitter that divides incoming text into units.
 
 #include "robot/simulator/urscript/source_splitter.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
@@ -92,8 +92,8 @@ private Q_SLOTS:
         run.socket().state = SocketHost::State::Closed;
         QCOMPARE(run.frames(10), State::Running);
     }
-    // Reading takes time; only what neither waits nor reads is endless. The limits of a frame are small here,
-    // so that little data suffice.
+    // Reading takes time; only a loop that neither waits nor reads is endless. The limits of a frame are small
+    // here, so that little data is sufficient.
     void aLoopThatAlwaysFindsDataGoesOn_data() {
         QTest::addColumn<QString>("read");
         QTest::addColumn<QString>("unit");
@@ -125,7 +125,7 @@ private Q_SLOTS:
             run.host.sockets["socket_0"].in = unit.repeated(4000).toStdString();
             QCOMPARE(run.frames(1), State::Running);
             const int after = std::stoi(run.value("n"));
-            // Some are read in each frame, and not all of it is for them.
+            // Some are read in each frame, and not all of the frame is available for them.
             QVERIFY2(after - before > 10 && after - before < 2'000 / 20, qPrintable(QString::number(after)));
             before = after;
         }

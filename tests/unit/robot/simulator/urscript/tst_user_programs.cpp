@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What published programs use that earlier tests of the language did not: spellings, containers, builtins that PolyScope
-// writes into exported programs, functions that a software version lacks, and where a program sent over a socket ends.
+// Features of published programs that earlier tests of the language did not cover: spellings, containers, builtins
+// that PolyScope writes into exported programs, functions that a software version lacks, and the end of a program
+// sent over a socket.
 
 #include <QTest>
 #include <vector>
@@ -16,7 +17,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-/// Text messages of a program that ends by itself, or the error as the last one.
+/// Text messages of a program that ends by itself, or the error as the last message.
 std::vector<std::string> messagesOf(const std::string& body) {
     const CompileOutcome outcome = compile("def p():\n" + body + "\nend\n");
     if (!outcome) {
@@ -112,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(messagesOf("side=1\nif side>1:\n side=0\nelse: side\n side=-1\nend\ntextmsg(side)"),
                  (Texts{"-1"}));
         QCOMPARE(messagesOf("a=1\na\ntextmsg(a)"), (Texts{"1"}));
-        // Not every expression, and no name that does not exist.
+        // Not every expression is accepted, and no unknown name.
         QVERIFY(!compile("def p():\n a=1\n a b\nend\n"));
         QVERIFY(!compile("def p():\n nowhere\nend\n"));
         QVERIFY(!compile("def p():\n 1\nend\n"));
@@ -155,7 +156,7 @@ private Q_SLOTS:
               "l.slice(3,2)", "l.slice(0,6)", "l.slice(-1,2)", "l.excess_capacity(1)"}) {
             QVERIFY2(messagesOf(list + wrong).back().find("error") == 0, wrong);
         }
-        // Nothing of a list that does not fit is added.
+        // No element of a list that does not fit is added.
         ScriptRun run("def p():\n global l=make_list(1,1,2)\n l.extend([2,3])\nend\n");
         run.frames(5);
         QVERIFY(!run.error().empty());
@@ -223,7 +224,7 @@ private Q_SLOTS:
                  known);
     }
 
-    // Where a program sent over a socket ends
+    // End of a program sent over a socket
 
     void aMissingEndDoesNotSwallowTheNextProgram() {
         const std::string g = "def g():\n if True:\n  textmsg(\"x\")\nend\n";
@@ -232,7 +233,7 @@ private Q_SLOTS:
         const CompileOutcome outcome = compile(g);
         QVERIFY(!outcome);
         QVERIFY2(outcome.error.text.find("syntax_error_on_line:4") == 0, outcome.error.text.c_str());
-        // The last `end` is missing, a loop is open, a secondary program comes next.
+        // The last `end` is missing, a loop is open, and a secondary program follows.
         const std::string open = "def g():\n  textmsg(\"x\")\n";
         QCOMPARE(unitsOf(open + h), (Texts{open, h}));
         const std::string loop = "def g():\n\twhile True:\n\t\tsync()\nend\n";
