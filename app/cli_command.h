@@ -39,6 +39,9 @@ int exportRecording(const QStringList& arguments);
 int serve(const QStringList& arguments);
 /// Recordings as demonstrations to learn from.
 int episodes(const QStringList& arguments);
+/// A project: its content, its errors, or a conversion.
+/// Returns  kFailed when a check finds an error
+int projectCommand(const QStringList& arguments);
 /// When the arm of a recording parted from its model.
 int divergence(const QStringList& arguments);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli: what Tiller can do without a window. Links the backend only, which proves that the backend
-// stands on its own.
+// tiller-cli: what Tiller can do without a window. Links no widgets.
 
 #include <QCoreApplication>
 
@@ -27,6 +26,7 @@ const QString kHelp = QStringLiteral(
     "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
     "  serve ADDRESS        send on what a robot sends, to Foxglove or PlotJuggler\n"
     "  episodes FILE...     recordings as demonstrations to learn from\n"
+    "  project ACTION FILE  inspect, check or convert a project (see 'tiller-cli project --help')\n"
     "  divergence FILE      say when the arm of a recording parted from its model\n"
     "\n"
     "Options:\n"
@@ -77,6 +77,9 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("episodes")) {
         return app::episodes(arguments);
+    }
+    if (command == QLatin1String("project")) {
+        return app::projectCommand(arguments);
     }
     if (command == QLatin1String("divergence")) {
         return app::divergence(arguments);

@@ -4,8 +4,11 @@
 
 #include <QDirIterator>
 #include <QFile>
+#include <QHash>
+#include <QLibraryInfo>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QStandardPaths>
 #include <QTest>
 #include <algorithm>
@@ -88,7 +91,7 @@ const QList<Room>& rooms() {
           "robot/station/link"},
          kGui},
         {"robot/station/document",
-         {"robot/core", "robot/kinematics", "robot/project", "robot/station/executor"},
+         {"robot/core", "robot/kinematics", "robot/collision", "robot/project", "robot/station/executor"},
          kGui},
         {"robot/station/route",
          {"robot/core", "robot/receive", "robot/control", "robot/kinematics", "robot/project",
@@ -189,6 +192,70 @@ QStringList sourceFiles() {
 QByteArray contentsOf(const QString& file) {
     QFile f(QStringLiteral(TILLER_SOURCE_DIR "/") + file);
     return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
+}
+
+/// "widgets/jog/jog_pad" for its header and its source.
+QString unitOf(const QString& file) {
+    return file.section('.', 0, 0);
+}
+
+/// What the header and the source of a unit include.
+QStringList includesOf(const QString& unit) {
+    static const QRegularExpression kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
+                                             QRegularExpression::MultilineOption);
+    QStringList included;
+    for (const char* suffix : {".h", ".cpp"}) {
+        auto it = kInclude.globalMatch(QString::fromUtf8(contentsOf(unit + suffix)));
+        while (it.hasNext()) {
+            included << it.next().captured(1);
+        }
+    }
+    return included;
+}
+
+/// True for a header of Qt Gui, Widgets, Charts or Svg, and of the libraries of displays and devices.
+bool isOfDisplay(const QString& header) {
+    static const QDir kHeaders(QLibraryInfo::path(QLibraryInfo::HeadersPath));
+    static const QRegularExpression kOthers("^(xcb/|SDL|spnav|X11/)");
+    return kOthers.match(header).hasMatch() ||
+           (header.startsWith('Q') && !kHeaders.exists("QtCore/" + header) &&
+            !kHeaders.exists("QtNetwork/" + header));
+}
+
+/// Whether a unit of widgets/ shows something, or uses one that does.
+bool needsDisplay(const QString& unit, QSet<QString>& seen) {
+    if (seen.contains(unit)) {
+        return false;
+    }
+    seen.insert(unit);
+    const QStringList included = includesOf(unit);
+    return std::any_of(included.begin(), included.end(), [&](const QString& header) {
+        return isOfDisplay(header) || (header.startsWith("widgets/") && needsDisplay(unitOf(header), seen));
+    });
+}
+
+/// Units of widgets/ that need no display, with the reason why they are there all the same.
+const QHash<QString, QString>& withoutDisplay() {
+    static const QString kView = "values of the 3D view";
+    static const QString kPlots = "layout of plots on the screen";
+    static const QString kTutorial = "the tutorial of the window";
+    static const QHash<QString, QString> table = {
+        {"widgets/common/scene_marks", kView},
+        {"widgets/jog/input_device", "what devices in widgets/ implement"},
+        {"widgets/plots/axis_range", kPlots},
+        {"widgets/plots/plot_layout", kPlots},
+        {"widgets/plots/time_window", kPlots},
+        {"widgets/practice/first_steps", kTutorial},
+        {"widgets/practice/practice", kTutorial},
+        {"widgets/practice/practice_check", kTutorial},
+        {"widgets/scene/arm_mesh", kView},
+        {"widgets/scene/camera", kView},
+        {"widgets/scene/label_placer", kView},
+        {"widgets/scene/lanes", kView},
+        {"widgets/scene/mesh", kView},
+        {"widgets/scene/scene_trace", kView},
+    };
+    return table;
 }
 
 /// Those a program of others can include; the classes of the ur_rtde interface are given.
@@ -327,6 +394,29 @@ private Q_SLOTS:
         }
         QVERIFY2(includes > 100, "no include lines found: is TILLER_SOURCE_DIR right?");
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
+    }
+
+    // Logic without pixels belongs to robot/station, where tiller-cli and tests in virtual time can use it.
+    void widgetsNeedADisplay() {
+        QVERIFY(isOfDisplay("QWidget") && isOfDisplay("QUndoStack"));
+        QVERIFY(!isOfDisplay("QObject") && !isOfDisplay("QTcpSocket"));
+        QSet<QString> found;
+        int units = 0;
+        for (const QString& file : sourceFiles()) {
+            if (file.startsWith("widgets/")) {
+                ++units;
+                QSet<QString> seen;
+                if (!needsDisplay(unitOf(file), seen)) {
+                    found.insert(unitOf(file));
+                }
+            }
+        }
+        QVERIFY(units > 100);
+        const QStringList table = withoutDisplay().keys();
+        const QSet<QString> expected(table.begin(), table.end());
+        QVERIFY2(found == expected,
+                 qPrintable("not in the table: " + QStringList((found - expected).values()).join(' ') +
+                            "; in it without need: " + QStringList((expected - found).values()).join(' ')));
     }
 
     // Those are not installed: a header of a user's that includes one would not compile.
