@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli: the functions of Tiller without a window. It links the backend only, which proves that the backend
-// does not depend on the user interface.
+// tiller-cli: what Tiller can do without a window. Links no widgets.
 
 #include <QCoreApplication>
 

@@ -451,7 +451,7 @@ private Q_SLOTS:
             {"UNLOCK_PROTECTIVE_STOP", {}},
         };
         int files = 0;
-        for (const char* top : {"app", "widgets"}) {
+        for (const char* top : {"app", "widgets", "robot/station"}) {
             QDirIterator it(QStringLiteral(TILLER_SOURCE_DIR "/") + top, {"*.h", "*.cpp"}, QDir::Files,
                             QDirIterator::Subdirectories);
             while (it.hasNext()) {

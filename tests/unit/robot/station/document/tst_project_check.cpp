@@ -53,6 +53,13 @@ QVector<Kind> kindsOf(const std::vector<ProjectFinding>& findings) {
     return kinds;
 }
 
+/// Its upper face is this far below the place.
+project::CellBox boxBelow(const Eigen::Vector3d& place, double gap) {
+    project::CellBox box = boxAt(place);
+    box.pose.position.z() -= gap + box.size.z() / 2;
+    return box;
+}
+
 }  // namespace
 
 class TestProjectCheck : public QObject {
@@ -98,23 +105,30 @@ private Q_SLOTS:
 
     void safetyDistanceIsKeptAtAWaypoint() {
         project_.waypoints.take(1);
-        const Eigen::Vector3d tool = kinematics::forwardTcp(arm().dh, turned(0)).position;
-        project_.cell.floor = tool.z() - 0.2;
+        project_.cell.boxes.append(boxBelow(project_.waypoints.at(0).pose.position, 0.03));
         QVERIFY(checkProject(project_, arm()).empty());
-        // The distance to the floor is 0.2 m less the radius of the wrist.
-        project_.cell.safetyDistance = 0.2;
+        project_.cell.safetyDistance = 0.04;
+        const auto findings = checkProject(project_, arm());
+        QCOMPARE(kindsOf(findings), QVector{Kind::TooClose});
+        QCOMPARE(findings[0].contact.with, collision::Contact::With::Obstacle);
+        QVERIFY(findings[0].contact.distance > 0.01 && findings[0].contact.distance < 0.04);
+    }
+
+    void flangeInsideABoxIsFound() {
+        project_.waypoints.take(1);
+        project_.cell.boxes.append(boxAt(project_.waypoints.at(0).pose.position));
+        const auto findings = checkProject(project_, arm());
+        QCOMPARE(kindsOf(findings), QVector{Kind::TooClose});
+        QCOMPARE(findings[0].contact.with, collision::Contact::With::Obstacle);
+        QVERIFY(findings[0].contact.distance < 0);
+    }
+
+    void armBelowTheFloorIsFound() {
+        project_.waypoints.take(1);
+        project_.cell.floor = project_.waypoints.at(0).pose.position.z();
         const auto findings = checkProject(project_, arm());
         QCOMPARE(kindsOf(findings), QVector{Kind::TooClose});
         QCOMPARE(findings[0].contact.with, collision::Contact::With::Border);
-        QVERIFY(findings[0].contact.distance > 0 && findings[0].contact.distance < 0.2);
-    }
-
-    void wristBelowTheFloorIsFound() {
-        project_.waypoints.take(1);
-        project_.cell.floor = kinematics::forwardTcp(arm().dh, turned(0)).position.z() + 0.02;
-        const auto findings = checkProject(project_, arm());
-        QCOMPARE(kindsOf(findings), QVector{Kind::TooClose});
-        QVERIFY(findings[0].contact.distance < 0);
     }
 
     void recordedPathThroughABoxIsFound() {
@@ -137,7 +151,8 @@ private Q_SLOTS:
         point.tcpOffset = Pose(0, 0, 0.2, 0, 0, 0);
         point.pose = kinematics::forwardTcp(arm().dh, turned(0), point.tcpOffset);
         project_.waypoints.append(point);
-        project_.cell.floor = point.pose.position.z() - 0.05;
+        // Its side is 50 mm from the axis of the tool.
+        project_.cell.boxes.append(boxAt(point.pose.position + Eigen::Vector3d(0.075, 0, 0.1)));
         QVERIFY(checkProject(project_, arm()).empty());
         project::Tool tool;
         tool.id = QUuid::createUuid();
