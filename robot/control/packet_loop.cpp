@@ -264,9 +264,11 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     if (cycle.error.code != ErrorCode::None) {
         return cycle.error;
     }
+    // By the times of both ends, not by when this thread looks.
     const auto& last = cycle.longCall();
-    const bool isJustOver = last.tookNs > 0 && d.now() - last.endedNs < kNsPerSecond / 2;
-    if (!ended && ended.error().code == ErrorCode::LinkLost && isJustOver) {
+    const bool endedMotion =
+        last.tookNs > 0 && d.mailbox.epoch().endedNs(motion.id()) - last.endedNs < kNsPerSecond / 2;
+    if (!ended && ended.error().code == ErrorCode::LinkLost && endedMotion) {
         return slowCallback(last.tookNs, cycle.report, cycle.period());
     }
     return ended;

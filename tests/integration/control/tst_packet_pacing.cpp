@@ -348,6 +348,28 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(250) >= 0);
     }
 
+    // The thread that waits for the end of the loop may get the CPU late.
+    void aCallbackThatHangsIsNamedWhenTheLoopEndsLate() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        QVERIFY(cell.step(10));
+        SlowLoop loop(cell, [](const CycleState&) {});
+        QVERIFY(loop.waitForCall());
+        cell.stepAlone();
+        loop.permit();
+        QVERIFY(loop.waitForCall());
+        QVERIFY(cell.controller->status().motion != kNoMotion);
+        cell.stepAlone(60);
+        loop.permit();
+        while (cell.controller->status().motion != kNoMotion) {
+            std::this_thread::yield();
+        }
+        cell.clock.advanceNs(kNsPerSecond);
+        loop.letEnd();
+        QVERIFY2(loop.ended.error().controllerMessage.contains("a call of the callback took 120.0 ms"),
+                 qPrintable(loop.ended.error().toString()));
+    }
+
     void whoWantsPacketsOnlyWaitsForThem() {
         Cell cell;
         cell.clock.pretendToRun();
