@@ -223,9 +223,14 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
-        // A line towards a far point moves until the end of reach.
+        // A line towards a far point moves until the end of reach, where the robot stops it.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
-        QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, 20));
+        constexpr double kHangs = 60;  // [s]
+        QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, kHangs));
+        const Six& pose = client_->data().actualPose;
+        constexpr double kShoulder = 0.1625;  // above the base [m]
+        const double reach = std::hypot(pose[0], pose[1], pose[2] - kShoulder);
+        QVERIFY2(reach > 0.9, qPrintable(QString::number(reach)));
         QCOMPARE(client_->news().errorLevels, std::vector<int>{2});
         QCOMPARE(client_->news().safetyModes, std::vector<int>{3});
         client_->step(2600);

@@ -217,16 +217,25 @@ private Q_SLOTS:
         QTest::addColumn<Holding>("holding");
         QTest::addColumn<int>("gapMs");
         QTest::addColumn<bool>("survives");
-        QTest::newRow("usual") << 100 << Holding::Free << 400 << false;
-        QTest::newRow("longer") << 800 << Holding::Free << 600 << true;
-        QTest::newRow("too long") << 110 << Holding::Free << 440 << false;
-        QTest::newRow("held") << 800 << Holding::Held << 400 << false;
+        QTest::addColumn<bool>("keepsControl");
+        // Without data for longer than ControllerOptions::connectionTimeout, and than the silence of the move, the
+        // connection counts as dead.
+        const auto timeoutMs = static_cast<int>(ControllerOptions().connectionTimeout.count());
+        QTest::newRow("usual") << 100 << Holding::Free << 400 << false << true;
+        QTest::newRow("longer") << 800 << Holding::Free << 600 << true << true;
+        QTest::newRow("too long, at the timeout") << 110 << Holding::Free << timeoutMs << false << true;
+        QTest::newRow("too long, above the timeout")
+            << 110 << Holding::Free << timeoutMs + 2 << false << false;
+        QTest::newRow("longer, at its limit") << 800 << Holding::Free << 798 << true << true;
+        QTest::newRow("longer, above its limit") << 800 << Holding::Free << 802 << false << false;
+        QTest::newRow("held") << 800 << Holding::Held << 400 << false << true;
     }
     void aFreeMoveSurvivesASilenceShorterThanItsOwn() {
         QFETCH(int, silenceMs);
         QFETCH(Holding, holding);
         QFETCH(int, gapMs);
         QFETCH(bool, survives);
+        QFETCH(bool, keepsControl);
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions target = turned(cell.robot.truth().q, 0, 40 * kDeg);
@@ -239,6 +248,18 @@ private Q_SLOTS:
         }
         cell.robot.silence(true);
         cell.stepAlone(gapMs / 2);
+        if (!keepsControl) {
+            QTRY_VERIFY_WITH_TIMEOUT(!cell.controller->isConnected(), 60000);
+            QCOMPARE(cell.controller->status().loss, ControlLoss::LinkLost);
+            QCOMPARE(move->wait(Deadline::after(std::chrono::seconds(60))).error().code, ErrorCode::LinkLost);
+            QCOMPARE(cell.motions().moveJ(target).error().code, ErrorCode::NotInControl);
+            cell.stepAlone(500);
+            QVERIFY(cell.isStanding());
+            QVERIFY(distance(cell.robot.truth().q, target) > 1e-3);
+            return;
+        }
+        QTest::qWait(100);  // the control thread looks up every 4 ms, and gives up after ten looks
+        QVERIFY(cell.controller->isConnected());
         QCOMPARE(!cell.isStanding(), survives);
         cell.robot.silence(false);
         QVERIFY(cell.stepMs(2000));
