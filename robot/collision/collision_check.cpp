@@ -277,7 +277,7 @@ std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way
         const double least = threshold(pair, here);
         // How much nearer the two may come before they must be looked at again.
         double clearance = here - least;
-        if (clearance <= kTouching) {
+        if (!(clearance > kTouching)) {  // also where a number is not finite
             return contactOf(pair, 0, way.front(), here);
         }
         for (std::size_t k = 0; k + 1 < way.size(); ++k) {
@@ -285,6 +285,10 @@ std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way
                 break;
             }
             const Vector6 turn = way[k + 1].values - way[k].values;
+            if (!turn.allFinite()) {
+                found = contactOf(pair, static_cast<double>(k + 1), way[k + 1], here);
+                break;
+            }
             const double most = pair.radius.dot(turn.cwiseAbs());
             double share = 0;
             while (clearance < most * (1 - share)) {

@@ -43,7 +43,8 @@ public:
     const Surroundings& surroundings() const { return surroundings_; }  ///< As given.
     double safetyDistance() const { return safetyDistance_; }           ///< As given [m].
 
-    // All of the following: threads any, several at once; never block.
+    // All of the following: threads any, several at once; never block. A position with a number that is not finite
+    // counts as in contact.
 
     /// Real-time: no (some ten microseconds)
     std::optional<Contact> at(const JointPositions& q) const;

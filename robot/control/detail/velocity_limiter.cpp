@@ -294,6 +294,14 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     }
 
     Limiter limiter;
+    const bool isKnown = q.values.allFinite() && tcpPose.position.allFinite() &&
+                         tcpPose.rotation.allFinite() && situation.qd.values.allFinite() &&
+                         twist.allFinite() && qd.allFinite();
+    if (!isKnown) {
+        // Comparisons with such numbers would find no limit anywhere.
+        limiter.scale = 0;
+        return limiter;
+    }
     const double tcpSpeed = twist.head<3>().norm();
     const double elbowSpeed = (g.elbow * qd).norm();
     holdTo(limiter, tcpSpeed, limits_.tcpSpeed, LimiterKind::TcpSpeed);

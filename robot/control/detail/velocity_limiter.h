@@ -42,7 +42,8 @@ public:
     };
     /// q, tcpPose  where the arm is (base frame)
     /// A jog that looks for contact (contactForce) may touch the surroundings with the tool and wrist 3.
-    /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all
+    /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all, or when a
+    ///             number is not finite
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {

@@ -252,6 +252,25 @@ private Q_SLOTS:
     }
 
     // Bodies that no motion brings together have no safety distance that could stop a motion.
+    // A path that cannot be followed is not free.
+    void aPathWithNumbersThatAreNoneIsObstructed() {
+        const CollisionCheck check(robotModel(RobotModelId::UR5e), {}, {});
+        const JointPositions good(0, -1.57, 0.8, -1.57, -1.57, 0);
+        QVERIFY(!check.obstruction(std::array{good, good}));
+        for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            for (int joint = 0; joint < kJointCount; ++joint) {
+                JointPositions bad = good;
+                bad[joint] = nonsense;
+                QVERIFY(check.at(bad));
+                QVERIFY(check.along(std::array{good, bad}));
+                QVERIFY(check.obstruction(std::array{bad, good}));
+                const auto contact = check.obstruction(std::array{good, good, bad, good});
+                QVERIFY(contact);
+                QCOMPARE(contact->at, 2.0);
+            }
+        }
+    }
+
     void largeSafetyDistancesLeaveTheWristFree() {
         for (const RobotModel& model : robotModels()) {
             const CollisionCheck check(model, {}, {}, 0.03);

@@ -119,6 +119,20 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::None);
     }
 
+    void aPacketWithoutAPositionEndsTheJog() {
+        for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            Bench bench;
+            bench.takeControl();
+            const MotionId jog = bench.startJog(0.05);
+            QCOMPARE(bench.tick(2).kind, ScriptCommand::JogCartesian);
+            bench.data.q[4] = nonsense;
+            QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
+            QCOMPARE(bench.causeOf(jog), StopCause::LimitReached);
+            QVERIFY(!bench.mailbox.epoch().isActive(bench.startJog(0.05)) ||
+                    bench.tick().kind == ScriptCommand::Idle);
+        }
+    }
+
     void torquesGoOutWithTheCapAndEndAboveIt_data() {
         QTest::addColumn<ScriptState>("state");
         QTest::addColumn<LimiterKind>("limiter");

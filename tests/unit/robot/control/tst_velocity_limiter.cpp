@@ -82,6 +82,38 @@ private Q_SLOTS:
         QCOMPARE(limits.maxSpeed[3], 0.5);
     }
 
+    // Nothing is known about where such an arm is, so nothing about its limits.
+    void numbersThatAreNoneStopTheJog() {
+        const JogTarget jogs[] = {linear(0.05, 0, 0), joint(1, 0.1)};
+        for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            for (const JogTarget& jog : jogs) {
+                for (int i = 0; i < kJointCount; ++i) {
+                    JointPositions q = kGoodPose;
+                    q[i] = nonsense;
+                    QCOMPARE(VelocityLimiter(ArmLimits::of(ur5e()), {}).limit(jog, q, tcpAt(kGoodPose)).scale,
+                             0.0);
+                }
+                Pose pose = tcpAt(kGoodPose);
+                pose.position.y() = nonsense;
+                QCOMPARE(VelocityLimiter(ArmLimits::of(ur5e()), {}).limit(jog, kGoodPose, pose).scale, 0.0);
+            }
+            QCOMPARE(limitAt(linear(nonsense, 0, 0), kGoodPose).scale, 0.0);
+            QCOMPARE(limitAt(joint(2, nonsense), kGoodPose).scale, 0.0);
+            JogTarget turned = linear(0.05, 0, 0);
+            turned.frame = JogFrame::Custom;
+            turned.T_base_frame.rotation.x() = nonsense;
+            QCOMPARE(limitAt(turned, kGoodPose).scale, 0.0);
+            const collision::CollisionCheck check(ur5e(), {}, {});
+            VelocityLimiter::Situation situation;
+            situation.check = &check;
+            situation.qd[3] = nonsense;
+            QCOMPARE(VelocityLimiter(ArmLimits::of(ur5e()), {})
+                         .limit(jogs[0], kGoodPose, tcpAt(kGoodPose), situation)
+                         .scale,
+                     0.0);
+        }
+    }
+
     void theTcpIsHeldToTheCapInEveryDirection() {
         for (const JogTarget& target : {linear(0.5, 0, 0), linear(0.3, -0.3, 0.3), linear(0, 0, -10)}) {
             const Limiter limiter = limitAt(target, kGoodPose);
