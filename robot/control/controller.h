@@ -67,7 +67,8 @@ struct ControllerOptions {
     /// Without data for so long the connection counts as dead: it is closed and control is lost
     /// (ControlLoss::LinkLost). Neither the end of the TCP connection nor an error is waited for, because
     /// neither comes after a power cut or from a controller that has forgotten the connection. Never sooner
-    /// than `dataTimeout`, or than the silence of the move under way; 0: only when the connection ends.
+    /// than `dataTimeout`, or than the silence of the move under way, or than 2 s while a control program is being sent
+    /// (takeControl(), paths, functions); 0: only when the connection ends.
     std::chrono::milliseconds connectionTimeout{450};
     /// True: a control program that was paused may be played again (joinProgram()), without what it was told
     /// before. False, and where force mode, freedrive or teach mode might go on in the pause: it is stopped.

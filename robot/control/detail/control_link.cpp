@@ -215,11 +215,15 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
     int looks = 0;  // in vain, since the newest package
+    // A controller that compiles a program may send nothing meanwhile, and nothing moves through this connection then.
+    constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // When this computer hung, the data may be on their way.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
-        return timeoutNs > 0 && looks >= kLooks && silentNs > std::max(timeoutNs, loop_.dataTimeoutNs());
+        const std::int64_t takingNs = loop_.status().loss == ControlLoss::Taking ? kTakingTimeoutNs : 0;
+        return timeoutNs > 0 && looks >= kLooks &&
+               silentNs > std::max({timeoutNs, loop_.dataTimeoutNs(), takingNs});
     };
     const auto answer = [&](const Command& command) {
         doneNs = now();

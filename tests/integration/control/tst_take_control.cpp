@@ -20,6 +20,7 @@
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
 #include "robot/rtde/connection.h"
+#include "robot/script/script_client.h"
 #include "robot/simulator/simulator.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
@@ -217,6 +218,55 @@ private Q_SLOTS:
         controller.release();
         // A program that was not told in time ends by itself after 5 s.
         QTRY_COMPARE_WITH_TIMEOUT(robot.truth().runtimeState, RuntimeState::Stopped, 20'000);
+    }
+
+    // A controller may send no data while it compiles: for as long as that takes, but no more than 2 s.
+    void compilingIsNoDeadConnection_data() {
+        QTest::addColumn<int>("quietMs");
+        QTest::addColumn<bool>("survives");
+        QTest::newRow("above the usual timeout") << 460 << true;
+        QTest::newRow("at the limit") << 2000 << true;
+        QTest::newRow("above the limit") << 2010 << false;
+    }
+    void compilingIsNoDeadConnection() {
+        QFETCH(int, quietMs);
+        QFETCH(bool, survives);
+        simulator::Simulator robot(robotOptions());
+        QVERIFY(robot.start().ok());
+        // Time goes on for the controller only where this test says so.
+        VirtualClock clock;
+        ControllerOptions options = to(robot);
+        options.clock = &clock;
+        bool quiet = false;
+        options.deliver = [&](const QString& program, const Deadline& deadline) -> Result<void> {
+            if (quiet) {
+                robot.silence(true);
+                QThread::msleep(50);  // what was sent before arrives
+                clock.advanceNs(quietMs * kNsPerMs);
+                QThread::msleep(150);  // the control thread looks every 4 ms, and gives up after ten looks
+                robot.silence(false);
+            }
+            script::ScriptClient client(QStringLiteral("127.0.0.1"), robot.ports().primary);
+            auto sent = client.connect(deadline);
+            return sent ? client.send(program, deadline) : sent;
+        };
+        for (const bool path : {false, true}) {
+            Controller controller(options);
+            quiet = !path;
+            auto result = controller.takeControl(soon());
+            if (path) {
+                QVERIFY2(result.ok(), qPrintable(result.error().toString()));
+                quiet = true;
+                const PathEntry entry{PathEntry::Kind::MoveJ, robot.truth().q, {}, 0.5, 1.4, 0};
+                const auto motion = Motions(controller).movePath({entry}, soon());
+                result = motion ? Result<void>() : Result<void>(motion.error());
+            }
+            QVERIFY2(result.ok() == survives,
+                     qPrintable(path ? "path: " + result.error().toString() : result.error().toString()));
+            if (!survives) {
+                QCOMPARE(result.error().code, ErrorCode::LinkLost);
+            }
+        }
     }
 
     void registersInUseAreExplainedAndTheOtherRangeWorks() {
