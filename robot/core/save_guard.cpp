@@ -69,7 +69,9 @@ struct SaveGuard::Handle {
     int descriptor = -1;
     ~Handle() {
         if (descriptor >= 0) {
-            ::close(descriptor);  // releases the lock
+            // Closing alone leaves the lock to a forked child, which has a copy of the descriptor.
+            ::flock(descriptor, LOCK_UN);
+            ::close(descriptor);
         }
     }
 };

@@ -4,16 +4,22 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 #include <memory>
 
 #include "robot/core/atomic_file.h"
+#include "robot/core/save_guard.h"
 #include "tests/support/small_disk.h"
 
 #ifdef Q_OS_UNIX
+#include <grp.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
 #endif
 
 using namespace tiller;
@@ -104,6 +110,24 @@ private Q_SLOTS:
         QCOMPARE(everything(), QStringList{"file.txt"});
     }
 
+#ifdef Q_OS_UNIX
+    // A child that was forked while a guard was held has a copy of its descriptor.
+    void aForkedChildDoesNotKeepTheSaveGuard() {
+        auto guard = SaveGuard::acquire(path_);
+        QVERIFY(guard.ok());
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::pause();
+            ::_exit(0);
+        }
+        *guard = nullptr;
+        const auto again = SaveGuard::acquire(path_);
+        ::kill(child, SIGKILL);
+        QVERIFY(::waitpid(child, nullptr, 0) == child);
+        QVERIFY2(again.ok(), again ? "" : qPrintable(again.error().toString()));
+    }
+#endif
+
     void severalWritesMakeOneFile() {
         AtomicFile file(path_, "export to file.txt");
         QVERIFY(!file.write(QByteArray("before it is open")).ok());
@@ -132,6 +156,43 @@ private Q_SLOTS:
             QCOMPARE(status.st_uid, uid_t(1234));
             QCOMPARE(status.st_gid, gid_t(4321));
         }
+    }
+
+    // A file of a colleague that both write through a common group. Only root can become someone else.
+    void theGroupStaysWithoutTheOwner_data() {
+        QTest::addColumn<int>("group");
+        QTest::addColumn<int>("expectedGroup");
+        QTest::addColumn<int>("expectedMode");
+        QTest::addColumn<int>("mode");
+        QTest::newRow("own group") << 4321 << 4321 << 0664 << 0664;
+        QTest::newRow("foreign group") << 4322 << 5678 << 0666 << 0676;  // writable for everyone
+    }
+    void theGroupStaysWithoutTheOwner() {
+        QFETCH(int, group);
+        QFETCH(int, expectedGroup);
+        QFETCH(int, expectedMode);
+        QFETCH(int, mode);
+        if (::geteuid() != 0) {
+            QSKIP("needs root");
+        }
+        QVERIFY(writeFileAtomically(path_, "old").ok());
+        const QByteArray name = path_.toLocal8Bit();
+        QVERIFY(::chmod(QFileInfo(path_).absolutePath().toLocal8Bit().constData(), 0777) == 0);
+        QVERIFY(::chown(name.constData(), 1234, static_cast<gid_t>(group)) == 0);
+        QVERIFY(::chmod(name.constData(), static_cast<mode_t>(mode)) == 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const gid_t groups[] = {4321};
+            const bool other = ::setgroups(1, groups) == 0 && ::setgid(5678) == 0 && ::setuid(5679) == 0;
+            ::_exit(other && writeFileAtomically(path_, "new").ok() ? 0 : 1);
+        }
+        int how = -1;
+        QVERIFY(::waitpid(child, &how, 0) == child);
+        QCOMPARE(how, 0);
+        struct stat status {};
+        QVERIFY(::stat(name.constData(), &status) == 0);
+        QCOMPARE(status.st_gid, static_cast<gid_t>(expectedGroup));
+        QCOMPARE(int(status.st_mode & 07777), expectedMode);
     }
 
     void symbolicLinksAreFollowed() {
