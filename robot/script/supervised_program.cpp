@@ -117,10 +117,11 @@ QString stepTimeText(const SoftwareVersion& version) {
 }
 
 int SupervisedProgram::lineOf(int line) const {
-    if (line <= insertedAfter) {
+    if (lines.empty()) {
         return line;
     }
-    return line > insertedAfter + insertedLines ? line - insertedLines : 0;
+    return line >= 1 && line <= static_cast<int>(lines.size()) ? lines[static_cast<std::size_t>(line) - 1]
+                                                               : 0;
 }
 
 SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
@@ -129,40 +130,44 @@ SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
     SupervisedProgram result;
     QStringList lines;
     int depth = 0;
+    int number = 0;  // of the user's line
     bool wraps = false;
+    const auto keep = [&](const QString& line) {
+        lines += line;
+        result.lines.push_back(number);
+    };
     const auto insert = [&](const QStringList& inserted) {
-        if (result.insertedLines == 0) {
-            result.insertedAfter = static_cast<int>(lines.size());
-            result.insertedLines = static_cast<int>(inserted.size());
-        }
         lines += inserted;
+        result.lines.insert(result.lines.end(), static_cast<std::size_t>(inserted.size()), 0);
     };
     const auto endWrapping = [&] {
         if (wraps) {
-            lines += QStringList{QStringLiteral("end"), QString()};
+            insert({QStringLiteral("end"), QString()});
         }
         wraps = false;
     };
     for (const QString& line : program.split(QLatin1Char('\n'))) {
+        ++number;
         const QString code = codeOf(line);
         if (depth == 0 && beginsWith(code, "def")) {
             endWrapping();
             if (const qsizetype header = headerLength(line); header > 0) {
-                insert(QStringList{line.left(header)} + watchdog);
-                lines += line.mid(header);
+                keep(line.left(header));
+                insert(watchdog);
+                keep(line.mid(header));
             } else {
-                lines += line;
+                keep(line);
                 insert(watchdog);
             }
         } else if (depth == 0 && (beginsWith(code, "sec") || isCommand(code))) {
             endWrapping();
-            lines += line;
+            keep(line);
         } else {
             if (depth == 0 && !wraps && !code.isEmpty()) {
                 insert(QStringList{QStringLiteral("def tiller_heartbeat_program():")} + watchdog);
                 wraps = true;
             }
-            lines += line;
+            keep(line);
         }
         depth = std::max(0, depth + depthChange(code));
     }

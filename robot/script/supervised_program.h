@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "robot/core/version.h"
 
@@ -33,9 +34,9 @@ struct Heartbeat {
 
 struct SupervisedProgram {
     QString text;
-    QString name;           ///< of the first program in it, in the controller's messages; may be empty
-    int insertedAfter = 0;  ///< lines of the user's text before the inserted lines
-    int insertedLines = 0;  ///< 0: the text is the user's own
+    QString name;  ///< of the first program in it, in the controller's messages; may be empty
+    /// For each line of `text` that of the user's text, counted from 1; 0 for an inserted one. Empty: the same.
+    std::vector<int> lines;
     /// Line of the user's text, counted from 1, for a line of `text`; 0 for an inserted line.
     int lineOf(int line) const;
 };

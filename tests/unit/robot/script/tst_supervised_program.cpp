@@ -130,10 +130,23 @@ private Q_SLOTS:
             text.contains(QStringLiteral("rtde_set_watchdog(\"input_int_register_24\", 6.667, \"stop\")")));
     }
 
+    void linesAreTheUsersOwn_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("one") << "# a comment\ndef mine():\n  a = 1\n  b = 2\nend\n"
+                             << "mine";
+        QTest::newRow("two") << "def mine():\n  a = 1\nend\n\ndef other():\n  b = 2\n  c = 3\nend\n"
+                             << "mine";
+        QTest::newRow("statements around them") << "a = 1\nsync()\ndef mine():\n  b = 2\nend\nsync()\nc = 3\n"
+                                                << "tiller_heartbeat_program";
+        QTest::newRow("secondary first") << "sec quick():\n  a = 1\nend\ndef mine():\n  b = 2\nend\n"
+                                         << "mine";
+    }
     void linesAreTheUsersOwn() {
-        const QString text = QStringLiteral("# a comment\ndef mine():\n  a = 1\n  b = 2\nend\n");
+        QFETCH(QString, text);
+        QFETCH(QString, name);
         const SupervisedProgram made = supervised(text, heartbeat(), kVersion);
-        QCOMPARE(made.name, QStringLiteral("mine"));
+        QCOMPARE(made.name, name);
         const QStringList lines = made.text.split('\n');
         const QStringList own = text.split('\n');
         int found = 0;
@@ -144,6 +157,8 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(found, own.size());
+        QCOMPARE(made.lineOf(0), 0);
+        QCOMPARE(made.lineOf(static_cast<int>(lines.size()) + 1), 0);
     }
 
     void bareLinesBecomeOneProgram() {
