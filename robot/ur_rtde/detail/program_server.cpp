@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "robot/ur_rtde/detail/program_server.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 
 #ifdef _WIN32
@@ -20,6 +22,7 @@ using native_socket::Descriptor;
 using native_socket::Status;
 
 constexpr std::chrono::milliseconds kSlice(20);
+constexpr std::chrono::seconds kSendTimeout(5);
 constexpr const char* kRequest = "request_program";
 
 #ifdef _WIN32
@@ -60,58 +63,84 @@ void ProgramServer::setProgram(std::string program) {
 }
 
 void ProgramServer::run() {
+    std::vector<Client> clients;
     while (!quit_) {
-        if (!native_socket::waitReadable(listener_, kSlice)) {
-            continue;
+        if (native_socket::waitReadable(listener_, kSlice)) {
+            accept(clients);
         }
-        const auto client =
-            static_cast<Descriptor>(::accept(static_cast<Handle>(listener_), nullptr, nullptr));
-        if (client >= 0) {
-            native_socket::prepare(client);
-            serve(client);
-            native_socket::close(client);
-        }
+        std::erase_if(clients, [this](Client& client) {
+            const bool over = !serve(client);
+            if (over) {
+                native_socket::close(client.socket);
+            }
+            return over;
+        });
+    }
+    for (const Client& client : clients) {
+        native_socket::close(client.socket);
     }
 }
 
-// One request after the other, until the URCap hangs up.
-void ProgramServer::serve(Descriptor client) {
-    std::string line;
-    while (!quit_) {
-        std::array<std::uint8_t, 256> bytes{};
-        if (!native_socket::waitReadable(client, kSlice)) {
-            continue;
+void ProgramServer::accept(std::vector<Client>& clients) {
+    const auto socket = static_cast<Descriptor>(::accept(static_cast<Handle>(listener_), nullptr, nullptr));
+    if (socket < 0) {
+        return;
+    }
+    native_socket::prepare(socket);
+    if (clients.size() >= kMaxClients) {
+        const auto oldest =
+            std::min_element(clients.begin(), clients.end(),
+                             [](const Client& a, const Client& b) { return a.lastNews < b.lastNews; });
+        native_socket::close(oldest->socket);
+        clients.erase(oldest);
+    }
+    clients.push_back({socket, {}, {}, std::chrono::steady_clock::now()});
+}
+
+// One request after the other, until the URCap hangs up. False: the connection is over.
+bool ProgramServer::serve(Client& client) {
+    if (native_socket::waitReadable(client.socket, std::chrono::milliseconds(0)) && !receive(client)) {
+        return false;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    while (!client.pending.empty()) {
+        const auto sent = native_socket::send(
+            client.socket,
+            std::span(reinterpret_cast<const std::uint8_t*>(client.pending.data()), client.pending.size()));
+        if (sent.status == Status::WouldBlock) {
+            return now - client.lastNews < kSendTimeout;
         }
-        const auto got = native_socket::receive(client, bytes);
-        if (got.status != Status::Ok) {
-            return;
+        if (sent.status != Status::Ok) {
+            return false;
         }
-        constexpr std::size_t kLongestLine = 4096;
-        line.append(reinterpret_cast<const char*>(bytes.data()), got.bytes);
-        if (line.size() > kLongestLine) {
-            return;
-        }
-        for (auto end = line.find('\n'); end != std::string::npos; end = line.find('\n')) {
-            const bool asks = line.compare(0, end, kRequest) == 0;
-            line.erase(0, end + 1);
-            std::string text;
-            {
-                const std::lock_guard lock(mutex_);
-                text = asks ? program_ + "\n" : std::string();
-            }
-            for (std::size_t at = 0; at < text.size() && !quit_;) {
-                const auto sent = native_socket::send(
-                    client,
-                    std::span(reinterpret_cast<const std::uint8_t*>(text.data()) + at, text.size() - at));
-                at += sent.bytes;
-                if (sent.status == Status::WouldBlock) {
-                    native_socket::waitWritable(client, std::chrono::milliseconds(10));
-                } else if (sent.status != Status::Ok) {
-                    return;
-                }
-            }
+        client.pending.erase(0, sent.bytes);
+        client.lastNews = now;
+    }
+    return true;
+}
+
+bool ProgramServer::receive(Client& client) {
+    std::array<std::uint8_t, 256> bytes{};
+    const auto got = native_socket::receive(client.socket, bytes);
+    if (got.status != Status::Ok) {
+        return got.status == Status::WouldBlock;
+    }
+    constexpr std::size_t kMaxLine = 4096;
+    client.line.append(reinterpret_cast<const char*>(bytes.data()), got.bytes);
+    if (client.line.size() > kMaxLine) {
+        return false;
+    }
+    client.lastNews = std::chrono::steady_clock::now();
+    for (auto end = client.line.find('\n'); end != std::string::npos; end = client.line.find('\n')) {
+        const bool asks = client.line.compare(0, end, kRequest) == 0;
+        client.line.erase(0, end + 1);
+        // Who asks again without reading gets no second copy.
+        if (asks && client.pending.empty()) {
+            const std::lock_guard lock(mutex_);
+            client.pending = program_ + "\n";
         }
     }
+    return true;
 }
 
 }  // namespace tiller::urrtde

@@ -5,14 +5,18 @@
 // Private to this room.
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "robot/core/native_socket.h"
 
 namespace tiller::urrtde {
 
+/// Serves up to kMaxClients connections at a time; a further one replaces the one that has been silent for longest. A
+/// client that does not read its program for 5 s is disconnected.
 /// Thread: one, normal priority, from the constructor to the destructor, which takes at most 50 ms.
 class ProgramServer {
 public:
@@ -25,9 +29,20 @@ public:
     /// What is handed out from now on.
     void setProgram(std::string program);
 
+    static constexpr std::size_t kMaxClients = 8;
+
 private:
+    struct Client {
+        native_socket::Descriptor socket = -1;
+        std::string line;                                ///< received, without its end yet
+        std::string pending;                             ///< to be sent
+        std::chrono::steady_clock::time_point lastNews;  ///< when it last sent or took something
+    };
+
     void run();
-    void serve(native_socket::Descriptor client);
+    void accept(std::vector<Client>& clients);
+    bool serve(Client& client);
+    bool receive(Client& client);
 
     native_socket::Descriptor listener_ = -1;
     std::mutex mutex_;

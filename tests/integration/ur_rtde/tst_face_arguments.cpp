@@ -12,6 +12,8 @@
 #include <QTest>
 #include <future>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include "tests/integration/ur_rtde/face_cell.h"
 
@@ -342,6 +344,13 @@ private Q_SLOTS:
                                          RTDEControlInterface::FLAG_NO_WAIT |
                                          RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS,
                                      port);
+        // Others that say nothing, a scanner of ports for one, hold up no one.
+        std::vector<std::unique_ptr<QTcpSocket>> silent;
+        for (int i = 0; i < 12; ++i) {
+            silent.push_back(std::make_unique<QTcpSocket>());
+            silent.back()->connectToHost(QHostAddress::LocalHost, static_cast<quint16>(port));
+            QVERIFY(silent.back()->waitForConnected(10'000));
+        }
         QTcpSocket cap;
         cap.connectToHost(QHostAddress::LocalHost, static_cast<quint16>(port));
         QVERIFY(cap.waitForConnected(10'000));
