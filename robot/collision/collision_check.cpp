@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -89,7 +88,7 @@ double halfLength(const Capsule& rod) {
 }  // namespace
 
 CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
-                               double safetyDistance)
+                               double safetyDistance, NeverMeeting* known)
     : dh_(model.dh)
     , surroundings_(std::move(surroundings))
     , safetyDistance_(safetyDistance)
@@ -113,7 +112,7 @@ CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Su
     for (std::size_t i = 0; i < capsules_.size(); ++i) {
         addPairs(i, i >= armBodies);
     }
-    dropPairsThatNeverMeet();
+    dropPairsThatNeverMeet(known);
 }
 
 void CollisionCheck::addPairs(std::size_t body, bool isTool) {
@@ -151,15 +150,43 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
 
 /// Bodies with two joints between them pass each other at distances of their own. Where the smallest of these is no
 /// contact, there is nothing to keep away from, however large the safety distance.
-void CollisionCheck::dropPairsThatNeverMeet() {
+std::vector<std::pair<std::size_t, std::size_t>> CollisionCheck::findNeverMeeting() const {
     constexpr int kSteps = 36;              // of a whole turn
     constexpr double kNeverNearer = 0.002;  // between two steps it may be a little less [m]
     constexpr int kJointsBetween = 2;
-    const auto isJudged = [](const Pair& pair, int base) {
-        return pair.with == Contact::With::Arm && pair.otherLink == base &&
-               std::min(pair.link, 6) - base == kJointsBetween;
-    };
-    // The same bodies and links give the same answer; a cell is edited far more often than an arm changes.
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
+        std::vector<std::pair<Pair, double>> judged;  // with the smallest distance seen [m]
+        for (const Pair& pair : pairs_) {
+            if (pair.with == Contact::With::Arm && pair.otherLink == base &&
+                std::min(pair.link, 6) - base == kJointsBetween) {
+                judged.emplace_back(pair, 1e9);
+            }
+        }
+        for (int n = 0; n < kSteps * kSteps; ++n) {
+            constexpr double kStep = 2 * std::numbers::pi / kSteps;
+            JointPositions q;
+            q[base] = kStep * (n / kSteps);
+            q[base + 1] = kStep * (n % kSteps);
+            const Placement placement = place(q);
+            for (auto& [pair, least] : judged) {
+                if (least > kNeverNearer) {
+                    least = std::min(least, distance(pair, placement, least));
+                }
+            }
+        }
+        for (const auto& [pair, least] : judged) {
+            if (least > kNeverNearer) {
+                found.emplace_back(pair.body, pair.other);
+            }
+        }
+    }
+    return found;
+}
+
+void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
+    NeverMeeting own;
+    NeverMeeting& memo = known != nullptr ? *known : own;
     std::vector<double> key;
     for (std::size_t i = 0; i < dh_.a.size(); ++i) {
         key.insert(key.end(), {dh_.a[i], dh_.d[i], dh_.alpha[i], dh_.theta[i], dh_.beta[i]});
@@ -169,47 +196,15 @@ void CollisionCheck::dropPairsThatNeverMeet() {
                                part.shape.from.x(), part.shape.from.y(), part.shape.from.z(),
                                part.shape.to.x(), part.shape.to.y(), part.shape.to.z()});
     }
-    key.insert(key.end(), {double(boxes_.size()), double(planes_.size()), double(pairs_.size())});
-    static std::mutex mutex;
-    static std::vector<std::pair<std::vector<double>, std::vector<double>>> known;
-    std::vector<double> least(pairs_.size(), 0);
-    {
-        const std::lock_guard lock(mutex);
-        const auto found =
-            std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == key; });
-        if (found != known.end()) {
-            std::size_t at = 0;
-            std::erase_if(pairs_, [&](const Pair&) { return found->second[at++] > kNeverNearer; });
-            return;
-        }
+    if (memo.key_ != key) {
+        memo.all_ = findNeverMeeting();
+        memo.key_ = std::move(key);
     }
-    for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            least[i] = isJudged(pairs_[i], base) ? 1e9 : least[i];
-        }
-        for (int n = 0; n < kSteps * kSteps; ++n) {
-            constexpr double kStep = 2 * std::numbers::pi / kSteps;
-            JointPositions q;
-            q[base] = kStep * (n / kSteps);
-            q[base + 1] = kStep * (n % kSteps);
-            const Placement placement = place(q);
-            for (std::size_t i = 0; i < pairs_.size(); ++i) {
-                if (isJudged(pairs_[i], base) && least[i] > kNeverNearer) {
-                    least[i] = std::min(least[i], distance(pairs_[i], placement, least[i]));
-                }
-            }
-        }
-    }
-    {
-        constexpr std::size_t kMaxKnown = 16;
-        const std::lock_guard lock(mutex);
-        if (known.size() >= kMaxKnown) {
-            known.erase(known.begin());
-        }
-        known.emplace_back(std::move(key), least);
-    }
-    std::size_t i = 0;
-    std::erase_if(pairs_, [&](const Pair&) { return least[i++] > kNeverNearer; });
+    std::erase_if(pairs_, [&memo](const Pair& pair) {
+        return pair.with == Contact::With::Arm &&
+               std::find(memo.all_.begin(), memo.all_.end(), std::pair(pair.body, pair.other)) !=
+                   memo.all_.end();
+    });
 }
 
 /// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "robot/collision/arm_body.h"
@@ -34,11 +35,22 @@ struct Contact {
 
 inline constexpr int kToolLink = 7;
 
+/// Which bodies of an arm and its tool never meet, kept by a caller that makes one check after the other of the same arm:
+/// finding out takes some 40 ms, the rest of a check much less.
+/// Threads  one at a time
+class NeverMeeting {
+private:
+    friend class CollisionCheck;
+    std::vector<double> key_;  ///< dimensions of arm and tool it was computed for
+    std::vector<std::pair<std::size_t, std::size_t>> all_;  ///< numbers in CollisionCheck::capsules()
+};
+
 class CollisionCheck {
 public:
     /// safetyDistance  that obstruction() and jogs keep [m], 0 or more
+    /// known           used, and computed again when arm or tool are others; null: computed for this check only
     CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
-                   double safetyDistance = kSafetyDistance);
+                   double safetyDistance = kSafetyDistance, NeverMeeting* known = nullptr);
 
     const Surroundings& surroundings() const { return surroundings_; }  ///< As given.
     double safetyDistance() const { return safetyDistance_; }           ///< As given [m].
@@ -93,7 +105,8 @@ private:
     };
 
     void addPairs(std::size_t body, bool isTool);
-    void dropPairsThatNeverMeet();
+    std::vector<std::pair<std::size_t, std::size_t>> findNeverMeeting() const;
+    void dropPairsThatNeverMeet(NeverMeeting* known);
     Vector6 radii(const LinkCapsule& body, int fromLink) const;
     /// threshold(pair, its distance at the start): below it the two count as in contact.
     template <class Threshold>

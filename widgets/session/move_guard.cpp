@@ -51,8 +51,9 @@ bool MoveGuard::follow(const SessionState& state) {
     }
     arm_ = arm;
     tcpOffset_ = state.tcpOffset;
-    check_ = std::make_shared<collision::CollisionCheck>(
-        arm_, collision::ToolBody{tcpOffset_, cell_.toolRadius}, cell_.around, cell_.safetyDistance);
+    check_ =
+        std::make_shared<collision::CollisionCheck>(arm_, collision::ToolBody{tcpOffset_, cell_.toolRadius},
+                                                    cell_.around, cell_.safetyDistance, &neverMeeting_);
     return true;
 }
 

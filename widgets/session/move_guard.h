@@ -45,6 +45,8 @@ private:
     RobotModel arm_;
     Pose tcpOffset_;
     std::shared_ptr<const collision::CollisionCheck> check_;
+    collision::NeverMeeting
+        neverMeeting_;  ///< of this arm: the cell is edited far more often than the arm changes
 };
 
 }  // namespace tiller

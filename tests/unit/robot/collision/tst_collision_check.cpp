@@ -252,6 +252,31 @@ private Q_SLOTS:
     }
 
     // Bodies that no motion brings together have no safety distance that could stop a motion.
+    // One memo for many cells, arms and tools gives the same pairs as a check without.
+    void whatNeverMeetsIsRememberedForTheSameArmOnly() {
+        NeverMeeting known;
+        const Surroundings cell{{{"box", Pose(0.5, 0, 0.2, 0, 0, 0), {0.1, 0.1, 0.1}}}, {floorAt(-0.1)}};
+        const ToolBody tools[] = {{}, {Pose(0, 0, 0.25, 0, 0, 0), 0.06}};
+        for (const RobotModelId id :
+             {RobotModelId::UR5e, RobotModelId::UR5e, RobotModelId::UR3e, RobotModelId::UR5e}) {
+            for (const ToolBody& tool : tools) {
+                for (const Surroundings& around : {Surroundings(), cell}) {
+                    const auto pairsOf = [](const CollisionCheck& check) {
+                        std::vector<std::tuple<int, std::size_t, std::size_t>> all;
+                        for (const CollisionCheck::Pair& pair : check.pairs()) {
+                            all.emplace_back(static_cast<int>(pair.with), pair.body, pair.other);
+                        }
+                        return all;
+                    };
+                    const auto alone = pairsOf(CollisionCheck(robotModel(id), tool, around, 0.03));
+                    const auto remembered =
+                        pairsOf(CollisionCheck(robotModel(id), tool, around, 0.03, &known));
+                    QVERIFY(alone == remembered);
+                }
+            }
+        }
+    }
+
     // A path that cannot be followed is not free.
     void aPathWithNumbersThatAreNoneIsObstructed() {
         const CollisionCheck check(robotModel(RobotModelId::UR5e), {}, {});
