@@ -17,7 +17,8 @@ inline constexpr std::chrono::hours kMaxPulse{1};
 
 /// What ends a pulse: its time, end(), the end of the control program (also Controller::release()), and for a Held one
 /// 100 ms without a heartbeat of this computer. A control program that hears nothing ends after 5 s; then Free pulses
-/// end as well. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
+/// end as well. Paths, functions and scripts need another control program: their start waits until no output pulses, or
+/// fails with Timeout. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
 ///
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
 /// Threads  any. Blocks: until the control program confirmed, some 6 ms, at most until the deadline

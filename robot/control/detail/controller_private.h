@@ -4,6 +4,8 @@
 // The inside of Controller: what motions may begin, and who may take or give control when. For the sources of
 // this folder only.
 
+#include <array>
+#include <atomic>
 #include <functional>
 #include <mutex>
 
@@ -14,6 +16,7 @@
 #include "robot/control/detail/mailbox.h"
 #include "robot/control/detail/request_channel.h"
 #include "robot/control/motion.h"
+#include "robot/control/output_pulses.h"
 
 namespace tiller::control {
 
@@ -34,6 +37,9 @@ struct Controller::Private {
     CancelToken underWay;  ///< under `patience`: of the call that holds `taking`
     int ending = 0;        ///< under `patience`: calls of release() that wait for `taking`
 
+    /// When the pulse of each output is over [ns, by `options.clock`]; in the past: no pulse.
+    std::array<std::atomic<std::int64_t>, kPulseOutputs> pulseEndsNs{};
+
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
     /// With the cap as it is now: read after the stops are counted, so that a cap set meanwhile stops what
@@ -53,6 +59,10 @@ struct Controller::Private {
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
+    /// Waits until no output pulses: another control program would cut pulses short. Returns early after a stop, for
+    /// the caller to notice.
+    /// Errors   Timeout naming an output that still pulses, Cancelled
+    Result<void> awaitPulses(std::uint64_t stops, const Deadline& deadline, const QString& context) const;
     /// Starts a motion, unless a stop came since there were so many or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
     /// Sends the program with this section, unless a stop came since there were so many.
