@@ -153,20 +153,21 @@ public:
     }
     /// What has been answered so far.
     struct Answers {
-        bool inControl = false;
-        double time = 0;  ///< ControllerStatus::answeredTime
+        bool expected = false;  ///< in control, or would be if the newest data were fresh
+        double time = 0;        ///< ControllerStatus::answeredTime
         std::uint64_t inputs = 0;
     };
     Answers answers() const {
         const auto status = controller ? controller->status() : control::ControllerStatus();
-        return {status.inControl, status.answeredTime, robot.inputPackages()};
+        const bool expected = status.inControl || status.loss == control::ControlLoss::DataStale;
+        return {expected, status.answeredTime, robot.inputPackages()};
     }
     /// Until newer data than those have their answer, and it has come in; false after 20 s. A package more is
     /// no answer yet where the controller sends of its own accord too: a stop, a set point between two
     /// packages. Who took one for the answer would be a package ahead from then on.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
-        while (before.inControl && controller->status().answeredTime == before.time) {
+        while (before.expected && controller->status().answeredTime == before.time) {
             if (deadline.hasExpired()) {
                 return false;
             }
