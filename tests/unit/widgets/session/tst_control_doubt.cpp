@@ -10,7 +10,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kTimeoutMs = 60'000;
 constexpr int kStepMs = 20;
 
 struct DoubtBench {
@@ -22,9 +22,9 @@ struct DoubtBench {
     /// Time goes on until the condition holds. False: it never did.
     template <class Condition>
     bool until(const Condition& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kTimeoutMs) {
             cell.advanceMs(kStepMs);
         }
         return condition();
@@ -41,9 +41,9 @@ struct DoubtBench {
     }
     template <class Condition>
     bool goOnUntil(const Condition& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kTimeoutMs) {
             goOn(kStepMs);
             QTest::qWait(5);  // for the threads of the link
         }
