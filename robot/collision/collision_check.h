@@ -57,8 +57,8 @@ public:
     const Surroundings& surroundings() const { return surroundings_; }  ///< As passed to the constructor.
     double safetyDistance() const { return safetyDistance_; }           ///< As passed to the constructor [m].
 
-    // Threads: any, several at once. Blocks: never. A position with a number that is not finite counts as in
-    // contact. This applies to all following functions.
+    // All of the following: threads any, several at once; never block. A position with a number that is not finite
+    // counts as in contact.
 
     /// The contact in this position, if any.
     /// Real-time: no (some ten microseconds)

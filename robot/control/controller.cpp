@@ -59,6 +59,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     disconnect();
+    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // they ended with the program before
     auto taken = connect(deadline, join);
     if (!taken) {
         disconnect();
@@ -197,6 +198,21 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     return id;
 }
 
+Result<void> Controller::Private::awaitPulses(std::uint64_t stops, const Deadline& deadline,
+                                              const QString& context) const {
+    const auto last = [this] { return std::max_element(pulseEndsNs.begin(), pulseEndsNs.end()); };
+    const bool over = waitUntil(deadline, [&] {
+        return last()->load() <= now() || mailbox.epoch().stops() != stops || !loop.isInControl();
+    });
+    if (over) {
+        return {};
+    }
+    return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+                 QStringLiteral("digital output %1 still pulses, for %2 s")
+                     .arg(std::distance(pulseEndsNs.begin(), last()))
+                     .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
+}
+
 Result<std::uint64_t> Controller::Private::sendSection(const QString& section, const QString& name,
                                                        std::uint64_t stops, const Deadline& deadline,
                                                        const QString& context) {
@@ -205,7 +221,10 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (!loop.isInControl()) {
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    // Stop first: nothing that was stopped may start from here on.
+    if (auto quiet = awaitPulses(stops, deadline, context); !quiet) {
+        return quiet.error();
+    }
+    // Braking first, and nothing that is stopped from here on may begin.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
         return stopCameFirst(context);

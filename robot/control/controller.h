@@ -64,10 +64,11 @@ struct ControllerOptions {
     /// program without hold-to-run operation may use a larger value, so that short delays of this computer that the
     /// robot does not notice have no effect.
     std::chrono::milliseconds dataTimeout{100};
-    /// Time without data after which the connection is closed and control is lost (ControlLoss::LinkLost). This
-    /// does not depend on TCP, which does not report a power failure of the peer. Not less than `dataTimeout`, the
-    /// timeout of the current move, or 2 s while a control program is being sent (takeControl(), paths, functions);
-    /// 0: only when the connection ends.
+    /// Without data for so long the connection counts as dead: it is closed and control is lost
+    /// (ControlLoss::LinkLost). Neither the end of the TCP connection nor an error is waited for, because
+    /// neither comes after a power cut or from a controller that has forgotten the connection. Never sooner
+    /// than `dataTimeout`, or than the silence of the move under way, or than 2 s while a control program is being sent
+    /// (takeControl(), paths, functions); 0: only when the connection ends.
     std::chrono::milliseconds connectionTimeout{450};
     /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If false, or
     /// if force mode, freedrive or teach mode might continue during the pause, the program is stopped.

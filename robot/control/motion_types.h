@@ -20,6 +20,11 @@ using tiller::operator<<;  // for the enumerations below
 /// How long a held motion lasts without a refresh, and what has no end of its own without a heartbeat of this
 /// computer.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
+/// How long after the newest packet from this computer the arm is at standstill, whether that packet brought a stop
+/// or no other one followed: the faster the arm, the harder it brakes. No joint is asked for more than
+/// kJointAccelerationLimit, which is enough up to 4.4 rad/s; and the arm takes longer where its drives or its load
+/// permit less.
+inline constexpr std::chrono::milliseconds kStandstillTime{210};
 /// The longest silence a move may be given (MoveParameters::silence): after 5 s the control program ends.
 inline constexpr std::chrono::milliseconds kLongestSilence{4'000};
 
@@ -118,7 +123,7 @@ struct JointLimits {
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
 
-/// Jog dynamics and caps. The controller has its own, wider ones. All above 0; takeControl() refuses what can
+/// Jog dynamics and caps. Decelerations are the least ones: see kStandstillTime. The controller has its own, wider ones. All above 0; takeControl() refuses what can
 /// only be another unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. kNoCap is a speed without a cap.
 struct MotionLimits {
     double tcpSpeed = 0.250;                       ///< of TCP and elbow [m/s]; also Controller::setSpeedCap

@@ -18,6 +18,14 @@ Error checkPulse(const QString& context, std::uint32_t mask) {
     return {};
 }
 
+void note(Controller::Private& d, std::uint32_t mask, std::int64_t endNs) {
+    for (std::size_t i = 0; i < d.pulseEndsNs.size(); ++i) {
+        if ((mask >> i & 1U) != 0) {
+            d.pulseEndsNs[i].store(endNs);
+        }
+    }
+}
+
 }  // namespace
 
 Result<void> OutputPulses::begin(std::uint32_t mask, std::uint32_t values, std::chrono::milliseconds duration,
@@ -37,9 +45,13 @@ Result<void> OutputPulses::begin(std::uint32_t mask, std::uint32_t values, std::
     }
     const std::array<double, 3> numbers{seconds, static_cast<double>(values & mask),
                                         holding == Holding::Held ? 1.0 : 0.0};
-    return noAnswer(ControllerAccess::of(*controller_)
-                        .requests.request(RequestKind::BeginPulses, static_cast<std::int32_t>(mask), numbers,
-                                          context, deadline));
+    auto& d = ControllerAccess::of(*controller_);
+    auto begun = noAnswer(d.requests.request(RequestKind::BeginPulses, static_cast<std::int32_t>(mask),
+                                             numbers, context, deadline));
+    if (begun) {
+        note(d, mask, d.now() + std::chrono::nanoseconds(duration).count());
+    }
+    return begun;
 }
 
 Result<void> OutputPulses::end(std::uint32_t mask, const Deadline& deadline) {
@@ -47,9 +59,13 @@ Result<void> OutputPulses::end(std::uint32_t mask, const Deadline& deadline) {
     if (const Error error = checkPulse(context, mask); error.code != ErrorCode::None) {
         return error;
     }
-    return noAnswer(ControllerAccess::of(*controller_)
-                        .requests.request(RequestKind::EndPulses, static_cast<std::int32_t>(mask), {},
-                                          context, deadline));
+    auto& d = ControllerAccess::of(*controller_);
+    auto ended = noAnswer(
+        d.requests.request(RequestKind::EndPulses, static_cast<std::int32_t>(mask), {}, context, deadline));
+    if (ended) {
+        note(d, mask, 0);
+    }
+    return ended;
 }
 
 }  // namespace tiller::control

@@ -15,10 +15,10 @@ namespace tiller::control {
 inline constexpr int kPulseOutputs = 18;  ///< 0 ... 7 standard, 8 ... 15 configurable, 16 and 17 tool
 inline constexpr std::chrono::hours kMaxPulse{1};
 
-/// A pulse ends after its time, by end(), at the end of the control program (also Controller::release()), and, if
-/// Held, after 100 ms without a heartbeat of this computer. A control program without a heartbeat ends after 5 s;
-/// then Free pulses end as well. A program that is killed or paused externally (pendant, protective stop) cannot
-/// end its pulses.
+/// What ends a pulse: its time, end(), the end of the control program (also Controller::release()), and for a Held one
+/// 100 ms without a heartbeat of this computer. A control program that hears nothing ends after 5 s; then Free pulses
+/// end as well. Paths, functions and scripts need another control program: their start waits until no output pulses, or
+/// fails with Timeout. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
 ///
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
 /// Threads  any. Blocks: until confirmed by the control program, typically 6 ms, at most until the deadline

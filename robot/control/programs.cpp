@@ -168,6 +168,9 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     }
     const std::lock_guard lock(d.taking);
     const UnderWay cancellable(d, deadline);
+    if (auto quiet = d.awaitPulses(stops, deadline, context); !quiet) {
+        return quiet;
+    }
     const std::uint64_t epoch = d.mailbox.stop(Brake{}, StopCause::Superseded, d.now());
     if (d.mailbox.epoch().stops() != stops) {
         return stopped(context);

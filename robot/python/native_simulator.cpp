@@ -38,9 +38,13 @@ public:
                 awaited.push_back({&receiver->receiver, receiver->receiver.counters().packets});
             }
         }
-        const auto answering = static_cast<std::uint64_t>(
-            std::count_if(controllers.begin(), controllers.end(),
-                          [](const auto& controller) { return controller->controller.status().inControl; }));
+        // Also one whose data were late: it answers the packet that ends this.
+        const auto isAnswering = [](const auto& controller) {
+            const control::ControllerStatus status = controller->controller.status();
+            return status.inControl || status.loss == control::ControlLoss::DataStale;
+        };
+        const auto answering =
+            static_cast<std::uint64_t>(std::count_if(controllers.begin(), controllers.end(), isAnswering));
         const std::uint64_t inputs = robot.inputPackages();
         clock_->advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9));
         robot.step();
@@ -53,13 +57,11 @@ public:
                 std::this_thread::yield();
             }
         }
-        const auto inControl = [&] {
-            return std::any_of(controllers.begin(), controllers.end(), [](const auto& controller) {
-                return controller->controller.status().inControl;
-            });
+        const auto someAnswer = [&] {
+            return std::any_of(controllers.begin(), controllers.end(), isAnswering);
         };
         while (
-            answering > 0 && inControl() && isPatient() &&
+            answering > 0 && someAnswer() && isPatient() &&
             !robot.waitForInputPackages(inputs + answering, Deadline::after(std::chrono::milliseconds(20)))) {
         }
         // A client that is connecting needs an answer although no time passes.

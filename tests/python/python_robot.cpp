@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software that takes
 // torques), "low" (begins where the programs of the stop contract do). Writes its address on the first line,
-// obeys the words that come in on standard input (freeze, thaw, hand, push, free, cut, join, still, speed,
+// obeys the words that come in on standard input (freeze, thaw, hand, push, free, cut, join, still, speed, turning,
 // watch), and ends with it. "still" answers when the arm is at standstill: with how long it moved after the last
-// packet that came in, in milliseconds of the robot's time. "speed" answers with that of the TCP [m/s]. "watch"
+// packet that came in, in milliseconds of the robot's time. "speed" answers with that of the TCP [m/s], "turning" with that of the fastest joint [rad/s]. "watch"
 // looks on for a second and answers with how long [ms] and how far [rad] it moved after that packet, how long
 // after the word [ms], and whether it still moves.
 #include <QCoreApplication>
@@ -87,6 +87,10 @@ int main(int argc, char** argv) {
         }
         if (word == "speed") {
             std::cout << cell.robot.truth().tcpSpeed.linear.norm() << std::endl;
+            continue;
+        }
+        if (word == "turning") {
+            std::cout << cell.robot.truth().qd.values.cwiseAbs().maxCoeff() << std::endl;
             continue;
         }
         if (word == "watch") {

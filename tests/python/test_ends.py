@@ -37,14 +37,20 @@ ORDERS = {"exception": signal.SIGUSR1, "exit": signal.SIGUSR2, "object": signal.
 BRAKES, GOES_ON = "brakes", "**moves on**"
 
 #: call: as users write it. program: of the helper, or lines of Python. fast: TCP speed at which it ends [m/s].
-Row = collections.namedtuple("Row", "api call program fast hand robot unattended", defaults=(0.05, False, (), ()))
+#: turning: at which joint speed, if not 0 [rad/s].
+Row = collections.namedtuple("Row", "api call program fast hand robot unattended turning",
+                             defaults=(0.05, False, (), (), 0))
 
 SCRIPT_ENDS = tuple(end for end in ENDS if end != "object")  # an unattended script moves on after these
 
 NATIVE = [
     Row("C++", "Motions::moveJ", "free moveJ"),
+    Row("C++", "Motions::moveJ, 1.05 rad/s", "free moveJ at 1.05", turning=1.04),
+    Row("C++", "Motions::moveJ, 3 rad/s", "free moveJ at 3", turning=2.95),
     Row("C++", "Motions::moveJToPose", "free moveJToPose", 0.03),
     Row("C++", "Motions::moveL", "free moveL"),
+    Row("C++", "Motions::moveL, 0.25 m/s", "free moveL at 0.25", 0.248),
+    Row("C++", "Motions::moveL, 1 m/s", "free moveL at 1", 0.98),
     Row("C++", "Motions::moveLToJoints", "free moveLToJoints"),
     Row("C++", "Motions::movePath", "free path"),
     Row("C++", "Motions::moveUntilContact", "move until contact"),
@@ -53,8 +59,10 @@ NATIVE = [
     Row("C++", "Motions::startServoC", "servoC"),
     Row("C++", "Motions::startSpeedL, `Holding::Free`", "free speedL"),
     Row("C++", "PacketLoop::servoJ", "servoJ"),
+    Row("C++", "PacketLoop::servoJ, 1.5 rad/s", "fast servoJ", turning=1.4),
     Row("C++", "PacketLoop::servoL", "servoL"),
     Row("C++", "PacketLoop::speedJ", "speedJ"),
+    Row("C++", "PacketLoop::speedJ, 3 rad/s", "fast speedJ", turning=2.95),
     Row("C++", "PacketLoop::speedL", "speedL"),
     Row("C++", "PacketLoop::torque", "torque", robot=("torque",)),
     Row("C++", "Compliance::startFreedrive", "free freedrive", 0.03, True),
@@ -62,13 +70,18 @@ NATIVE = [
     Row("C++", "Compliance::setForceMode", "force mode", 0.02),
     Row("C++", "Programs::startFunction", "section"),
     Row("C++", "Programs::runScript", "script"),
+    Row("C++", "Programs::runScript, movej at 1.05 rad/s", "fast script", turning=1.04),
     Row("C++", "Programs::runScript, `Supervision::Unattended`", "unattended script", unattended=SCRIPT_ENDS),
 ]
 
 FACE = [
     Row("ur_rtde C++", "moveJ, asynchronous", "moveJ"),
+    Row("ur_rtde C++", "moveJ, default speed", "moveJ, default speed", turning=1.04),
+    Row("ur_rtde C++", "moveJ, 3 rad/s", "moveJ, fast", turning=2.95),
     Row("ur_rtde C++", "moveJ_IK, asynchronous", "moveJ_IK", 0.03),
     Row("ur_rtde C++", "moveL, asynchronous", "moveL"),
+    Row("ur_rtde C++", "moveL, default speed", "moveL, default speed", 0.248),
+    Row("ur_rtde C++", "moveL, 1 m/s", "moveL, fast", 0.98),
     Row("ur_rtde C++", "moveL_FK, asynchronous", "moveL_FK"),
     Row("ur_rtde C++", "movePath, asynchronous", "path"),
     Row("ur_rtde C++", "moveUntilContact", "move until contact"),
@@ -117,6 +130,13 @@ def turned(angle):
     return [START[0] + angle] + START[1:]
 def lowered(way):
     return POSE[:2] + [POSE[2] - way] + POSE[3:]
+def shifted(way):
+    return [POSE[0] + way] + POSE[1:]
+def endless(move):
+    back = False
+    while True:
+        move(back)
+        back = not back
 def loop(cycle):
     begin = time.monotonic()
     while True:
@@ -165,8 +185,13 @@ except Ended:
 
 PYTHON_FACE = [
     Row("ur_rtde Python", "moveJ, asynchronous", "c.moveJ(turned(1.5), 0.4, 1.4, True)"),
+    Row("ur_rtde Python", "moveJ, default speed", "endless(lambda back: c.moveJ(turned(0 if back else 4.5)))", turning=1.04),
+    Row("ur_rtde Python", "moveJ, 3 rad/s", "endless(lambda back: c.moveJ(turned(0 if back else 4.5), 3.0, 5.0))",
+        turning=2.95),
     Row("ur_rtde Python", "moveJ_IK, asynchronous", "c.moveJ_IK(lowered(0.3), 0.4, 1.4, True)", 0.03),
     Row("ur_rtde Python", "moveL, asynchronous", "c.moveL(lowered(0.3), 0.1, 0.5, True)"),
+    Row("ur_rtde Python", "moveL, default speed", "endless(lambda back: c.moveL(shifted(0 if back else 0.5)))", 0.248),
+    Row("ur_rtde Python", "moveL, 1 m/s", "endless(lambda back: c.moveL(shifted(0 if back else 0.5), 1.0, 5.0))", 0.98),
     Row("ur_rtde Python", "moveL_FK, asynchronous", "c.moveL_FK(turned(0.5), 0.1, 0.5, True)"),
     Row("ur_rtde Python", "moveJ along a path, asynchronous",
         "c.moveJ([turned(1.0) + [0.4, 1.4, 0.0], turned(-1.0) + [0.4, 1.4, 0.0]], True)"),
@@ -196,8 +221,19 @@ PYTHON_FACE = [
 
 PYTHON_NATIVE = [
     Row("Python", "move_j", "move = robot.move_j(turned(1.5), 0.4)"),
+    Row("Python", "move_j, 1.05 rad/s",
+        "robot.speed_cap = 3.0\nendless(lambda back: robot.move_j(turned(0 if back else 4.5), 1.05, 5.0).wait())",
+        turning=1.04),
+    Row("Python", "move_j, 3 rad/s",
+        "robot.speed_cap = 3.0\nendless(lambda back: robot.move_j(turned(0 if back else 4.5), 3.0, 5.0).wait())",
+        turning=2.95),
     Row("Python", "move_j_to_pose", "move = robot.move_j_to_pose(lowered(0.3), 0.4)", 0.03),
     Row("Python", "move_l", "move = robot.move_l(lowered(0.3), 0.1, 0.5)"),
+    Row("Python", "move_l, 0.25 m/s",
+        "robot.speed_cap = 3.0\nendless(lambda back: robot.move_l(shifted(0 if back else 0.5), 0.25, 5.0).wait())",
+        0.248),
+    Row("Python", "move_l, 1 m/s",
+        "robot.speed_cap = 3.0\nendless(lambda back: robot.move_l(shifted(0 if back else 0.5), 1.0, 5.0).wait())", 0.98),
     Row("Python", "move_path",
         "move = robot.move_path([tiller.PathMove(lowered(way), kind='l', pose=True, speed=0.1, acceleration=0.5) "
         "for way in (0.2, 0.0)])"),
@@ -304,7 +340,8 @@ def attempt(row, end):
     try:
         patience = time.monotonic() + PATIENCE
         moving_since = None
-        while float(robot.tell("speed")) < row.fast:
+        word, fast = ("turning", row.turning) if row.turning else ("speed", row.fast)
+        while float(robot.tell(word)) < fast:
             if time.monotonic() > patience or mover.process.poll() is not None:
                 return None
             if row.hand:

@@ -214,8 +214,8 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // without success, since the newest package
-    // While a controller compiles a program it may send nothing, and no motion depends on this connection.
+    int looks = 0;  // in vain, since the newest package
+    // A controller that compiles a program may send nothing meanwhile, and nothing moves through this connection then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // After a delay of this computer, data may still be in transit.

@@ -154,6 +154,8 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("BRAKE_LINEAR", fixed(limits.jogDeceleration));
     fill("BRAKE_ROTATION", fixed(limits.jointDeceleration));
     fill("BRAKE_JOINTS", fixed(limits.jointDeceleration));
+    fill("STANDSTILL_TIME", fixed(std::chrono::duration<double>(kStandstillTime).count()));
+    fill("BRAKE_MAX", fixed(kJointAccelerationLimit));
     fill("JOINT_SPEEDS", numbers(arm.maxSpeed));
     fill("JOINT_TORQUES", numbers(arm.maxTorque));
     fill("UPPER_ARM", fixed(std::abs(arm.dh.a[1])));

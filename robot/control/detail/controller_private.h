@@ -4,6 +4,8 @@
 // Internals of Controller: when a motion may start, and when control may be taken or released. For the sources of
 // this folder only.
 
+#include <array>
+#include <atomic>
 #include <functional>
 #include <mutex>
 
@@ -14,6 +16,7 @@
 #include "robot/control/detail/mailbox.h"
 #include "robot/control/detail/request_channel.h"
 #include "robot/control/motion.h"
+#include "robot/control/output_pulses.h"
 
 namespace tiller::control {
 
@@ -34,6 +37,9 @@ struct Controller::Private {
     CancelToken underWay;  ///< protected by `tokenMutex`: token of the call that holds `taking`
     int ending = 0;        ///< protected by `tokenMutex`: release() calls that wait for `taking`
 
+    /// When the pulse of each output is over [ns, by `options.clock`]; in the past: no pulse.
+    std::array<std::atomic<std::int64_t>, kPulseOutputs> pulseEndsNs{};
+
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
     /// The limits with the current cap. Call after reading the number of stops, so that a change of the cap stops a
@@ -52,7 +58,11 @@ struct Controller::Private {
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
-    /// Starts a motion, unless a stop occurred since this number of stops or control has ended.
+    /// Waits until no output pulses: another control program would cut pulses short. Returns early after a stop, for
+    /// the caller to notice.
+    /// Errors   Timeout naming an output that still pulses, Cancelled
+    Result<void> awaitPulses(std::uint64_t stops, const Deadline& deadline, const QString& context) const;
+    /// Starts a motion, unless a stop came since there were so many or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
     /// Sends the program with this section, unless a stop occurred since this number of stops.
     /// Returns  the empty epoch in which it can be started

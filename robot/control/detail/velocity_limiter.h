@@ -40,9 +40,9 @@ public:
         JointVelocities qd = {};                           ///< current velocity of the arm [rad/s]
         const collision::CollisionCheck* check = nullptr;  ///< null: no check
     };
-    /// q, tcpPose  current position of the arm (base frame). A jog with contact detection (contactForce) may touch
-    ///             the surroundings with the tool and wrist 3.
-    /// Returns     Limiter::scale, the factor for the target; 0 if motion in this direction is not possible or if a
+    /// q, tcpPose  where the arm is (base frame)
+    /// A jog that looks for contact (contactForce) may touch the surroundings with the tool and wrist 3.
+    /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all, or when a
     ///             number is not finite
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;

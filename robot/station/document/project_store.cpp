@@ -227,6 +227,12 @@ Result<void> ProjectStore::saveAs(const QString& path) {
             ErrorCode::FileNotWritable, tr("save %1").arg(path),
             tr("it is open in another window (%1)").arg(owner ? owner->toString() : tr("another program"))};
     }
+    continueIn(path, std::move(access), saved);
+    return {};
+}
+
+void ProjectStore::continueIn(const QString& path, Access access,
+                              const Result<project::ProjectAccess::SaveResult>& saved) {
     autosave_.stop();
     useAccess(std::move(access));
     path_ = path;
@@ -237,7 +243,6 @@ Result<void> ProjectStore::saveAs(const QString& path) {
     settle(revision_, saved);
     watch();
     Q_EMIT pathChanged(path_);
-    return {};
 }
 
 Result<void> ProjectStore::openOrStart(const QString& path) {
@@ -388,13 +393,24 @@ Result<void> ProjectStore::takeOver() {
 
 Result<QString> ProjectStore::keepBoth() {
     const QFileInfo file(path_);
-    QString copy;
-    for (int number = 2; copy.isEmpty() || QFileInfo::exists(copy); ++number) {
-        copy = file.absoluteDir().filePath(
+    for (int number = 2;; ++number) {
+        const QString copy = file.absoluteDir().filePath(
             QStringLiteral("%1-%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix()));
+        if (QFileInfo::exists(copy)) {
+            continue;
+        }
+        // Another window or program may take the same name at this moment: it keeps it.
+        auto access = std::make_shared<project::ProjectAccess>(copy);
+        access->start();
+        const auto saved = access->save(snapshot(), revision_);
+        if (!saved) {
+            return saved.error();
+        }
+        if (saved->outcome == Outcome::Saved) {
+            continueIn(copy, std::move(access), saved);
+            return copy;
+        }
     }
-    const Result<void> saved = saveAs(copy);
-    return saved ? Result<QString>(copy) : Result<QString>(saved.error());
 }
 
 Error ProjectStore::obstacleError() const {

@@ -110,6 +110,9 @@ private:
     void autosave();
     project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::ProjectAccess::SaveResult>& saved);
+    /// The project has just been saved to this file, and is from now on.
+    void continueIn(const QString& path, Access access,
+                    const Result<project::ProjectAccess::SaveResult>& saved);
     void settleCheck(const project::ProjectAccess::Check& check);
     /// What is open now shall not lose its last changes.
     Result<void> saveLast();

@@ -251,6 +251,11 @@ void RobotSession::takeControl(ForeignProgram program) {
     if (refusesCommand(tr("Take control")) || !d_->link || d_->takingControl) {
         return;
     }
+    if (program == ForeignProgram::Ask && !d_->state.hasData()) {
+        // Whether a program of others runs is not known.
+        Q_EMIT message(Severity::Warning, d_->state.controlReason);
+        return;
+    }
     if (program == ForeignProgram::Ask && d_->state.hasForeignProgram()) {
         Q_EMIT takeControlQuestion();
         return;

@@ -114,7 +114,7 @@ public:
     enum class ForeignProgram { Ask, Stop };
     /// Uploads the control script; needs RUNNING, and Remote control where the controller has it. This ends any other
     /// program on the robot: unless `program` is Stop, takeControl() then emits takeControlQuestion() and does nothing
-    /// else.
+    /// else. Without data of the robot it emits the reason as a message and does nothing else.
     void takeControl(ForeignProgram program = ForeignProgram::Ask);
     /// Ends the control program; the robot is free for others.
     void releaseControl();

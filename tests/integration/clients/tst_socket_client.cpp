@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
-        // A line to a distant point moves until the end of the reach.
+        // A line towards a far point moves until the end of reach, where the robot stops it.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
         constexpr double kHangs = 60;  // [s]
         QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, kHangs));

@@ -153,20 +153,21 @@ public:
     }
     /// The answers so far.
     struct Answers {
-        bool inControl = false;
-        double time = 0;  ///< ControllerStatus::answeredTime
+        bool expected = false;  ///< in control, or would be if the newest data were fresh
+        double time = 0;        ///< ControllerStatus::answeredTime
         std::uint64_t inputs = 0;
     };
     Answers answers() const {
         const auto status = controller ? controller->status() : control::ControllerStatus();
-        return {status.inControl, status.answeredTime, robot.inputPackages()};
+        const bool expected = status.inControl || status.loss == control::ControlLoss::DataStale;
+        return {expected, status.answeredTime, robot.inputPackages()};
     }
     /// Waits until data newer than these were answered, and the answer has arrived; false after 20 s. Another
     /// package is not necessarily the answer, because the controller also sends without a package: a stop, a set
     /// point between two packages. Mistaking one for the answer would put the test one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
-        while (before.inControl && controller->status().answeredTime == before.time) {
+        while (before.expected && controller->status().answeredTime == before.time) {
             if (deadline.hasExpired()) {
                 return false;
             }

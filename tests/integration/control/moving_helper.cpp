@@ -39,6 +39,12 @@ constexpr double kSpeed = 0.1;         ///< of the tool, the jog contract's [m/s
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
 constexpr double kTurn = 0.4;          ///< of a joint [rad/s]
 
+// Of fast moves.
+constexpr double kWideTurn = 4.5;          ///< of the base [rad]
+constexpr double kLongLine = 0.5;          ///< [m]
+constexpr double kHardAcceleration = 5.0;  ///< [rad/s2], [m/s2]
+constexpr double kHighCap = 3.0;           ///< of TCP and elbow [m/s]
+
 /// Says what went wrong, if anything did.
 template <class T>
 bool well(const Result<T>& result) {
@@ -101,6 +107,12 @@ double swing(double time, double speed) {
     return speed / kRate * std::sin(kRate * time);
 }
 
+/// One way and the other, alternately for so long that the base does not leave its range [rad/s].
+double swings(double time, double speed) {
+    constexpr double kFirst = 1.3;  // [s], then twice as long
+    return std::fmod(time + kFirst, 4 * kFirst) < 2 * kFirst ? speed : -speed;
+}
+
 bool pushUpwards(Controller& controller) {
     ForceMode mode;
     mode.compliant[2] = true;
@@ -127,6 +139,14 @@ constexpr auto kRising =
     "  end\n"
     "end\n";
 
+constexpr auto kTurning =
+    "def turning():\n"
+    "  while True:\n"
+    "    movej([2.9, -1.2, -2.3, -1.2, 1.57, 0], a=5, v=1.05)\n"
+    "    movej([-1.57, -1.2, -2.3, -1.2, 1.57, 0], a=5, v=1.05)\n"
+    "  end\n"
+    "end\n";
+
 void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
     const auto free = [&c, &ways](const char* name, const std::function<Result<Motion>(Motions&)>& begin) {
         ways[name] = once([&c, begin] {
@@ -150,6 +170,30 @@ void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
         };
         return m.movePath({to(0.2), to(0), to(0.2), to(0)}, patience());
     });
+    // There and back at full speed, for as long as it takes to be ended.
+    const auto endless = [&c, &ways](const QString& name,
+                                     const std::function<Result<Motion>(Motions&, bool)>& begin) {
+        ways[name] = [&c, begin, motion = Motion(), back = true]() mutable {
+            if (!motion.isActive()) {
+                well(c.setSpeedCap(kHighCap));
+                back = !back;
+                Motions motions(c);
+                motion = begun(begin(motions, back));
+            }
+        };
+    };
+    for (const double speed : {1.05, 3.0}) {
+        endless(QStringLiteral("free moveJ at %1").arg(speed), [&c, speed](Motions& m, bool back) {
+            return m.moveJ(turned(c.status(), back ? -kWideTurn : kWideTurn), {speed, kHardAcceleration});
+        });
+    }
+    for (const double speed : {0.25, 1.0}) {
+        endless(QStringLiteral("free moveL at %1").arg(speed), [&c, speed](Motions& m, bool back) {
+            Pose pose = Pose::fromArray(c.status().tcpPose);
+            pose.position.x() += back ? -kLongLine : kLongLine;
+            return m.moveL(pose, {speed, kHardAcceleration});
+        });
+    }
     ways["free jog"] = once([&c] { well(Motions(c).startJog(up(), Holding::Free)); });
     ways["free speedL"] = once([&c] {
         static ToolSpeed stream;
@@ -160,15 +204,16 @@ void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
         static Motion freedrive;
         freedrive = begun(Compliance(c).startFreedrive({}, Holding::Free));
     });
-    const auto script = [&c](Supervision supervision) {
-        return once([&c, supervision] {
-            std::thread([&c, supervision] {
-                (void)Programs(c).runScript(QString::fromLatin1(kRising), Deadline::never(), supervision);
+    const auto script = [&c](const char* text, Supervision supervision) {
+        return once([&c, text, supervision] {
+            std::thread([&c, text, supervision] {
+                (void)Programs(c).runScript(QString::fromLatin1(text), Deadline::never(), supervision);
             }).detach();
         });
     };
-    ways["script"] = script(Supervision::Heartbeat);
-    ways["unattended script"] = script(Supervision::Unattended);
+    ways["script"] = script(kRising, Supervision::Heartbeat);
+    ways["fast script"] = script(kTurning, Supervision::Heartbeat);
+    ways["unattended script"] = script(kRising, Supervision::Unattended);
 }
 
 std::map<QString, Way> everyWay(Controller& c) {
@@ -261,6 +306,31 @@ std::map<QString, Way> everyWay(Controller& c) {
         well(PacketLoop(c).speedL(
             [](const CycleState&) { return objectEnds ? std::nullopt : std::optional(up().twist); }, {},
             Deadline::never()));
+    };
+    ways["fast speedJ"] = [&c] {
+        well(c.setSpeedCap(kHighCap));
+        well(PacketLoop(c).speedJ(
+            [](const CycleState& now) -> std::optional<JointVelocities> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
+                return JointVelocities(swings(now.time, 3.0), 0, 0, 0, 0, 0);
+            },
+            {.acceleration = kHardAcceleration}, Deadline::never()));
+    };
+    ways["fast servoJ"] = [&c] {
+        well(c.setSpeedCap(kHighCap));
+        const JointPositions from = turned(c.status(), 0);
+        well(PacketLoop(c).servoJ(
+            [&from](const CycleState& now) -> std::optional<JointPositions> {
+                if (objectEnds) {
+                    return std::nullopt;
+                }
+                JointPositions q = from;
+                q[0] += swing(now.time, 1.5);
+                return q;
+            },
+            {}, Deadline::never()));
     };
 
     ways["torque"] = [&c] {

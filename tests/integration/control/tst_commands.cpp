@@ -6,6 +6,7 @@
 #include "robot/control/compliance.h"
 #include "robot/control/detail/registers.h"
 #include "robot/control/motions.h"
+#include "robot/control/output_pulses.h"
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
 #include "robot/kinematics/arm_kinematics.h"
@@ -15,6 +16,7 @@
 using namespace tiller;
 using namespace tiller::control;
 using namespace tiller::test;
+using std::chrono::milliseconds;
 
 namespace {
 
@@ -55,7 +57,44 @@ private Q_SLOTS:
         QVERIFY(!move->cancel());
     }
 
-    // 2 %: the duration is fifty times as long, and no wait times out.
+    // A path brings another control program, and the one before ends its pulses.
+    void aPulseIsNotCutByAPathOrAScript() {
+        const Deadline limit = Deadline::never();
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        double onFor = 0;
+        cell.everyTick = [&] { onFor += (cell.robot.truth().digitalOutputs & 2U) != 0 ? 0.002 : 0; };
+        OutputPulses pulses(*cell.controller);
+        const auto pulse = [&](milliseconds time) {
+            onFor = 0;
+            const auto begun = cell.during([&] { return pulses.begin(2, 2, time, Holding::Held, limit); });
+            QVERIFY2(begun.ok(), why(begun));
+        };
+        const PathEntry entry{PathEntry::Kind::MoveJ, cell.robot.truth().q, {}, 0.5, 1.4, 0};
+        pulse(milliseconds(400));
+        const auto path = cell.during([&] { return cell.motions().movePath({entry}, limit); });
+        QVERIFY2(path.ok(), why(path));
+        QVERIFY2(std::abs(onFor - 0.4) < 0.01, qPrintable(QString::number(onFor)));
+        pulse(milliseconds(400));
+        const auto script = cell.during(
+            [&] { return Programs(*cell.controller).runScript("def quick():\n  sync()\nend\n", limit); });
+        QVERIFY2(script.ok(), why(script));
+        QVERIFY2(std::abs(onFor - 0.4) < 0.01, qPrintable(QString::number(onFor)));
+        // One that lasts too long is named, and goes on.
+        pulse(milliseconds(60'000));
+        const auto late =
+            cell.during([&] { return cell.motions().movePath({entry}, Deadline::after(milliseconds(200))); });
+        QCOMPARE(late.error().code, ErrorCode::Timeout);
+        QVERIFY2(late.error().controllerMessage.contains("digital output 1 still pulses, for 5"), why(late));
+        QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
+        // An ended one is in no one's way.
+        const auto ended = cell.during([&] { return pulses.end(2, limit); });
+        QVERIFY2(ended.ok(), why(ended));
+        const auto again = cell.during([&] { return cell.motions().movePath({entry}, limit); });
+        QVERIFY2(again.ok(), why(again));
+    }
+
+    // 2 %: fifty times as long, and no wait gives up.
     void aWaitDoesNotTimeOutAtTwoPercent() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

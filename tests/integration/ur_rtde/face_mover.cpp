@@ -100,6 +100,38 @@ void addScripts(std::map<std::string, Way>& table) {
     add("custom program", [](Control& c) { c.setCustomScriptFile(risingFile()); });
 }
 
+/// There and back, by calls that return at each end.
+Way endless(const std::function<void(Control&, bool)>& move) {
+    return {[move](Control& c) {
+                std::thread([&c, move] {
+                    for (bool back = false; c.isConnected(); back = !back) {
+                        move(c, back);
+                    }
+                }).detach();
+            },
+            idle, stopJ};
+}
+
+List shifted(Control& control, double way) {
+    List out = lowered(control, 0);
+    out[0] += way;
+    return out;
+}
+
+void addFastMoves(std::map<std::string, Way>& table) {
+    constexpr double kHard = 5;        // [rad/s2], [m/s2]
+    constexpr double kWideTurn = 4.5;  // [rad]
+    constexpr double kLongLine = 0.5;  // [m]
+    table["moveJ, default speed"] =
+        endless([](Control& c, bool back) { c.moveJ(turned(back ? 0 : kWideTurn)); });
+    table["moveJ, fast"] =
+        endless([](Control& c, bool back) { c.moveJ(turned(back ? 0 : kWideTurn), 3.0, kHard); });
+    table["moveL, default speed"] =
+        endless([](Control& c, bool back) { c.moveL(shifted(c, back ? 0 : kLongLine)); });
+    table["moveL, fast"] =
+        endless([](Control& c, bool back) { c.moveL(shifted(c, back ? 0 : kLongLine), 1.0, kHard); });
+}
+
 const std::map<std::string, Way>& ways() {
     const auto speedStop = [](Control& c) { c.speedStop(3.0); };
     const auto servoStop = [](Control& c) { c.servoStop(3.0); };
@@ -158,6 +190,7 @@ const std::map<std::string, Way>& ways() {
         {"teach mode", {[](Control& c) { c.teachMode(); }, idle, [](Control& c) { c.endTeachMode(); }}},
     };
     addScripts(table);
+    addFastMoves(table);
     return table;
 }
 

@@ -162,6 +162,7 @@ private Q_SLOTS:
                 bench.hold(kind, 2, 10, {0.1, 0, 0, 0, 0, 0});
                 bench.host.timeNs += 200'000'000;
                 bench.host.qd[0] = moves ? 0.3 : 0.0;
+                bench.host.tcpVelocity = {{0.1, 0, 0}, {0, 0, 0.25}};
                 bench.frame();
                 QCOMPARE(bench.state(), ScriptState::Braking);
                 if (kind == ScriptCommand::JogJoints) {
@@ -334,6 +335,7 @@ private Q_SLOTS:
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(static_cast<ScriptCommand>(kind), 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.host.tcpVelocity = {{0.1, 0, 0}, {0, 0, 0.25}};
         bench.send(ScriptCommand::Idle, 3);
         bench.frame();
         QCOMPARE(bench.state(), ScriptState::Braking);
@@ -385,6 +387,99 @@ private Q_SLOTS:
         // A new press is a new epoch.
         bench.hold(command, 3, 2, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
+    }
+
+    // The faster the arm, the harder it brakes: at standstill 210 ms after the newest package.
+    void brakingEndsInTime_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("turning");  // of the leading joint [rad/s]
+        QTest::addColumn<double>("speed");    // of the TCP [m/s]
+        QTest::addColumn<double>("silent");   // deceleration when the heartbeat ends
+        QTest::addColumn<double>("asked");    // and when a stop comes
+        QTest::newRow("movej, slow") << 3 << 0.4 << 0.1 << 4.0 << 4.0;
+        QTest::newRow("movej, default speed") << 3 << 1.05 << 0.5 << 1.05 / 0.11 << 1.05 / 0.21;
+        QTest::newRow("movej, fast") << 3 << 3.0 << 1.5 << 3.0 / 0.11 << 3.0 / 0.21;
+        QTest::newRow("movej, faster than any joint") << 3 << 6.28 << 3.0 << 40.0 << 6.28 / 0.21;
+        QTest::newRow("movel, slow") << 4 << 0.4 << 0.1 << 2.0 << 2.0;
+        QTest::newRow("movel, default speed") << 4 << 0.4 << 0.25 << 0.25 / 0.11 << 2.0;
+        QTest::newRow("movel, fast") << 4 << 2.0 << 1.0 << 1.0 / 0.11 << 1.0 / 0.21;
+        QTest::newRow("speedj") << 14 << 3.0 << 1.5 << 3.0 / 0.11 << 3.0 / 0.21;
+        QTest::newRow("speedl") << 15 << 2.0 << 1.0 << 1.0 / 0.11 << 1.0 / 0.21;
+        QTest::newRow("servoj") << 11 << 3.0 << 1.5 << 3.0 / 0.11 << 3.0 / 0.21;
+    }
+    void brakingEndsInTime() {
+        QFETCH(int, kind);
+        QFETCH(double, turning);
+        QFETCH(double, speed);
+        QFETCH(double, silent);
+        QFETCH(double, asked);
+        const auto command = static_cast<ScriptCommand>(kind);
+        for (const bool stopped : {false, true}) {
+            Bench bench;
+            bench.host.moveFrames = 1000;
+            bench.hold(ScriptCommand::Idle, 1, 2);
+            bench.hold(command, 2, 5, {0.1, 0, 0, 0, 0, 0});
+            bench.host.qd[0] = turning;
+            bench.host.tcpVelocity = {{speed, 0, 0}, {0, 0, 0}};
+            if (stopped) {
+                bench.send(ScriptCommand::Idle, 3);
+                bench.frame();
+            } else {
+                bench.frame(bench.silentFrames());
+            }
+            QCOMPARE(bench.state(), ScriptState::Braking);
+            const auto* line = bench.last<urscript::StopL>();
+            const auto* joints = bench.last<urscript::StopJ>();
+            QVERIFY(line != nullptr || joints != nullptr);
+            const double actual = line != nullptr ? line->deceleration : joints->deceleration;
+            QVERIFY2(std::abs(actual - (stopped ? asked : silent)) < 1e-6,
+                     qPrintable(QString::number(actual)));
+        }
+    }
+
+    // A gentle stop is for a client that watches it.
+    void aGentleStopEndsInTimeWithoutTheClient() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveJ, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.host.qd[0] = 1.05;
+        Command stop;
+        stop.kind = ScriptCommand::Idle;
+        stop.epoch = 3;
+        stop.choice = 1;
+        stop.acceleration = 0.5;
+        bench.send(stop);
+        bench.frame();
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.5);
+        bench.host.qd[0] = 1.0;
+        bench.frame(bench.silentFrames() - 1);
+        QCOMPARE(bench.count<urscript::StopJ>(), 1);
+        bench.frame(2);
+        QVERIFY(std::abs(bench.last<urscript::StopJ>()->deceleration - 1.0 / 0.11) < 1e-6);
+        bench.frame(20);
+        QCOMPARE(bench.count<urscript::StopJ>(), 2);
+    }
+
+    // A stop in general ends a stop with a given deceleration in time, too.
+    void aStopEndsAGentlerOneInTime() {
+        Bench bench;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 2);
+        bench.hold(ScriptCommand::MoveJ, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.host.qd[0] = 3.0;
+        Command stop;
+        stop.kind = ScriptCommand::Idle;
+        stop.epoch = 3;
+        stop.choice = 1;
+        stop.acceleration = 5;
+        bench.send(stop);
+        bench.frame();
+        QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 5.0);
+        bench.hold(ScriptCommand::Idle, 4, 2);
+        QVERIFY(std::abs(bench.last<urscript::StopJ>()->deceleration - 3.0 / 0.21) < 1e-6);
+        bench.hold(ScriptCommand::Idle, 4, 20);
+        QCOMPARE(bench.count<urscript::StopJ>(), 2);
     }
 
     void theTimeToLiveIs100MsOnOldControllersToo() {

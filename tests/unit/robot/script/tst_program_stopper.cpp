@@ -170,7 +170,7 @@ private Q_SLOTS:
         QVERIFY(heard.lines().contains("stop program"));
     }
 
-    // A connection made in Local stays read-only after the switch to Remote. The clock stands still: the command is
+    // A connection made in Local stays read-only after the switch to Remote. Time does not go on: the command is
     // sent on the open connection and on one new connection, and not repeated.
     void aRefusalIsAnsweredByANewConnection() {
         Heard heard;

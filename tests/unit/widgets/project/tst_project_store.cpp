@@ -273,6 +273,24 @@ private Q_SLOTS:
         QVERIFY(store_->isSaved());
     }
 
+    // Another window is about to save to the first free name.
+    void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        QVERIFY(project::saveProject(path_, project::Project()).ok());
+        QTRY_COMPARE(changed.count(), 1);
+        project::ProjectAccess other(directory_->filePath("cell-7-2.tiller"));
+        other.start();
+        const Result<QString> copy = store_->keepBoth();
+        QVERIFY2(copy.ok(), qPrintable(copy.error().toString()));
+        QCOMPARE(*copy, directory_->filePath("cell-7-3.tiller"));
+        QCOMPARE(project::loadProject(*copy)->waypoints.size(), 1);
+        const auto theirs = other.save(project::Project(), 1);
+        QVERIFY(theirs.ok() && theirs->outcome == project::ProjectAccess::Outcome::Saved);
+    }
+
     void ourOwnSavesAreNoForeignChange() {
         QVERIFY(store_->openOrStart(path_).ok());
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// What the session concludes about control when it lacks data: before the first ones, and after a dead connection.
+#include <QElapsedTimer>
+#include <QTest>
+
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kTimeoutMs = 60'000;
+constexpr int kStepMs = 20;
+
+struct DoubtBench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session};
+
+    const SessionState& state() const { return session.state(); }
+    /// Time goes on until the condition holds. False: it never did.
+    template <class Condition>
+    bool until(const Condition& condition) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kTimeoutMs) {
+            cell.advanceMs(kStepMs);
+        }
+        return condition();
+    }
+    /// Time goes on for robot and session, without waiting for data that cannot come.
+    void goOn(int ms) {
+        for (int t = 0; t < ms; t += 2) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+        }
+        cell.robot.drainSockets();
+        QCoreApplication::processEvents();
+        session.refresh();
+    }
+    template <class Condition>
+    bool goOnUntil(const Condition& condition) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kTimeoutMs) {
+            goOn(kStepMs);
+            QTest::qWait(5);  // for the threads of the link
+        }
+        return condition();
+    }
+    bool loseTheConnection() {
+        return cell.robot.inject(QStringLiteral("half-open")).ok() &&
+               goOnUntil([this] { return state().controlLoss == control::ControlLoss::LinkLost; });
+    }
+    bool isFresh() {
+        return goOnUntil([this] { return state().isFresh(); });
+    }
+    void silence() {
+        cell.robot.silence(true);
+        goOn(300);
+    }
+};
+
+}  // namespace
+
+class TestControlDoubt : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // Whether a program of others runs is not known yet, so taking control could end it without a question.
+    void takingControlWaitsForData() {
+        QStringList said;  // outlives the session, which has a last word
+        bool asked = false;
+        DoubtBench bench;
+        QVERIFY(bench.cell.robot.start().ok());
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&said](Severity, const QString& text) { said << text; });
+        QObject::connect(&bench.session, &RobotSession::takeControlQuestion, &bench.session,
+                         [&asked] { asked = true; });
+        bench.session.connectTo({QStringLiteral("Virtual UR5e"), bench.cell.robot.listenAddress(), 0, true});
+        bench.session.refresh();
+        QVERIFY(!bench.state().hasData());
+        bench.session.takeControl();
+        QVERIFY(bench.state().control != ControlState::Taking);
+        QVERIFY(!asked);
+        QVERIFY2(said.contains(bench.state().controlReason), qPrintable(said.join('\n')));
+        QVERIFY(bench.until([&] { return bench.state().link == LinkState::Live; }));
+        bench.session.takeControl();
+        QVERIFY(bench.until([&] { return bench.state().control == ControlState::InControl; }));
+    }
+
+    void controlIsInDoubtFor15SecondsOfFreshData() {
+        DoubtBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(!bench.state().controlInDoubt);
+        QVERIFY(bench.loseTheConnection());
+        QVERIFY(bench.state().controlInDoubt);
+        QVERIFY(bench.isFresh());
+        bench.cell.advanceMs(14'900);
+        QVERIFY(bench.state().isFresh());
+        QVERIFY(bench.state().controlInDoubt);
+        bench.cell.advanceMs(200);
+        QVERIFY(!bench.state().controlInDoubt);
+        // For good: data that are late later on say nothing new about the old connection.
+        bench.silence();
+        QVERIFY(!bench.state().isFresh());
+        QVERIFY(!bench.state().controlInDoubt);
+    }
+
+    // Old data prove nothing: the time begins again with fresh ones.
+    void lateDataProlongTheDoubt() {
+        DoubtBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.loseTheConnection());
+        QVERIFY(bench.isFresh());
+        bench.cell.advanceMs(10'000);
+        bench.silence();
+        QVERIFY(!bench.state().isFresh());
+        bench.cell.robot.silence(false);
+        QVERIFY(bench.isFresh());
+        bench.cell.advanceMs(14'900);
+        QVERIFY(bench.state().controlInDoubt);
+        bench.cell.advanceMs(200);
+        QVERIFY(!bench.state().controlInDoubt);
+    }
+
+    void takingControlEndsTheDoubt() {
+        DoubtBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.loseTheConnection());
+        QVERIFY(bench.isFresh());
+        bench.session.takeControl(RobotSession::ForeignProgram::Stop);
+        QVERIFY(bench.until([&] { return bench.state().control == ControlState::InControl; }));
+        QVERIFY(!bench.state().controlInDoubt);
+    }
+};
+
+QTEST_MAIN(TestControlDoubt)
+#include "tst_control_doubt.moc"
