@@ -13,6 +13,11 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
 set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
 
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics collision project recording doctor)
+# Components that need more packages than the backend. Each has its own export, which tillerConfig.cmake loads when the
+# component is asked for and its packages are installed.
+set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
+# Folders that start the simulated arm or controller.
+set(tiller_simulating urscript arm simulator divergence)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)
@@ -34,17 +39,21 @@ if(TILLER_SHARED)
 else()
     install(TARGETS ur_rtde_library COMPONENT development)
     list(TRANSFORM tiller_rooms PREPEND tiller_ OUTPUT_VARIABLE tiller_room_libraries)
-    install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_arm tiller_ur_rtde
+    list(TRANSFORM tiller_simulating PREPEND tiller_ OUTPUT_VARIABLE tiller_simulating_libraries)
+    install(TARGETS tiller_robot ${tiller_room_libraries} ${tiller_simulating_libraries} tiller_ur_rtde
         EXPORT tillerTargets COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
         INCLUDES DESTINATION include/tiller)
+    foreach(extra ${tiller_extras})
+        install(TARGETS tiller_${extra} EXPORT tiller_${extra} COMPONENT development
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller INCLUDES DESTINATION include/tiller)
+        install(EXPORT tiller_${extra} NAMESPACE tiller:: FILE tillerTargets_${extra}.cmake
+            DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller COMPONENT development)
+    endforeach()
 endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
-    PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
-    # Those need more libraries than the backend has; they are the application's for now.
-    PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE
-    PATTERN "divergence" EXCLUDE)
+    PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})
         cmake_path(GET header PARENT_PATH folder)
@@ -58,9 +67,51 @@ configure_package_config_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tillerConfig.c
     ${CMAKE_BINARY_DIR}/tillerConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/tillerConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/tillerConfig.cmake ${CMAKE_BINARY_DIR}/tillerConfigVersion.cmake
+    ${CMAKE_SOURCE_DIR}/packaging/cmake/TillerHdf5.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller COMPONENT development)
 # Of the ur_rtde that the interface is.
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake VERSION 1.5.8
     COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/cmake/ur_rtdeConfig.cmake ${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ur_rtde COMPONENT development)
+
+# For projects built without CMake: pkg-config --cflags --libs tiller tiller-simulator
+file(RELATIVE_PATH tiller_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+cmake_path(SET tiller_pc_prefix NORMALIZE "${tiller_pc_prefix}")
+
+# tiller_pkg_config(<name> DESCRIPTION <text> ARCHIVES <folders...> REQUIRES <packages...> LIBRARIES <flags...>)
+# ARCHIVES are in the order of the linker: users before what they use. libtiller holds them all where it is installed.
+function(tiller_pkg_config name)
+    cmake_parse_arguments(ARG "" "DESCRIPTION" "ARCHIVES;REQUIRES;LIBRARIES" ${ARGN})
+    if(TILLER_SHARED)
+        set(ARG_LIBRARIES "")
+        if(name STREQUAL "tiller")
+            set(ARG_LIBRARIES -ltiller)
+        else()
+            set(ARG_REQUIRES tiller)
+        endif()
+        set(folder "")
+    else()
+        list(TRANSFORM ARG_ARCHIVES PREPEND -ltiller_)
+        list(PREPEND ARG_LIBRARIES ${ARG_ARCHIVES})
+        set(folder /tiller)
+    endif()
+    list(JOIN ARG_REQUIRES " " requires)
+    list(JOIN ARG_LIBRARIES " " libraries)
+    set(description "${ARG_DESCRIPTION}")
+    configure_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tiller.pc.in ${CMAKE_BINARY_DIR}/pkgconfig/${name}.pc @ONLY)
+    install(FILES ${CMAKE_BINARY_DIR}/pkgconfig/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)
+endfunction()
+set(tiller_link_order ${tiller_rooms})
+list(REVERSE tiller_link_order)
+tiller_pkg_config(tiller DESCRIPTION "Watches and moves Universal Robots arms" ARCHIVES ${tiller_link_order}
+    REQUIRES Qt6Network Qt6Core eigen3 LIBRARIES -pthread)
+tiller_pkg_config(tiller-simulator DESCRIPTION "Simulated Universal Robots controller, and comparison of recordings with it"
+    ARCHIVES divergence simulator urscript arm REQUIRES tiller zlib LIBRARIES -lorocos-kdl)
+tiller_pkg_config(tiller-recording-mcap DESCRIPTION "Recordings in MCAP" ARCHIVES recording_mcap
+    REQUIRES tiller zlib libzstd LIBRARIES -lfastcdr)
+tiller_pkg_config(tiller-recording-formats DESCRIPTION "Recordings in CSV, MCAP and HDF5"
+    ARCHIVES recording_formats recording_hdf5 REQUIRES tiller-recording-mcap hdf5)
+tiller_pkg_config(tiller-live DESCRIPTION "Live data for Foxglove and PlotJuggler" ARCHIVES live
+    REQUIRES tiller-recording-mcap Qt6WebSockets)

@@ -8,7 +8,7 @@
 set(TILLER_ABI 1)
 
 set(tiller_objects)
-foreach(room ${tiller_rooms} urscript arm simulator)
+foreach(room ${tiller_rooms} ${tiller_simulating} ${tiller_extras})
     list(APPEND tiller_objects $<TARGET_OBJECTS:tiller_${room}>)
     list(APPEND tiller_archives $<TARGET_FILE:tiller_${room}>)
     list(APPEND tiller_archive_targets tiller_${room})
@@ -41,8 +41,10 @@ target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen 
     ${tiller_archive_targets})
 target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
 target_compile_features(tiller_shared PUBLIC cxx_std_20)
+target_compile_definitions(tiller_shared INTERFACE $<INSTALL_INTERFACE:${TILLER_WITHOUT_QT_KEYWORDS}>)
 tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/script robot/dashboard robot/control
-    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor ${simulator_header_files}
+    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/live robot/divergence
+    ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
 
 # The face of ur_rtde stands on it, as any other program does.
@@ -54,7 +56,7 @@ tiller_exports(ur_rtde_library ${ur_rtde_exported} ARCHIVES $<TARGET_FILE:tiller
 set_target_properties(ur_rtde_library PROPERTIES EXPORT_NAME ur_rtde)
 
 # The names that programs know: tiller::control, tiller::robot ...
-set(tiller_names robot ${tiller_rooms} simulator)
+set(tiller_names robot ${tiller_rooms} ${tiller_extras} divergence simulator)
 foreach(name ${tiller_names})
     add_library(tiller_name_${name} INTERFACE)
     set_target_properties(tiller_name_${name} PROPERTIES EXPORT_NAME ${name})
