@@ -171,8 +171,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     options.recorder.fields = namesIn(parser.value(fields));
     if (!options.recorder.fields.empty()) {
         options.receiver.fields = options.recorder.fields;
-    } else if (options.isMcap) {
-        options.recorder.fields = receive::defaultFields();
+    } else if (!options.isMcap) {
+        options.recorder.fields = recording::defaultRecordedFields();
     }
     if (parser.isSet(trigger)) {
         auto parsed = recording::RecordingTrigger::parse(parser.value(trigger));

@@ -7,7 +7,6 @@
 #include "robot/python/native_objects.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/recording/formats/open_recording.h"
-#include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::python {
@@ -70,18 +69,6 @@ struct NativeRecorder : ProcessOwned {
     recording::Recorder recorder;
 };
 
-/// The format that the end of a file's name stands for.
-std::shared_ptr<const recording::RecordingFormat> formatFor(const QString& path) {
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return recording::csvFormat();
-    }
-    if (path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive)) {
-        return recording::mcapFormat();
-    }
-    raise({ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(path),
-           QStringLiteral("path: it ends neither in .csv nor in .mcap")});
-}
-
 /// {column: numbers} of a whole recording.
 py::dict readRecording(const std::string& path) {
     std::unique_ptr<recording::Recording> file;
@@ -120,7 +107,7 @@ void defineRecorder(py::module_& module) {
                  made->receiver = std::move(receiver);
                  recording::RecorderOptions options;
                  options.path = path;
-                 options.format = formatFor(options.path);
+                 options.format = taken(recording::formatForPath(options.path));
                  options.fields = std::move(fields);
                  taken(made->recorder.start(options, made->receiver->receiver));
                  return made;

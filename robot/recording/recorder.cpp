@@ -51,12 +51,18 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
 }
 
 /// `timestamp` first, unless they are to be as given; each once.
-std::vector<std::string> orderedFields(const RecorderOptions& options) {
+std::vector<std::string> orderedFields(const RecorderOptions& options, const receive::SampleLayout& layout) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {
         ordered.emplace_back("timestamp");
     }
-    for (const std::string& field : options.fields.empty() ? defaultRecordedFields() : options.fields) {
+    std::vector<std::string> fields = options.fields;
+    if (fields.empty()) {
+        for (const auto& entry : layout.entries()) {
+            fields.push_back(entry.name);
+        }
+    }
+    for (const std::string& field : fields) {
         if (std::find(ordered.begin(), ordered.end(), field) == ordered.end()) {
             ordered.push_back(field);
         }
@@ -356,9 +362,17 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
                      QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
                      missing.join(QStringLiteral("; "))};
     }
+    const QString suffix = QFileInfo(options.path).suffix().toLower();
+    if (!options.format && (suffix == QLatin1String("mcap") || suffix == QLatin1String("h5") ||
+                            suffix == QLatin1String("hdf5"))) {
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
+                     QStringLiteral("without RecorderOptions::format the file would be CSV: set it, for "
+                                    "example to formatForPath()")};
+    }
     next->options = options;
     next->options.format = options.format ? options.format : csvFormat();
-    next->setup = {layout, orderedFields(options), options.asGiven};
+    next->setup = {layout, orderedFields(options, *layout), options.asGiven};
     next->makeFile = files_;
     const auto utc = std::chrono::system_clock::now().time_since_epoch();
     next->steadyToUtc =

@@ -32,7 +32,7 @@ using tiller::operator<<;  // for the enumerations below
 
 class RecordingFile;
 
-/// Columns written unless others are asked for, as field names.
+/// The fields that ur_rtde records. The command line writes them to CSV unless others are asked for.
 std::vector<std::string> defaultRecordedFields();
 
 /// The name of the last column.
@@ -40,13 +40,15 @@ inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names, all of which the receiver has to follow; empty: those of defaultRecordedFields() that it
-    /// does. `timestamp` always comes first.
+    /// Field names, all of which the receiver has to follow; empty: every field that it follows. `timestamp` is always
+    /// the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< these fields in this order and nothing else: no timestamp, no packages_lost
     /// Every n-th package becomes a row, 1 or more. What is left out on purpose does not count as lost.
     int every = 1;
-    std::shared_ptr<const RecordingFormat> format{};  ///< null: CSV
+    /// Null: CSV, which is refused for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
+    /// recording/formats/open_recording.h chooses by the end of the path.
+    std::shared_ptr<const RecordingFormat> format{};
     /// Waits for it, and writes into numbered files: see numberedPath(). Nothing: one file, at once.
     std::optional<RecordingTrigger> trigger{};
     /// Ends in order, with DiskFull, when less would stay free on the disk [bytes]; 0: when it is full.
@@ -85,7 +87,8 @@ public:
     /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
     /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown, naming each field that the receiver does not follow
     /// (no
-    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way)
+    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way, or the path
+    ///          ends as those of another format)
     /// Blocks   as long as the file system takes to create a file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);

@@ -225,7 +225,8 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     tiller::recording::RecorderOptions options;
     options.path = QString::fromStdString(filename);
-    options.asGiven = true;  // programs find columns by their number
+    options.format = tiller::recording::csvFormat();  // whatever the name is, as ur_rtde
+    options.asGiven = true;                           // programs find columns by their number
     options.fields.clear();
     for (const auto& entry : d_->receiver.layout()->entries()) {
         options.fields.push_back(entry.name);

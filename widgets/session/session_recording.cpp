@@ -51,9 +51,11 @@ void SessionRecording::start(const RecordingOrder& order) {
     mcap.attachmentName = projectName_.toStdString();
     mcap.attachment = project_.toStdString();
     const bool isMcap = order.format == RecordingChoice::Format::Mcap;
-    if (isMcap && options.fields.empty()) {
-        for (const auto& entry : receiver.layout()->entries()) {
-            options.fields.push_back(entry.name);
+    if (!isMcap && options.fields.empty()) {
+        for (const std::string& field : recording::defaultRecordedFields()) {
+            if (receiver.layout()->find(field) != nullptr) {
+                options.fields.push_back(field);
+            }
         }
     }
     // A file system may take its time: the file is opened and closed by the worker for files. What comes meanwhile

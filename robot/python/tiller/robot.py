@@ -255,7 +255,7 @@ class Robot:
         Raises InvalidArgument for another end of the name, FieldUnknown naming each field that is not followed,
         FileNotWritable (also for a file that another recording is writing), DiskFull."""
         name = os.fspath(path)
-        recording = Recording(_native.Recorder(self._receiver, name, list(fields or self._layout)), name)
+        recording = Recording(_native.Recorder(self._receiver, name, list(fields)), name)
         _recordings.add(recording)
         return recording
 

@@ -6,6 +6,7 @@
 #include "robot/core/file_reading.h"
 #include "robot/recording/csv_recording.h"
 #include "robot/recording/hdf5/hdf5_recording.h"
+#include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/mcap/mcap_recording.h"
 
 namespace tiller::recording {
@@ -24,6 +25,18 @@ Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
         return openHdf5(path);
     }
     return openCsv(path);
+}
+
+Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
+    const QString name = path;
+    if (name.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        return csvFormat();
+    }
+    if (name.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive)) {
+        return mcapFormat();
+    }
+    return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(name),
+                 QStringLiteral("path: it ends neither in .csv nor in .mcap")};
 }
 
 }  // namespace tiller::recording

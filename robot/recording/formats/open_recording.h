@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One door to recordings of every format.
+// Recordings of every format: opening a file, and the format that a new file is written in.
 
 #include <memory>
 
 #include "robot/core/text.h"
 #include "robot/recording/recording.h"
+#include "robot/recording/recording_format.h"
 
 namespace tiller::recording {
 
@@ -14,5 +15,10 @@ namespace tiller::recording {
 /// Errors   FileNotReadable; FileCorrupt, saying what is wrong with it
 /// Threads  any. Blocks: as opening that format does
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
+
+/// The format for RecorderOptions::format by the end of the path, in capital or small letters: .csv or .mcap.
+/// Errors   InvalidArgument for another end, naming both
+/// Threads  any. Blocks: never
+Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 
 }  // namespace tiller::recording

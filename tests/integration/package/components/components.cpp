@@ -21,7 +21,6 @@ struct Names {
 #include "robot/live/live_output.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/formats/open_recording.h"
-#include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recorder.h"
 #include "robot/simulator/simulator.h"
 
@@ -43,7 +42,7 @@ int main() {
 
     recording::RecorderOptions options;
     options.path = folder.filePath("run.mcap");
-    options.format = recording::mcapFormat();
+    options.format = recording::formatForPath(options.path).value();
     recording::Recorder recorder;
     recorder.start(options, receiver).value();
     receive::Subscription packets = receiver.subscribe();

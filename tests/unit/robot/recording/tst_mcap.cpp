@@ -30,6 +30,7 @@ private Q_SLOTS:
     void whatIsNoRecordingSaysSo();
     void fieldsTheRobotDoesNotSendAreLeftOut();
     void theClockFollowsTheSoonestPackage();
+    void theEndOfThePathChoosesTheFormat();
 
 private:
     QString path(const char* name = "a.mcap") const { return folder_.filePath(QLatin1String(name)); }
@@ -303,6 +304,20 @@ void TestMcap::theClockFollowsTheSoonestPackage() {
     // The controller was started again.
     QCOMPARE(clock.toUtc(0.5, base + 9000 * kMs, 2), base + 9000 * kMs);
     QCOMPARE(clock.toUtc(receive::kAbsent, base + 9500 * kMs, 2), base + 9500 * kMs);
+}
+
+void TestMcap::theEndOfThePathChoosesTheFormat() {
+    const auto beginOf = [](const char* path) {
+        const auto layout = std::make_shared<receive::SampleLayout>(std::vector<std::string>{"timestamp"});
+        const auto encoder = formatForPath(path).value()->encoder({layout, {"timestamp"}, false});
+        return QByteArray::fromStdString(encoder->take(RecordingEncoder::Close::Last).bytes);
+    };
+    QVERIFY(beginOf("a.mcap").startsWith("\x89MCAP"));
+    QVERIFY(beginOf("/tmp/A.MCAP").startsWith("\x89MCAP"));
+    QVERIFY(beginOf("a.csv").startsWith("timestamp"));
+    for (const char* other : {"a", "a.h5", "mcap", "a.mcap.txt"}) {
+        QCOMPARE(formatForPath(other).error().code, ErrorCode::InvalidArgument);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestMcap)

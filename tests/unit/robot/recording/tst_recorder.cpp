@@ -129,6 +129,9 @@ private Q_SLOTS:
     void recordsOnlyWhatIsAskedFor();
     void fieldsThatDoNotComeAreRefused();
     void recordsWhatTheReceiverFollows();
+    void unnamedFieldsAreAllRecorded();
+    void csvIsNotWrittenUnderTheNameOfAnotherFormat_data();
+    void csvIsNotWrittenUnderTheNameOfAnotherFormat();
     void oneRecordingAtATime();
     void recordsAgainAfterStop();
     void unwritablePlacesAreErrors_data();
@@ -320,6 +323,47 @@ void TestRecorder::recordsWhatTheReceiverFollows() {
     QVERIFY(recorder.start({.path = path}, receiver).ok());
     recorder.stop();
     QCOMPARE(readCsv(path)->columns, (std::vector<std::string>{"timestamp", "robot_mode", "packages_lost"}));
+}
+
+void TestRecorder::unnamedFieldsAreAllRecorded() {
+    RtdePeer peer;
+    receive::ReceiverOptions options = to(peer.port());
+    options.fields = {"actual_TCP_force", "output_int_register_24",
+                      "robot_mode"};  // not all are default fields
+    receive::Receiver receiver(options);
+    QVERIFY(receiver.start().ok());
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("all.csv"));
+    Recorder recorder;
+    QVERIFY(recorder.start({.path = path}, receiver).ok());
+    recorder.stop();
+    QCOMPARE(readCsv(path)->columns,
+             (std::vector<std::string>{"timestamp", "actual_TCP_force_0", "actual_TCP_force_1",
+                                       "actual_TCP_force_2", "actual_TCP_force_3", "actual_TCP_force_4",
+                                       "actual_TCP_force_5", "output_int_register_24", "robot_mode",
+                                       "packages_lost"}));
+}
+
+void TestRecorder::csvIsNotWrittenUnderTheNameOfAnotherFormat_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("mcap") << "run.mcap";
+    QTest::newRow("capital") << "RUN.MCAP";
+    QTest::newRow("hdf5") << "run.h5";
+    QTest::newRow("hdf5 in full") << "run.hdf5";
+}
+
+void TestRecorder::csvIsNotWrittenUnderTheNameOfAnotherFormat() {
+    QFETCH(QString, name);
+    Bench bench;
+    Recorder recorder;
+    const auto started = recorder.start({.path = bench.path(qPrintable(name))}, bench.receiver);
+    QVERIFY(!started);
+    QCOMPARE(started.error().code, ErrorCode::InvalidArgument);
+    QVERIFY2(started.error().toString().contains("formatForPath"), qPrintable(started.error().toString()));
+    QVERIFY(!QFile::exists(bench.path(qPrintable(name))));
+    // A format that was chosen is written under any name.
+    QVERIFY(
+        recorder.start({.path = bench.path(qPrintable(name)), .format = csvFormat()}, bench.receiver).ok());
 }
 
 void TestRecorder::oneRecordingAtATime() {
