@@ -51,6 +51,8 @@ const std::vector<Row>& rows() {
             "stopj and stopl wait until the arm stands, or until its target does"),
         row(&A::threadStart, "thread-start", {"same-period", "next-period"},
             "when a thread begins that has been run"),
+        row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},
+            "whether the threads of a program run before its main program in each period"),
         row(&A::teachMode, "teach_mode", kBuiltin, "and end_teach_mode: missing is a compile error"),
         row(&A::servoc, "servoc", kBuiltin, "missing is a compile error"),
         row(&A::isWithinSafetyLimits, "is_within_safety_limits", kBuiltin, "missing is a compile error"),

@@ -56,6 +56,9 @@ struct Assumptions {
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when `run` lets the new thread begin
 
+    enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, where all have waited for it
+
     /// Deprecated builtins: there, or names the compiler does not know.
     enum class Builtin : std::uint8_t { Present, Missing };
     Builtin teachMode = Builtin::Present;
