@@ -141,8 +141,10 @@ public:
     MotionLimits limits() const;  ///< With the speed cap as it is now [m/s].
     /// What the joints of this arm can: by its own configuration once control has been taken.
     JointLimits jointLimits() const;
-    /// Whether there is a connection, in control or not.
-    bool isConnected() const;
+    /// The port of this end of the connection; 0 when there is none.
+    /// Threads  any. Blocks: never
+    std::uint16_t localPort() const;
+    bool isConnected() const;  ///< Whether there is a connection, in control or not.
     /// From now on TCP and elbow get no faster than this [m/s]; 0.25 unless ControllerOptions::limits said
     /// otherwise. Another cap than before ends whatever is active (StopCause::SelectionChanged): nothing goes
     /// on under a cap it was not begun with.

@@ -69,6 +69,10 @@ bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);  ///< Frees the descriptor.
 
+/// The port of this end of a connection, and of the other end; 0 where there is none.
+std::uint16_t localPort(Descriptor socket);
+std::uint16_t peerPort(Descriptor socket);
+
 /// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
 /// when the system has none left.
 Descriptor duplicate(Descriptor socket);

@@ -12,6 +12,17 @@
 
 namespace tiller {
 
+/// Thrown by value() of a failed result; what() is Error::message().
+class ResultError : public std::logic_error {
+public:
+    explicit ResultError(Error error) : std::logic_error(error.message()), error_(std::move(error)) {}
+    const Error& error() const noexcept { return error_; }
+    ErrorCode code() const noexcept { return error_.code; }  ///< To tell errors apart in a handler.
+
+private:
+    Error error_;
+};
+
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -21,7 +32,7 @@ public:
     bool ok() const { return content_.index() == 0; }  ///< There is a value.
     explicit operator bool() const { return ok(); }
 
-    /// Throws std::logic_error on a failed result.
+    /// Throws ResultError on a failed result.
     const T& value() const& { return checked(), std::get<0>(content_); }
     T& value() & { return checked(), std::get<0>(content_); }               ///< As above.
     T&& value() && { return checked(), std::get<0>(std::move(content_)); }  ///< As above; moves it out.
@@ -36,8 +47,7 @@ public:
 private:
     void checked() const {
         if (!ok()) {
-            throw std::logic_error(
-                ("value() of a failed Result: " + std::get<1>(content_).toString()).toStdString());
+            throw ResultError(std::get<1>(content_));
         }
     }
     std::variant<T, Error> content_;
@@ -51,10 +61,10 @@ public:
 
     bool ok() const { return !error_.has_value(); }  ///< There was no error.
     explicit operator bool() const { return ok(); }
-    /// Does nothing when ok: where an error would be a broken precondition.
+    /// Throws ResultError on a failed result; otherwise does nothing.
     void value() const {
         if (!ok()) {
-            throw std::logic_error("value() of a failed Result: " + error_->message());
+            throw ResultError(*error_);
         }
     }
     Error error() const { return error_.value_or(Error{}); }  ///< Code None: there was none.

@@ -12,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
@@ -45,8 +47,11 @@ struct Report {
 struct OutputFeedback {
     /// The newest report; called from the thread that waits for a confirmation.
     std::function<Report()> newest;
+    /// RTDE names of what it never reports: commands that these would confirm are refused.
+    std::vector<std::string> absent = {};
 
-    /// From the newest sample of a receiver, which must outlive the Outputs.
+    /// From the newest sample of a receiver, which must outlive the Outputs. It has to follow actual_digital_output_bits,
+    /// target_speed_fraction, analog_io_types, standard_analog_output0 and standard_analog_output1, as far as these are set.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 
@@ -76,7 +81,8 @@ public:
 
     /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.
     /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (who asks reads which inputs are
-    ///         owned by another client), FieldUnknown (this robot has no such input), LinkLost, Timeout
+    ///         owned by another client), FieldUnknown (this robot has no such input, or the receiver does not follow the
+    ///         field that confirms it: nothing was sent), LinkLost, Timeout
     ///         (sent, but the robot does not report it), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);

@@ -295,8 +295,9 @@ py::dict statusDict(const NativeController& self) {
     py::dict told;
     told["in_control"] = status.inControl;
     told["loss"] = toString(status.loss);
-    told["robot_mode"] = toString(status.robotMode);
-    told["safety_mode"] = toString(status.safetyMode);
+    told["fresh"] = status.fresh;
+    told["robot_mode"] = toString(status.fresh ? status.robotMode : RobotMode::Disconnected);
+    told["safety_mode"] = toString(status.fresh ? status.safetyMode : SafetyMode::Undefined);
     told["moving"] = status.moving;
     told["force_mode"] = status.forceMode;
     told["executing"] = status.executing;

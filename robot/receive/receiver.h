@@ -29,6 +29,9 @@ namespace tiller::receive {
 /// without harm.
 std::vector<std::string> defaultFields();
 
+/// What Receiver::waitForData() does where nothing listens.
+enum class OnRefusal : std::uint8_t { Fail, Wait };
+
 struct ReceiverOptions {
     Text host = {};
     std::uint16_t port = rtde::kPort;
@@ -119,6 +122,8 @@ public:
     void stop();
 
     ReceiverState state() const;  ///< Of the connection. Any thread
+    /// The port of this end of the connection; 0 when there is none. Any thread
+    std::uint16_t localPort() const;
     /// Why start() refused, the last attempt failed or the last connection broke; code None when connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Since start(). Any thread
@@ -144,8 +149,11 @@ public:
     /// what a program begins with that is to compute a target from where the arm is.
     /// Errors   why the connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
     ///          FieldUnknown ...); Timeout, Cancelled; NotConnected when start() was not called
-    /// Blocks   until the deadline: attempts go on by themselves meanwhile, for the robot may be booting
-    Result<Sample> waitForData(const Deadline& deadline) const;
+    /// onRefusal  of a connection that is refused, or a host that cannot be resolved, before any data came: to fail at
+    ///            once, or to wait like for a robot that is booting
+    /// Blocks   until the deadline; attempts to connect go on by themselves meanwhile. A robot that sent data before is
+    ///          always waited for
+    Result<Sample> waitForData(const Deadline& deadline, OnRefusal onRefusal = OnRefusal::Fail) const;
     /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
     /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
     std::int64_t ageNs() const;

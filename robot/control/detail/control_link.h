@@ -48,6 +48,7 @@ public:
     void begin(script::PrimaryClient& primary);
     /// Ends thread and connection. Harmless when there are none.
     void end();
+    std::uint16_t localPort() const { return localPort_.load(std::memory_order_acquire); }
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
 
     /// Has what was just asked for sent at once, where time does not stand still.
@@ -77,6 +78,7 @@ private:
     std::thread thread_;
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};
+    std::atomic<std::uint16_t> localPort_{0};
     native_socket::Waker waker_;
     std::atomic<bool> watchdogUsable_{false};
     std::atomic<bool> wrenchUsable_{false};

@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import Any, Union
 
 from . import _native
+from ._arguments import checked
 from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, InvalidArgument
 
@@ -52,6 +53,7 @@ class Plan:
     scale: float  #: how much of the speed asked for that leaves, 0 ... 1
 
 
+@checked
 class Move:
     """A motion under way. `move.wait()` or `await move` returns at its end and raises when it was stopped.
 
@@ -149,6 +151,7 @@ def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseExce
         _at_standstill(native, waiting)
 
 
+@checked
 class Stream:
     """A stream of targets: send() a new one at least every 100 ms, or the arm brakes and the stream ends.
 
@@ -198,6 +201,7 @@ class Stream:
         return f"<tiller.Stream, {'active' if self.active else 'ended: ' + self.cause}>"
 
 
+@checked
 class Jog:
     """A velocity the arm has while this is refreshed: at least every 100 ms, or the arm brakes and the jog ends.
 

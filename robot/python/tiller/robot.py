@@ -18,12 +18,16 @@ from types import TracebackType
 from typing import Any
 
 from . import _native, services, simulator as simulators
+from ._arguments import checked
 from ._values import ZEROS, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, NotConnected, RegisterInUse
 from .motions import ForceMode, Jog, Move, PathMove, Stream
 from .receive import Layout, Recording, Sample, Samples
 from .simulator import Simulator
 
+# What the robot reports of its outputs: followed beside the fields that were asked for.
+_CONFIRMING = ("actual_digital_output_bits", "target_speed_fraction", "analog_io_types", "standard_analog_output0",
+               "standard_analog_output1")
 JOG_FRAMES = ("base", "tool", "custom", "joints")
 _LOOP_TARGETS: dict[str, tuple[Callable[[Floats, str], list[float]], str]] = {
     "servo_j": (joint_positions, "joint positions"), "servo_l": (pose_numbers, "a pose"), "speed_j": (floats, "joint speeds"),
@@ -113,6 +117,7 @@ class LoopReport:
     fast_wake_ups: bool = False  #: the system kept its processors from deep sleep meanwhile
 
 
+@checked
 class Robot:
     """A connection to a robot.
 
@@ -121,7 +126,7 @@ class Robot:
             robot.take_control()
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-    Data come at once; control is taken by take_control(). address: of the controller. fields: RTDE outputs to follow,
+    Data come at once; control is taken by take_control(). A connection that is refused is not tried again. address: of the controller. fields: RTDE outputs to follow,
     None: what most programs want. frequency: packets a second [Hz]; 0: as many as the controller gives. speed_cap: no
     command makes TCP or elbow faster than this [m/s]; it binds moves too. timeout: for the first packet [s].
     upper_registers: talk through registers 24-47 rather than 0-23. priority: of the threads that receive and control, 0
@@ -146,14 +151,15 @@ class Robot:
             self._waiting = simulator.flowing
         clock = None if simulator is None else simulator._native.clock()
         port = 30004 + port_offset
-        receiver = _native.Receiver(address, port, frequency, list(fields or ()), min(priority + 5, 99) if priority
-                                    else 0, clock)
+        followed = [] if not fields else [*fields, *(field for field in _CONFIRMING if field not in fields)]
+        receiver = _native.Receiver(address, port, frequency, followed, min(priority + 5, 99) if priority else 0, clock)
         controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock)
         self._links: tuple[_native.Receiver, _native.Controller] | None = (receiver, controller)
         if simulator is not None:
             simulator._native.follow(receiver)
             simulator._native.follow(controller)
-        self._layout: Layout = {name: (first, count) for name, first, count, _ in receiver.layout()}
+        self._layout: Layout = {name: (first, count) for name, first, count, _ in receiver.layout()
+                                if not fields or name in fields or name == "timestamp"}
         self._last: Sample | None = None
         self._outputs: services.Outputs | None = None
         self._force_blocks: list[ForceMode] = []
@@ -190,7 +196,8 @@ class Robot:
         NotConnected: connect again with another Robot.
         """
         if (links := self._links) is not None:
-            links[1].release()  # refused in a callback of packet_loop(): then nothing has changed
+            with self._waiting():
+                links[1].release()  # refused in a callback of packet_loop(): then nothing has changed
         links, self._links = self._links, None
         _open.discard(self)
         if links is None:
@@ -221,9 +228,12 @@ class Robot:
     @property
     def state(self) -> Sample:
         """The newest packet; the last one when the robot is closed. Its values are NaN where the robot does not send them;
-        see wait_for_data()."""
+        see wait_for_data(). While the link is lost, robot_mode, safety_mode and runtime_state are unknown."""
         links, last = self._links, self._last
-        return last if links is None and last is not None else Sample(self._receiver.latest(), self._layout)
+        if links is None and last is not None:
+            return last
+        receiver = self._receiver
+        return Sample(receiver.latest(), self._layout, receiver.state() == "Receiving")
 
     @property
     def data_age(self) -> float:
@@ -255,7 +265,7 @@ class Robot:
         Raises InvalidArgument for another end of the name, FieldUnknown naming each field that is not followed,
         FileNotWritable (also for a file that another recording is writing), DiskFull."""
         name = os.fspath(path)
-        recording = Recording(_native.Recorder(self._receiver, name, list(fields)), name)
+        recording = Recording(_native.Recorder(self._receiver, name, list(fields or self._layout)), name)
         _recordings.add(recording)
         return recording
 
@@ -286,7 +296,8 @@ class Robot:
             if links[1].is_busy():
                 raise RegisterInUse(f"take control of {self.address}",
                                     "another Robot object of this program moves the arm: stop() or close() that one first")
-            links[1].release()
+            with other._waiting():
+                links[1].release()
         with self._waiting():
             controller.take_control(timeout)
         return self
@@ -297,7 +308,8 @@ class Robot:
 
     def release(self) -> None:
         """Brakes what moves and gives control back; data go on coming."""
-        self._controller.release()
+        with self._waiting():
+            self._controller.release()
 
     @property
     def in_control(self) -> bool:
@@ -307,7 +319,8 @@ class Robot:
 
     @property
     def status(self) -> Mapping[str, Any]:
-        """What control knows, a dict: "in_control", "loss" (why not), "moving", "executing", "limiter" (what holds the speed
+        """What control knows, a dict: "in_control", "loss" (why not), "fresh" (False: no data for 100 ms, so the modes are
+        unknown and the rest describes the past), "moving", "executing", "limiter" (what holds the speed
         down), "last_cause" (why the last motion ended, as Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms",
         "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
         return self._controller.status()
