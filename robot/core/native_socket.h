@@ -69,9 +69,9 @@ bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);  ///< Frees the descriptor.
 
-/// The port of this end of a connection, and of the other end; 0 where there is none.
+/// The port of this end of a connection; 0 where there is none.
 std::uint16_t localPort(Descriptor socket);
-std::uint16_t peerPort(Descriptor socket);
+std::uint16_t peerPort(Descriptor socket);  ///< The same of the other end.
 
 /// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
 /// when the system has none left.

@@ -16,8 +16,8 @@ namespace tiller {
 class ResultError : public std::logic_error {
 public:
     explicit ResultError(Error error) : std::logic_error(error.message()), error_(std::move(error)) {}
-    const Error& error() const noexcept { return error_; }
-    ErrorCode code() const noexcept { return error_.code; }  ///< To tell errors apart in a handler.
+    const Error& error() const noexcept { return error_; }   ///< Code, context and message.
+    ErrorCode code() const noexcept { return error_.code; }  ///< As error().code.
 
 private:
     Error error_;

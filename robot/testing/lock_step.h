@@ -46,9 +46,9 @@ public:
     Result<void> start();
     void stop();  ///< Ends the robot and every connection; harmless when it does not run.
 
-    simulator::Simulator& robot() { return robot_; }
-    const simulator::Simulator& robot() const { return robot_; }
-    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }
+    simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and its actual state.
+    const simulator::Simulator& robot() const { return robot_; }           ///< The same.
+    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For objects made elsewhere.
 
     /// A receiver of this robot, started, by its clock. options  host, port and clock are set here
     std::shared_ptr<receive::Receiver> makeReceiver(receive::ReceiverOptions options = {});
@@ -56,7 +56,7 @@ public:
     std::shared_ptr<control::Controller> makeController(control::ControllerOptions options = {});
     /// Has step() wait for one that was made elsewhere with clock(). What has been destroyed is forgotten.
     void follow(std::weak_ptr<const receive::Receiver> receiver);
-    void follow(std::weak_ptr<const control::Controller> controller);
+    void follow(std::weak_ptr<const control::Controller> controller);  ///< The same.
 
     /// One control period. When it returns, each receiver and controller that follows has taken in what reached it, and who
     /// is in control has answered. What a fault of the link holds back is not waited for.
@@ -83,7 +83,7 @@ public:
         return call();
     }
     void beginFlow();  ///< As a Flow; each call needs an endFlow().
-    void endFlow();    ///< Blocks: until time stands still, unless other flows go on.
+    void endFlow();    ///< Blocks: until time is at standstill, unless other flows go on.
 
 private:
     struct Ticking {

@@ -39,6 +39,7 @@ struct RobotFixture {
     }
     /// For hangs only: a test in virtual time never reaches it.
     static Deadline limit() { return Deadline::after(std::chrono::seconds(60)); }
+    /// Of the controller.
     control::Motions motions() { return control::Motions(*controller); }
     /// Actual joint positions [rad].
     JointPositions q() const { return bench.robot().truth().q; }

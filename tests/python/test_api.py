@@ -7,7 +7,7 @@ import unittest
 import tiller
 from tiller import errors
 
-PATIENCE = 60.0  # for hangs only
+LIMIT = 60.0  # for hangs only
 
 
 class TestArguments(unittest.TestCase):
@@ -16,7 +16,7 @@ class TestArguments(unittest.TestCase):
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True).start()
         self.addCleanup(self.simulator.stop)
-        self.robot = self.simulator.robot(timeout=PATIENCE).take_control(PATIENCE)
+        self.robot = self.simulator.robot(timeout=LIMIT).take_control(LIMIT)
         self.addCleanup(self.robot.close)
 
     def test_a_wrong_type_names_the_argument(self):
@@ -56,7 +56,7 @@ class TestArguments(unittest.TestCase):
             raise TypeError("mine: incompatible function arguments")
 
         with self.assertRaisesRegex(TypeError, "^mine: incompatible function arguments$"):
-            self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+            self.robot.packet_loop("speed_j", callback, timeout=LIMIT)
         with self.assertRaisesRegex(TypeError, "no_such_option"):
             self.robot.move_j(self.robot.state.q, no_such_option=1)
 
@@ -75,23 +75,23 @@ class TestLink(unittest.TestCase):
         self.addCleanup(self.simulator.stop)
 
     def robot(self, **options):
-        robot = tiller.Robot(self.simulator.address, timeout=PATIENCE, **options)
+        robot = tiller.Robot(self.simulator.address, timeout=LIMIT, **options)
         self.addCleanup(robot.close)
         return robot
 
     def test_outputs_are_confirmed_whatever_fields_are_followed(self):
         robot = self.robot(fields=["actual_q"])
-        robot.outputs.set_digital(1, True, PATIENCE)
+        robot.outputs.set_digital(1, True, LIMIT)
         self.assertEqual(self.simulator.truth["digital_outputs"], 2)
-        robot.outputs.set_speed_slider(0.5, PATIENCE)
-        robot.outputs.set_voltage(0, 5.0, PATIENCE)
+        robot.outputs.set_speed_slider(0.5, LIMIT)
+        robot.outputs.set_voltage(0, 5.0, LIMIT)
         self.assertEqual(robot.state.fields(), ["timestamp", "actual_q"])
 
     def test_modes_are_unknown_when_the_link_is_lost(self):
-        robot = self.robot().take_control(PATIENCE)
+        robot = self.robot().take_control(LIMIT)
         self.assertEqual((robot.status["safety_mode"], robot.state.safety_mode), ("NORMAL", "NORMAL"))
         self.simulator.stop()
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + LIMIT
         while robot.state.safety_mode == "NORMAL" or robot.status["safety_mode"] == "NORMAL":
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
@@ -113,7 +113,7 @@ class TestLink(unittest.TestCase):
         robot = self.robot()
         self.simulator.fault("restart 1")
         steps = []
-        robot.recover(tiller.Consent(power_on=True, release_brakes=True), PATIENCE, steps.append)
+        robot.recover(tiller.Consent(power_on=True, release_brakes=True), LIMIT, steps.append)
         self.assertEqual(steps[0], "Look")
         self.assertEqual(steps[-1], "Done")
         self.assertEqual(self.simulator.truth["robot_mode"], "RUNNING")

@@ -25,7 +25,7 @@ from .motions import ForceMode, Jog, Move, PathMove, Stream
 from .receive import Layout, Recording, Sample, Samples
 from .simulator import Simulator
 
-# What the robot reports of its outputs: followed beside the fields that were asked for.
+# What the robot reports of its outputs: followed in addition to the fields that were asked for.
 _CONFIRMING = ("actual_digital_output_bits", "target_speed_fraction", "analog_io_types", "standard_analog_output0",
                "standard_analog_output1")
 JOG_FRAMES = ("base", "tool", "custom", "joints")

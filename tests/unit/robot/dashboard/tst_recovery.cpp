@@ -141,9 +141,9 @@ private Q_SLOTS:
         bench.robot.outages = 5;
         QVERIFY(bench.run({false, false, true, true}).ok());
         QCOMPARE(bench.robot.mode.load(), 7);
-        const std::vector<RecoveryStep> told{RecoveryStep::Look, RecoveryStep::PowerOn,
-                                             RecoveryStep::ReleaseBrakes, RecoveryStep::Done};
-        QCOMPARE(bench.steps, told);
+        const std::vector<RecoveryStep> steps{RecoveryStep::Look, RecoveryStep::PowerOn,
+                                              RecoveryStep::ReleaseBrakes, RecoveryStep::Done};
+        QCOMPARE(bench.steps, steps);
     }
 
     void aDeadlineEndsTheWaitForARestart() {
