@@ -227,7 +227,9 @@ int record(const QStringList& arguments) {
     if (const auto started = receiver.start(); !started) {
         return complain(started.error().controllerMessage, kWrongArguments);
     }
-    if (auto came = receiver.waitForData(Deadline::after(duration<double>(options->wait))); !came) {
+    if (auto came =
+            receiver.waitForData(Deadline::after(duration<double>(options->wait)), receive::OnRefusal::Wait);
+        !came) {
         return complain(
             QStringLiteral("no data from %1: %2").arg(options->receiver.host, came.error().toString()),
             kFailed);

@@ -142,7 +142,9 @@ int serve(const QStringList& arguments) {
     if (const auto started = receiver.start(); !started) {
         return complain(started.error().controllerMessage, kWrongArguments);
     }
-    if (auto came = receiver.waitForData(Deadline::after(std::chrono::duration<double>(*patience))); !came) {
+    if (auto came = receiver.waitForData(Deadline::after(std::chrono::duration<double>(*patience)),
+                                         receive::OnRefusal::Wait);
+        !came) {
         return complain(QStringLiteral("no data from %1: %2").arg(wanted.host, came.error().toString()),
                         kFailed);
     }

@@ -17,7 +17,7 @@ set(tiller_rooms core realtime rtde receive script dashboard control io kinemati
 # component is asked for and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
 # Folders that start the simulated arm or controller.
-set(tiller_simulating urscript pendant arm simulator divergence)
+set(tiller_simulating urscript pendant arm simulator testing divergence)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)
@@ -110,7 +110,7 @@ list(REVERSE tiller_link_order)
 tiller_pkg_config(tiller DESCRIPTION "Watches and moves Universal Robots arms" ARCHIVES ${tiller_link_order}
     REQUIRES Qt6Network Qt6Core eigen3 LIBRARIES -pthread)
 tiller_pkg_config(tiller-simulator DESCRIPTION "Simulated Universal Robots controller, and comparison of recordings with it"
-    ARCHIVES divergence simulator urscript arm REQUIRES tiller zlib LIBRARIES -lorocos-kdl)
+    ARCHIVES testing divergence simulator urscript pendant arm REQUIRES tiller zlib LIBRARIES -lorocos-kdl)
 tiller_pkg_config(tiller-recording-mcap DESCRIPTION "Recordings in MCAP" ARCHIVES recording_mcap
     REQUIRES tiller zlib libzstd LIBRARIES -lfastcdr)
 tiller_pkg_config(tiller-recording-formats DESCRIPTION "Recordings in CSV, MCAP and HDF5"

@@ -43,7 +43,7 @@ target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE
 target_compile_features(tiller_shared PUBLIC cxx_std_20)
 target_compile_definitions(tiller_shared INTERFACE $<INSTALL_INTERFACE:${TILLER_WITHOUT_QT_KEYWORDS}>)
 tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/script robot/dashboard robot/control
-    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/live robot/divergence
+    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/live robot/divergence robot/testing
     ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
 
@@ -56,7 +56,7 @@ tiller_exports(ur_rtde_library ${ur_rtde_exported} ARCHIVES $<TARGET_FILE:tiller
 set_target_properties(ur_rtde_library PROPERTIES EXPORT_NAME ur_rtde)
 
 # The names that programs know: tiller::control, tiller::robot ...
-set(tiller_names robot ${tiller_rooms} ${tiller_extras} divergence simulator)
+set(tiller_names robot ${tiller_rooms} ${tiller_extras} testing divergence simulator)
 foreach(name ${tiller_names})
     add_library(tiller_name_${name} INTERFACE)
     set_target_properties(tiller_name_${name} PROPERTIES EXPORT_NAME ${name})

@@ -15,7 +15,7 @@ import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 # As packaging/cmake/TillerInstall.cmake installs them.
-HIDDEN = {"python", "detail", "examples", "simulator", "ur_rtde", "mcap", "hdf5", "formats", "live", "divergence", "station"}
+HIDDEN = {"python", "detail", "examples", "simulator", "ur_rtde", "station"}
 SIMULATOR = ("assumptions.h", "simulator.h", "simulator_options.h", "arm/arm_state.h", "arm/environment.h",
              "box/personality.h")
 

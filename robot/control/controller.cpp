@@ -311,6 +311,10 @@ JointLimits Controller::jointLimits() const {
     return {arm.minPosition, arm.maxPosition, arm.maxSpeed};
 }
 
+std::uint16_t Controller::localPort() const {
+    return d_->link.localPort();
+}
+
 bool Controller::isConnected() const {
     return d_->link.isRunning();
 }

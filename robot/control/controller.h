@@ -140,11 +140,14 @@ public:
     MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
     /// Limits of the joints, from the configuration of the arm once control has been taken.
     JointLimits jointLimits() const;
-    /// True if connected, with or without control.
-    bool isConnected() const;
-    /// Sets the speed limit of TCP and elbow [m/s]; initially 0.25 unless set by ControllerOptions::limits.
-    /// Changing the limit ends the active motion (StopCause::SelectionChanged).
-    /// Errors   InvalidArgument (NaN, 0 or negative), LimitExceeded (above 3 m/s, e.g. a value in mm/s)
+    /// The port of this end of the connection; 0 when there is none.
+    /// Threads  any. Blocks: never
+    std::uint16_t localPort() const;
+    bool isConnected() const;  ///< Whether there is a connection, in control or not.
+    /// From now on TCP and elbow get no faster than this [m/s]; 0.25 unless ControllerOptions::limits said
+    /// otherwise. Another cap than before ends whatever is active (StopCause::SelectionChanged): nothing goes
+    /// on under a cap it was not begun with.
+    /// Errors   InvalidArgument (not a number, or none above 0), LimitExceeded (above 3 m/s: millimetres?)
     Result<void> setSpeedCap(double metresPerSecond);
     /// Makes every jog slow down and end at the safety distance from the objects of this check: the arm itself, its
     /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths and

@@ -5,6 +5,7 @@
 
 #ifdef _WIN32
 #include <winsock2.h>
+#include <ws2tcpip.h>
 #else
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -204,5 +205,38 @@ Descriptor duplicate(Descriptor socket) {
 }
 
 #endif
+
+namespace {
+
+#ifdef _WIN32
+using AnySocket = SOCKET;
+#else
+using AnySocket = int;
+#endif
+
+template <class Ask>
+std::uint16_t portOfSocket(Ask ask) {
+    sockaddr_storage address{};
+    socklen_t size = sizeof address;
+    if (ask(reinterpret_cast<sockaddr*>(&address), &size) != 0) {
+        return 0;
+    }
+    return ntohs(address.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&address)->sin6_port
+                                               : reinterpret_cast<const sockaddr_in*>(&address)->sin_port);
+}
+
+}  // namespace
+
+std::uint16_t localPort(Descriptor socket) {
+    return portOfSocket([socket](sockaddr* address, socklen_t* size) {
+        return ::getsockname(static_cast<AnySocket>(socket), address, size);
+    });
+}
+
+std::uint16_t peerPort(Descriptor socket) {
+    return portOfSocket([socket](sockaddr* address, socklen_t* size) {
+        return ::getpeername(static_cast<AnySocket>(socket), address, size);
+    });
+}
 
 }  // namespace tiller::native_socket

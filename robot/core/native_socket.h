@@ -72,8 +72,12 @@ bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);  ///< Closes the descriptor.
 
-/// Duplicates the descriptor, so that the connection outlives the Qt socket that opened it.
-/// Returns  negative if the system has no free descriptors
+/// The port of this end of a connection; 0 where there is none.
+std::uint16_t localPort(Descriptor socket);
+std::uint16_t peerPort(Descriptor socket);  ///< The same of the other end.
+
+/// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
+/// when the system has none left.
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

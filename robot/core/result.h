@@ -12,6 +12,17 @@
 
 namespace tiller {
 
+/// Thrown by value() of a failed result; what() is Error::message().
+class ResultError : public std::logic_error {
+public:
+    explicit ResultError(Error error) : std::logic_error(error.message()), error_(std::move(error)) {}
+    const Error& error() const noexcept { return error_; }   ///< Code, context and message.
+    ErrorCode code() const noexcept { return error_.code; }  ///< As error().code.
+
+private:
+    Error error_;
+};
+
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -21,12 +32,12 @@ public:
     bool ok() const { return content_.index() == 0; }  ///< True if there is a value.
     explicit operator bool() const { return ok(); }
 
-    /// Errors   std::logic_error on a failed result
+    /// Throws ResultError on a failed result.
     const T& value() const& { return checked(), std::get<0>(content_); }
     T& value() & {
         return checked(), std::get<0>(content_);
-    }  ///< Errors   std::logic_error on a failed result
-    /// Errors   std::logic_error on a failed result. Moves the value out.
+    }  ///< Errors   ResultError on a failed result
+    /// Errors   ResultError on a failed result. Moves the value out.
     T&& value() && { return checked(), std::get<0>(std::move(content_)); }
     const T& operator*() const& { return value(); }
     T& operator*() & { return value(); }
@@ -39,8 +50,7 @@ public:
 private:
     void checked() const {
         if (!ok()) {
-            throw std::logic_error(
-                ("value() of a failed Result: " + std::get<1>(content_).toString()).toStdString());
+            throw ResultError(std::get<1>(content_));
         }
     }
     std::variant<T, Error> content_;
@@ -54,10 +64,10 @@ public:
 
     bool ok() const { return !error_.has_value(); }  ///< True if there is no error.
     explicit operator bool() const { return ok(); }
-    /// Throws std::logic_error on a failed result, for callers that rule out an error.
+    /// Throws ResultError on a failed result; otherwise does nothing.
     void value() const {
         if (!ok()) {
-            throw std::logic_error("value() of a failed Result: " + error_->message());
+            throw ResultError(*error_);
         }
     }
     Error error() const {

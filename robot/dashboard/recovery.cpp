@@ -3,12 +3,17 @@
 #include "robot/core/wait_until.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace tiller::dashboard {
 
 namespace {
 
 using std::chrono::milliseconds;
+
+// Between two attempts to connect to a controller that restarts.
+constexpr milliseconds kOutagePause{100};
 
 QString context() {
     return QStringLiteral("recover the robot");
@@ -31,6 +36,20 @@ bool isTooEarly(const DashboardClient&, const Error& error) {
 }
 bool isTooEarly(const RobotApiClient&, const Error& error) {
     return error.controllerMessage.startsWith(QLatin1String("409"));  // "not available now"
+}
+
+/// What happens to connections while a controller restarts.
+bool isOutage(const Error& error) {
+    return error.code == ErrorCode::ConnectionClosed || error.code == ErrorCode::ConnectionRefused ||
+           error.code == ErrorCode::HostUnreachable || error.code == ErrorCode::NotConnected ||
+           error.code == ErrorCode::LinkLost;
+}
+
+Result<void> connectAgain(DashboardClient& client, const Deadline& deadline) {
+    return client.isConnected() ? Result<void>() : client.connect(deadline);
+}
+Result<void> connectAgain(RobotApiClient&, const Deadline&) {
+    return {};  // each request has a connection of its own
 }
 
 void closePopup(DashboardClient& client, const Deadline& deadline) {
@@ -70,14 +89,27 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
     };
     report(RecoveryStep::Look);
     RecoveryStep last = RecoveryStep::Look;
-    while (!deadline.hasExpired()) {
-        const auto safety = client.safetyMode(deadline);
-        if (!safety) {
-            return safety.error();
+    Error outage;
+    // Nothing: the next look shows what the error meant.
+    const auto endsWith = [&](const Error& error) -> std::optional<Error> {
+        if (!isOutage(error)) {
+            return error;
         }
-        const auto mode = client.robotMode(deadline);
+        outage = error;
+        // What was begun before a restart has to begin again, except for an unlock: consent is for one.
+        last = last == RecoveryStep::Unlock ? last : RecoveryStep::Look;
+        pause(deadline, kOutagePause);
+        return std::nullopt;
+    };
+    while (!deadline.hasExpired()) {
+        const auto connected = connectAgain(client, deadline);
+        const auto safety = connected ? client.safetyMode(deadline) : Result<SafetyMode>(connected.error());
+        const auto mode = safety ? client.robotMode(deadline) : Result<RobotMode>(safety.error());
         if (!mode) {
-            return mode.error();
+            if (const auto error = endsWith(mode.error())) {
+                return *error;
+            }
+            continue;
         }
         const RecoveryStep next = nextRecoveryStep(*safety, *mode);
         if (next == RecoveryStep::AskPerson) {
@@ -127,11 +159,16 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             last = next;
         }
         if (!done) {
-            return done;
+            if (const auto error = endsWith(done.error())) {
+                return *error;
+            }
+            continue;
         }
         pause(deadline, milliseconds(50));
     }
-    return overdue(deadline, QStringLiteral("the robot has not come to RUNNING"));
+    return overdue(deadline, outage.code == ErrorCode::None
+                                 ? QStringLiteral("the robot has not come to RUNNING")
+                                 : QStringLiteral("the robot has not come to RUNNING; ") + outage.toString());
 }
 
 }  // namespace
@@ -166,6 +203,25 @@ Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, co
 Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress) {
     return recoverWith(client, consent, deadline, progress);
+}
+
+Result<void> recover(const ServiceAddress& address, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress) {
+    auto service = openService(address, deadline);
+    while (!service && isOutage(service.error()) && !deadline.hasExpired()) {
+        pause(deadline, kOutagePause);
+        service = openService(address, deadline);
+    }
+    if (!service) {
+        return service.error();
+    }
+    if ((*service)->kind() == ServiceKind::RobotApi) {
+        RobotApiClient client(address.host, address.robotApiPort);
+        return recover(client, consent, deadline, progress);
+    }
+    service->reset();  // the dashboard server is asked through one connection
+    DashboardClient client(address.host, address.dashboardPort);
+    return recover(client, consent, deadline, progress);
 }
 
 }  // namespace tiller::dashboard

@@ -11,6 +11,7 @@
 #include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"
 #include "robot/dashboard/robot_api_client.h"
+#include "robot/dashboard/robot_service.h"
 
 namespace tiller::dashboard {
 
@@ -48,14 +49,20 @@ RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode);
 /// Called in the thread of recover() before each step.
 using RecoveryProgress = std::function<void(RecoveryStep)>;
 
-/// Brings the robot to RUNNING in NORMAL or REDUCED.
-/// Errors   as DashboardClient; Rejected with the reason if a step needs a missing consent or an action at the
-///          robot (emergency stop pressed, safeguard open); only the reported steps were performed then
-/// Threads  the thread that connected the client. Blocks: until the deadline
+/// Leads the robot to RUNNING in NORMAL or REDUCED. A controller that restarts meanwhile is waited for: connections that it
+/// ends or refuses are made again until the deadline.
+/// Errors   as DashboardClient; Rejected with what is missing when a step needs a consent that was not given,
+///          or a person at the robot (emergency stop pressed, safeguard open): nothing was done then beyond
+///          the steps told
+/// Threads  the one that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 /// The same for PolyScope X.
 Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
+                     const RecoveryProgress& progress = {});
+
+/// The same by the dashboard, or, where there is none, by the Robot API.
+Result<void> recover(const ServiceAddress& address, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 
 }  // namespace tiller::dashboard

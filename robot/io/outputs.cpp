@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/io/outputs.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -56,6 +57,12 @@ constexpr std::uint32_t kAllOutputs = (1U << kDigitalOutputs) - 1;
 constexpr double kSliderTolerance = 0.005;
 constexpr std::int64_t kFreshNs = 1 * kNsPerSecond;
 
+/// The fields that confirm a command.
+using ReportFields = std::array<const char*, 3>;
+constexpr ReportFields kDigitalReport{"actual_digital_output_bits"};
+constexpr ReportFields kSliderReport{"target_speed_fraction"};
+constexpr ReportFields kAnalogReport{"analog_io_types", "standard_analog_output0", "standard_analog_output1"};
+
 std::vector<std::string> fieldsOf(const GroupFacts& facts) {
     std::vector<std::string> names;
     for (const char* field : facts.fields) {
@@ -91,7 +98,15 @@ Error invalid(const QString& what) {
 }  // namespace
 
 OutputFeedback OutputFeedback::fromReceiver(const receive::Receiver& receiver) {
-    return {[&receiver] {
+    std::vector<std::string> absent;
+    for (const auto& fields : {kDigitalReport, kSliderReport, kAnalogReport}) {
+        for (const char* field : fields) {
+            if (field != nullptr && receiver.layout()->find(field) == nullptr) {
+                absent.emplace_back(field);
+            }
+        }
+    }
+    const auto newest = [&receiver] {
         Report report;
         const receive::Sample sample = receiver.latest();
         report.sequence = sample.sequence;
@@ -109,7 +124,8 @@ OutputFeedback OutputFeedback::fromReceiver(const receive::Receiver& receiver) {
             report.analogDomains = *types >> kFirstOutput;
         }
         return report;
-    }};
+    };
+    return {newest, std::move(absent)};
 }
 
 struct Outputs::Link {
@@ -191,7 +207,20 @@ struct Outputs::Link {
         return error;
     }
 
-    /// The state just before sending: only later reports confirm the command or end the wait.
+    /// Whether the robot's report of it is followed.
+    Result<void> confirmable(const QString& what, const ReportFields& fields) const {
+        for (const char* field : fields) {
+            if (field != nullptr &&
+                std::find(feedback.absent.begin(), feedback.absent.end(), field) != feedback.absent.end()) {
+                return Error{ErrorCode::FieldUnknown, what,
+                             QStringLiteral("the receiver does not follow %1, which confirms it")
+                                 .arg(QLatin1String(field))};
+            }
+        }
+        return {};
+    }
+
+    /// Just before something is sent: only what comes later confirms it, or ends the wait for it.
     struct Moment {
         std::uint64_t sequence = 0;
         std::uint64_t disconnects = 0;
@@ -253,6 +282,9 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
     if (mask == 0 || (mask & ~kAllOutputs) != 0) {
         return invalid(QStringLiteral("digital outputs are 0 to %1").arg(kDigitalOutputs - 1));
     }
+    if (auto can = d_->confirmable(QStringLiteral("set digital outputs"), kDigitalReport); !can) {
+        return can;
+    }
     Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);
@@ -307,6 +339,9 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
                 .arg(fraction)
                 .arg(kLowestSpeedFraction));
     }
+    if (auto can = d_->confirmable(QStringLiteral("set the speed slider"), kSliderReport); !can) {
+        return can;
+    }
     Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);
@@ -335,6 +370,9 @@ Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double le
     }
     const auto which = static_cast<std::size_t>(output);
     const unsigned bit = 1U << which;
+    if (auto can = d_->confirmable(QStringLiteral("set analog output %1").arg(output), kAnalogReport); !can) {
+        return can;
+    }
     Link::Moment before;
     {
         const std::lock_guard lock(d_->mutex);

@@ -11,6 +11,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
@@ -45,8 +47,11 @@ struct Report {
 struct OutputFeedback {
     /// Returns the newest report. Called from the thread that waits for a confirmation.
     std::function<Report()> newest;
+    /// RTDE names of what it never reports: commands that these would confirm are refused.
+    std::vector<std::string> absent = {};
 
-    /// Uses the newest sample of a receiver, which must outlive the Outputs.
+    /// From the newest sample of a receiver, which must outlive the Outputs. It has to follow actual_digital_output_bits,
+    /// target_speed_fraction, analog_io_types, standard_analog_output0 and standard_analog_output1, as far as these are set.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 
@@ -75,10 +80,11 @@ public:
     /// True if the connection was open when it was last used. Blocks: never
     bool isConnected() const;
 
-    /// Sets the outputs selected by `mask` to the bits of `values`; all others stay unchanged.
-    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (with the inputs used by another
-    ///         client), FieldUnknown (the robot does not have the input), LinkLost, Timeout (sent, but the robot
-    ///         does not report the values), Cancelled
+    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.
+    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (who asks reads which inputs are
+    ///         owned by another client), FieldUnknown (this robot has no such input, or the receiver does not follow the
+    ///         field that confirms it: nothing was sent), LinkLost, Timeout
+    ///         (sent, but the robot does not report it), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
     /// Sets a single output. Errors and blocking as setDigitalOutputs().

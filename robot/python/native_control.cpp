@@ -293,24 +293,25 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
 
 py::dict statusDict(const NativeController& self) {
     const ControllerStatus status = self.controller.status();
-    py::dict result;
-    result["in_control"] = status.inControl;
-    result["loss"] = toString(status.loss);
-    result["robot_mode"] = toString(status.robotMode);
-    result["safety_mode"] = toString(status.safetyMode);
-    result["moving"] = status.moving;
-    result["force_mode"] = status.forceMode;
-    result["executing"] = status.executing;
-    result["limiter"] = toString(status.limiter.kind);
-    result["limiter_joint"] = status.limiter.joint;
-    result["limiter_scale"] = status.limiter.scale;
-    result["last_cause"] = toString(status.lastCause);
-    result["last_stop_ms"] = status.lastStop.durationMs;
-    result["last_stop_mm"] = status.lastStop.distanceMm;
-    result["round_trip_ms"] = status.roundTripMs;
-    result["speed_fraction"] = status.speedFraction;
-    result["speed_scaling"] = status.speedScaling;
-    return result;
+    py::dict told;
+    told["in_control"] = status.inControl;
+    told["loss"] = toString(status.loss);
+    told["fresh"] = status.fresh;
+    told["robot_mode"] = toString(status.fresh ? status.robotMode : RobotMode::Disconnected);
+    told["safety_mode"] = toString(status.fresh ? status.safetyMode : SafetyMode::Undefined);
+    told["moving"] = status.moving;
+    told["force_mode"] = status.forceMode;
+    told["executing"] = status.executing;
+    told["limiter"] = toString(status.limiter.kind);
+    told["limiter_joint"] = status.limiter.joint;
+    told["limiter_scale"] = status.limiter.scale;
+    told["last_cause"] = toString(status.lastCause);
+    told["last_stop_ms"] = status.lastStop.durationMs;
+    told["last_stop_mm"] = status.lastStop.distanceMm;
+    told["round_trip_ms"] = status.roundTripMs;
+    told["speed_fraction"] = status.speedFraction;
+    told["speed_scaling"] = status.speedScaling;
+    return told;
 }
 
 /// (whether it is a pose, numbers)

@@ -163,21 +163,8 @@ void defineDashboard(py::module_& module) {
                 }
             };
             const auto address = dashboard::serviceAt(host, portOffset);
-            waited(seconds, [&](const Deadline& deadline) -> Result<void> {
-                auto service = dashboard::openService(address, deadline);
-                if (!service) {
-                    return service.error();
-                }
-                if ((*service)->kind() == dashboard::ServiceKind::RobotApi) {
-                    dashboard::RobotApiClient client(address.host, address.robotApiPort);
-                    return dashboard::recover(client, consent, deadline, onStep);
-                }
-                service->reset();  // one connection for all queries to the server
-                dashboard::DashboardClient client(address.host, address.dashboardPort);
-                if (auto connected = client.connect(deadline); !connected) {
-                    return connected;
-                }
-                return dashboard::recover(client, consent, deadline, onStep);
+            waited(seconds, [&](const Deadline& deadline) {
+                return dashboard::recover(address, consent, deadline, tell);
             });
         },
         py::arg("host"), py::arg("port_offset"), py::arg("cause_inspected"), py::arg("restart_safety"),

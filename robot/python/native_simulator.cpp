@@ -1,106 +1,59 @@
 // SPDX-License-Identifier: MIT
-// Part of tiller._native: the simulated controller in this process.
-#include <algorithm>
-#include <thread>
+// Of tiller._native: the simulated controller in this very process.
+#include <memory>
 
 #include "robot/python/native_objects.h"
 #include "robot/simulator/box/personality.h"
 #include "robot/simulator/simulator.h"
+#include "robot/testing/lock_step.h"
 
 namespace tiller::python {
 
 namespace {
 
-/// The robot and, in virtual time, the clock that it shares with its clients.
+/// The robot; in virtual time with its clock and its clients in lock-step.
 class NativeSimulator : public ProcessOwned {
 public:
-    explicit NativeSimulator(const simulator::SimulatorOptions& options)
-        : clock_(options.time == simulator::Time::Virtual ? std::make_shared<VirtualClock>() : nullptr)
-        , robot(options) {}
-    ~NativeSimulator() { robot.stop(); }
-
-    SharedClock clock() const { return clock_; }
-    void follow(const std::shared_ptr<NativeReceiver>& receiver) { receivers_.push_back(receiver); }
-    void follow(const std::shared_ptr<NativeController>& controller) { controllers_.push_back(controller); }
-
-    /// Advances the robot and all users of its clock by one control period: on return, all clients have processed
-    /// the packet, and the controlling one has answered.
-    void tick() {
-        const auto receivers = living(receivers_);
-        const auto controllers = living(controllers_);
-        struct Awaited {
-            receive::Receiver* receiver;
-            std::uint64_t packets;
-        };
-        std::vector<Awaited> awaited;
-        for (const auto& receiver : receivers) {
-            if (receiver->receiver.state() == receive::ReceiverState::Receiving) {
-                awaited.push_back({&receiver->receiver, receiver->receiver.counters().packets});
-            }
+    explicit NativeSimulator(const simulator::SimulatorOptions& options) {
+        if (options.time == simulator::Time::Virtual) {
+            bench_ = std::make_unique<virtual_time::LockStep>(options);
+        } else {
+            real_ = std::make_unique<simulator::Simulator>(options);
         }
-        // Also one whose data were late: it answers the packet that ends this.
-        const auto isAnswering = [](const auto& controller) {
-            const control::ControllerStatus status = controller->controller.status();
-            return status.inControl || status.loss == control::ControlLoss::DataStale;
-        };
-        const auto answering =
-            static_cast<std::uint64_t>(std::count_if(controllers.begin(), controllers.end(), isAnswering));
-        const std::uint64_t inputs = robot.inputPackages();
-        clock_->advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9));
-        robot.step();
-        // In real time and with a limit: a stopped client does not answer.
-        const auto end = std::chrono::steady_clock::now() + kPatience;
-        const auto isPatient = [end] { return std::chrono::steady_clock::now() < end; };
-        for (const Awaited& one : awaited) {
-            while (one.receiver->counters().packets == one.packets &&
-                   one.receiver->state() == receive::ReceiverState::Receiving && isPatient()) {
-                std::this_thread::yield();
-            }
-        }
-        const auto someAnswer = [&] {
-            return std::any_of(controllers.begin(), controllers.end(), isAnswering);
-        };
-        while (
-            answering > 0 && someAnswer() && isPatient() &&
-            !robot.waitForInputPackages(inputs + answering, Deadline::after(std::chrono::milliseconds(20)))) {
-        }
-        // A client that is connecting needs an answer although no time passes.
-        robot.drainSockets();
     }
+    ~NativeSimulator() { stop(); }
 
-    void step(double seconds) {
-        const int ticks = static_cast<int>(std::lround(seconds / robot.stepTime()));
-        for (int i = 0; i < ticks && !isEnding; ++i) {
-            tick();
+    simulator::Simulator& robot() { return bench_ ? bench_->robot() : *real_; }
+    const simulator::Simulator& robot() const { return bench_ ? bench_->robot() : *real_; }
+    SharedClock clock() const { return bench_ ? SharedClock(bench_->clock()) : nullptr; }
+    void stop() {
+        if (bench_) {
+            bench_->stop();
+        } else {
+            real_->stop();
         }
+    }
+    void follow(const std::shared_ptr<NativeReceiver>& receiver) {
+        bench().follow(std::shared_ptr<const receive::Receiver>(receiver, &receiver->receiver));
+    }
+    void follow(const std::shared_ptr<NativeController>& controller) {
+        bench().follow(std::shared_ptr<const control::Controller>(controller, &controller->controller));
+    }
+    virtual_time::LockStep& bench() {
+        if (!bench_) {
+            raise({ErrorCode::InvalidArgument, QStringLiteral("step the time of a simulator"),
+                   QStringLiteral("it runs in real time: Simulator(virtual=True)")});
+        }
+        return *bench_;
     }
 
 private:
-    static constexpr std::chrono::milliseconds kPatience{500};
-
-    template <class T>
-    static std::vector<std::shared_ptr<T>> living(std::vector<std::weak_ptr<T>>& all) {
-        std::vector<std::shared_ptr<T>> there;
-        std::erase_if(all, [](const auto& one) { return one.expired(); });
-        for (const auto& one : all) {
-            if (auto held = one.lock()) {
-                there.push_back(std::move(held));
-            }
-        }
-        return there;
-    }
-
-    std::shared_ptr<VirtualClock> clock_;
-    std::vector<std::weak_ptr<NativeReceiver>> receivers_;
-    std::vector<std::weak_ptr<NativeController>> controllers_;
-
-public:
-    simulator::Simulator robot;
-    std::atomic<bool> isEnding{false};
+    std::unique_ptr<simulator::Simulator> real_;
+    std::unique_ptr<virtual_time::LockStep> bench_;
 };
 
 py::dict truthDict(const NativeSimulator& self) {
-    const simulator::Truth truth = self.robot.truth();
+    const simulator::Truth truth = self.robot().truth();
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
     py::dict result;
     result["timestamp"] = truth.timestamp;
@@ -152,7 +105,7 @@ void defineSimulator(py::module_& module) {
              [](NativeSimulator& self) {
                  const auto started = [&] {
                      const GilReleased released;
-                     return self.robot.start();
+                     return self.robot().start();
                  }();
                  taken(started);
              })
@@ -160,12 +113,11 @@ void defineSimulator(py::module_& module) {
             "stop",
             [](NativeSimulator& self) {
                 if (self.isOwn()) {
-                    self.isEnding = true;
-                    self.robot.stop();
+                    self.stop();
                 }
             },
             Released())
-        .def("is_running", [](const NativeSimulator& self) { return self.robot.isRunning(); })
+        .def("is_running", [](const NativeSimulator& self) { return self.robot().isRunning(); })
         .def("clock", &NativeSimulator::clock)
         .def("follow", py::overload_cast<const std::shared_ptr<NativeReceiver>&>(&NativeSimulator::follow))
         .def("follow", py::overload_cast<const std::shared_ptr<NativeController>&>(&NativeSimulator::follow))
@@ -174,16 +126,16 @@ void defineSimulator(py::module_& module) {
             [](NativeSimulator& self, double seconds) {
                 refuseOfParent(self);
                 const WaitingCall released;
-                self.step(seconds);
+                self.bench().step(seconds);
             },
             py::arg("seconds"))
-        .def("tick",
+        .def("begin_flow", [](NativeSimulator& self) { self.bench().beginFlow(); })
+        .def("end_flow",
              [](NativeSimulator& self) {
-                 refuseOfParent(self);
-                 const WaitingCall released;
-                 self.tick();
+                 const GilReleased released;
+                 self.bench().endFlow();
              })
-        .def("step_time", [](const NativeSimulator& self) { return self.robot.stepTime(); })
+        .def("step_time", [](const NativeSimulator& self) { return self.robot().stepTime(); })
         .def("truth", &truthDict)
         .def(
             "inject",
@@ -191,17 +143,17 @@ void defineSimulator(py::module_& module) {
                 refuseOfParent(self);
                 const auto answer = [&] {
                     const GilReleased released;
-                    return self.robot.inject(words);
+                    return self.robot().inject(words);
                 }();
                 return string(taken(answer));
             },
             py::arg("words"))
         .def("set_digital_input",
-             [](NativeSimulator& self, int n, bool on) { self.robot.setDigitalInput(n, on); })
+             [](NativeSimulator& self, int n, bool on) { self.robot().setDigitalInput(n, on); })
         .def("set_analog_input",
-             [](NativeSimulator& self, int n, double v) { self.robot.setAnalogInput(n, v); })
+             [](NativeSimulator& self, int n, double v) { self.robot().setAnalogInput(n, v); })
         .def("press_hand",
-             [](NativeSimulator& self, const Six& wrench) { self.robot.pressHand(wrenchOf(wrench)); });
+             [](NativeSimulator& self, const Six& wrench) { self.robot().pressHand(wrenchOf(wrench)); });
 }
 
 }  // namespace tiller::python

@@ -161,6 +161,8 @@ struct Receiver::Worker {
     std::mutex waitMutex;
     std::condition_variable waitEnds;
     std::atomic<ReceiverState> state{ReceiverState::Stopped};
+    std::atomic<std::uint16_t> localPort{0};
+    native_socket::Waker waker;  ///< ends the wait for a package
     std::atomic<std::uint64_t> packets{0};
     std::atomic<std::uint64_t> late{0};
     std::atomic<std::uint64_t> lost{0};
@@ -217,6 +219,7 @@ struct Receiver::Worker {
             auto opened = rtde::Connection::open(wanted, Deadline::after(options.connectTimeout, cancel));
             const std::uint64_t before = sequence;
             Error failure = opened ? follow(**opened) : opened.error();
+            localPort = 0;
             if (opened) {
                 (*opened)->close();
             }
@@ -293,13 +296,14 @@ struct Receiver::Worker {
         hasPrevious = false;
         windowStartNs = began;
         windowPackets = 0;
+        localPort = native_socket::localPort(connection.descriptor());
         state = ReceiverState::Receiving;
 
         // From here to the return: no lock, no allocation, no system call except for the socket.
         std::int64_t heardNs = began;
         rtde::ByteView wire;
         while (!stopping) {
-            switch (connection.readWire(wire, kReadSlice)) {
+            switch (connection.readWire(wire, kReadSlice, &waker)) {
                 case rtde::Connection::Read::Package:
                     heardNs = options.clock->nowNs();
                     publish(connection.outputs().layout(), wire, heardNs);
@@ -422,13 +426,19 @@ void Receiver::stop() {
     }
     d_->cancel.cancel();
     d_->waitEnds.notify_all();
+    d_->waker.wake();
     d_->thread.join();
+    d_->waker.take();
     d_->stream->ended = true;
     d_->stream->wakeUp.wake();
 }
 
 ReceiverState Receiver::state() const {
     return d_->state;
+}
+
+std::uint16_t Receiver::localPort() const {
+    return d_->localPort;
 }
 
 Error Receiver::lastError() const {
@@ -492,7 +502,7 @@ void Receiver::latest(Sample& into) const {
     }
 }
 
-Result<Sample> Receiver::waitForData(const Deadline& deadline) const {
+Result<Sample> Receiver::waitForData(const Deadline& deadline, OnRefusal onRefusal) const {
     constexpr milliseconds kFresh(100);
     const auto what = [this] {
         return QStringLiteral("wait for data from %1:%2").arg(d_->options.host).arg(d_->options.port);
@@ -507,6 +517,12 @@ Result<Sample> Receiver::waitForData(const Deadline& deadline) const {
             return deadline.isCancelled() || cause.code == ErrorCode::None
                        ? d_->stream->failure(deadline, what())
                        : cause;
+        }
+        if (onRefusal == OnRefusal::Fail && !d_->hasData && state() == ReceiverState::Waiting) {
+            const Error cause = lastError();
+            if (cause.code == ErrorCode::ConnectionRefused || cause.code == ErrorCode::AddressInvalid) {
+                return cause;
+            }
         }
         d_->stream->wakeUp.wait(deadline.nextPoll(), isThere);
     }

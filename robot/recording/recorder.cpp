@@ -50,7 +50,7 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     return sentences;
 }
 
-/// `timestamp` first unless asGiven; without duplicates.
+/// `timestamp` first, unless they are to be as given; each once.
 std::vector<std::string> orderedFields(const RecorderOptions& options, const receive::SampleLayout& layout) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {

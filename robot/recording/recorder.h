@@ -33,7 +33,7 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 class RecordingFile;
 
-/// The fields that ur_rtde records. The command line writes them to CSV unless others are requested.
+/// The fields that ur_rtde records. The command line writes them to CSV unless others are asked for.
 std::vector<std::string> defaultRecordedFields();
 
 /// Name of the last column.
@@ -41,16 +41,16 @@ inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names, all of which must be subscribed to by the receiver; empty: all subscribed fields. `timestamp`
-    /// always comes first.
+    /// Field names, all of which the receiver has to follow; empty: every field that it follows. `timestamp` is always
+    /// the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< exactly these fields in this order, without timestamp and packages_lost
     /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
     int every = 1;
     /// Null: CSV, which is refused for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
-    /// recording/formats/open_recording.h selects the format by the extension.
+    /// recording/formats/open_recording.h chooses by the end of the path.
     std::shared_ptr<const RecordingFormat> format{};
-    /// Waits for the trigger and writes numbered files: see numberedPath(). Empty: one file, immediately.
+    /// Waits for it, and writes into numbered files: see numberedPath(). Nothing: one file, at once.
     std::optional<RecordingTrigger> trigger{};
     /// Ends with DiskFull if less space would remain on the disk [bytes]; 0: when the disk is full.
     std::int64_t keepFree = 0;
@@ -85,11 +85,12 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Creates the file (replacing an existing one), writes the header and starts with the next package.
-    /// Errors   FileNotWritable (also if another recording uses the file), DiskFull; FieldUnknown, with all fields
-    ///          that the receiver does not subscribe to (an existing file is unchanged); InvalidArgument (a
-    ///          recording is active, or the extension belongs to another format)
-    /// Blocks   until the file is created
+    /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
+    /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown, naming each field that the receiver does not follow
+    /// (no
+    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way, or the path
+    ///          ends as those of another format)
+    /// Blocks   as long as the file system takes to create a file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
     /// As above, with a new subscription.

@@ -55,6 +55,8 @@ const std::vector<Row>& rows() {
             "an event node runs while its condition is true, or once each time it becomes true"),
         row(&A::rpcFactory, "rpc-factory", {"connects", "defers"},
             "rpc_factory ends the program without a server, or only the calls of its methods do"),
+        row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},
+            "whether the threads of a program run before its main program in each period"),
         row(&A::teachMode, "teach_mode", kBuiltin, "and end_teach_mode: missing is a compile error"),
         row(&A::servoc, "servoc", kBuiltin, "missing is a compile error"),
         row(&A::isWithinSafetyLimits, "is_within_safety_limits", kBuiltin, "missing is a compile error"),

@@ -62,6 +62,8 @@ struct Assumptions {
     enum class RpcFactory : std::uint8_t { Connects, Defers };
     /// rpc_factory() needs a server that accepts, or only the calls of its methods do.
     RpcFactory rpcFactory = RpcFactory::Connects;
+    enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, where all have waited for it
 
     /// Deprecated builtins: there, or names the compiler does not know.
     enum class Builtin : std::uint8_t { Present, Missing };

@@ -111,6 +111,8 @@ public:
     bool stopping = false;
     Ports ports = Ports::none();
     Truth truth;
+    std::vector<RtdeDelivery> deliveries;
+    bool linkIsPlain = true;
     TickTiming timing;  ///< the thread's, as what follows
     std::chrono::steady_clock::time_point timingBegan;
     double threadSecondsBefore = 0;
@@ -145,8 +147,14 @@ public:
         now.tcpSpeed = t.arm->actualTcpSpeed;
         now.speedSlider = t.speedSlider;
         now.digitalOutputs = t.pins->digitalOutputs;
+        std::vector<RtdeDelivery> delivered;
+        if (options.time == Time::Virtual) {
+            delivered = controlBox.services.rtde().deliveries();
+        }
         const std::lock_guard lock(mutex);
         truth = now;
+        deliveries = std::move(delivered);
+        linkIsPlain = controlBox.services.link().isPlain();
     }
 
 private:
@@ -343,6 +351,16 @@ bool Simulator::waitForInputPackages(std::uint64_t total, const Deadline& deadli
         }
     }
     return true;
+}
+
+std::vector<RtdeDelivery> Simulator::rtdeDeliveries() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->deliveries;
+}
+
+bool Simulator::isLinkPlain() const {
+    const std::lock_guard lock(d_->mutex);
+    return d_->linkIsPlain;
 }
 
 int Simulator::rtdeClients() const {

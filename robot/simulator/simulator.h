@@ -18,6 +18,7 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "robot/core/deadline.h"
 #include "robot/core/joints.h"
@@ -46,6 +47,12 @@ struct Truth {
     Twist tcpSpeed;
     double speedSlider = 1;
     std::uint64_t digitalOutputs = 0;
+};
+
+/// The newest RTDE data package that a client can read.
+struct RtdeDelivery {
+    std::uint16_t port = 0;  ///< of the client's end of the connection
+    double timestamp = 0;    ///< of the package [s]
 };
 
 /// How regularly a controller in real time kept its periods since start() or resetTiming().
@@ -107,6 +114,10 @@ public:
     /// Reads until so many input packages have come, or the deadline is over.
     /// Returns  true when they have
     bool waitForInputPackages(std::uint64_t total, const Deadline& deadline);
+    /// What each RTDE client can read since the last step(). Clients that no package has reached are left out.
+    std::vector<RtdeDelivery> rtdeDeliveries() const;
+    /// No fault of the link is set that delays, splits or holds back what is sent.
+    bool isLinkPlain() const;
     /// Clients connected to the RTDE port now.
     int rtdeClients() const;
 

@@ -80,6 +80,7 @@ Result<void> ControlLink::open(const Deadline& deadline) {
         return error.code == ErrorCode::RegisterInUse ? explainInUse(error, options_.registers) : error;
     }
     connection_ = std::move(opened).value();
+    localPort_ = native_socket::localPort(connection_->descriptor());
     const QString context = QStringLiteral("set up registers at %1").arg(connection_->peer());
     const rtde::Recipe& inputs = connection_->inputs().front();
     if (!inputs.isValid() || inputs.size() != kCommandSize) {
@@ -155,6 +156,7 @@ void ControlLink::end() {
         thread_.join();
     }
     running_.store(false, std::memory_order_release);
+    localPort_ = 0;
     connection_.reset();
     watchdogUsable_ = false;
     wrenchUsable_ = false;

@@ -50,6 +50,7 @@ public:
     void begin(script::PrimaryClient& primary);
     /// Ends thread and connection. Allowed when there are none.
     void end();
+    std::uint16_t localPort() const { return localPort_.load(std::memory_order_acquire); }
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
 
     /// Makes the thread send the newest command immediately, unless the clock is virtual.
@@ -79,6 +80,7 @@ private:
     std::thread thread_;
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};
+    std::atomic<std::uint16_t> localPort_{0};
     native_socket::Waker waker_;
     std::atomic<bool> watchdogUsable_{false};
     std::atomic<bool> wrenchUsable_{false};

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from . import _native
+from ._arguments import checked_call
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class Report(list[Finding]):
         return "\n".join(lines)
 
 
+@checked_call
 def examine(address: str, port_offset: int = 0, timeout: float | None = 30.0) -> Report:
     """Checks network, ports, protocol, software, modes, registers and data rate, without changes to the robot.
 

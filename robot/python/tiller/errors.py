@@ -22,12 +22,10 @@ class Error(Exception):
         self.controller_message = controller_message
 
     def __str__(self) -> str:
-        text = self.code
-        if self.context:
-            text += f": {self.context}"
-        if self.controller_message:
-            text += f" ({self.controller_message})"
-        return text
+        """Context and message. A traceback prints the name of the class before it."""
+        if self.context and self.controller_message:
+            return f"{self.context} ({self.controller_message})"
+        return self.context or self.controller_message or self.code
 
 
 class AddressInvalid(Error, ValueError):

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import _native
+from ._arguments import checked
 from ._values import ZEROS, Array, Floats, Joints, Pose, joint_positions, pose_numbers
 from .errors import NoSolution
 
@@ -17,6 +18,7 @@ def models() -> list[str]:
     return _native.model_names()
 
 
+@checked
 class Kinematics:
     """Forward and inverse kinematics of a model. tcp: the TCP as a pose in the flange frame [m, rad]."""
 

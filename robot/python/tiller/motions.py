@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import Any, Union
 
 from . import _native
+from ._arguments import checked
 from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, InvalidArgument
 
@@ -53,6 +54,7 @@ class Plan:
     scale: float  #: factor applied to the requested speed, 0 ... 1
 
 
+@checked
 class Move:
     """An active motion. `move.wait()` or `await move` returns at its end and raises if it was stopped.
 
@@ -150,6 +152,7 @@ def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseExce
         _at_standstill(native, waiting)
 
 
+@checked
 class Stream:
     """A stream of targets: call send() at least every 100 ms, otherwise the arm stops and the stream ends.
 
@@ -199,6 +202,7 @@ class Stream:
         return f"<tiller.Stream, {'active' if self.active else 'ended: ' + self.cause}>"
 
 
+@checked
 class Jog:
     """A velocity of the arm that must be refreshed at least every 100 ms, otherwise the arm stops and the jog ends.
 

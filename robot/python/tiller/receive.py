@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _native
+from ._arguments import checked
 from ._values import Array, Joints, Pose, one_of
 from .errors import NotConnected
 
@@ -32,19 +33,21 @@ DIGITAL_PINS = range(18)
 class Sample:
     """All values of one data packet. Values that the robot does not send are NaN.
 
-    sample["actual_q"] returns any field by its RTDE name: an array, or a float for a scalar field; Joints and Pose for
-    joint positions and TCP poses.
+    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one; Joints and
+    Pose for joint positions and TCP poses. The names of modes are unknown in a sample that Robot.state returned while the
+    link was lost.
     """
 
-    __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout")
+    __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout", "_connected")
 
-    def __init__(self, parts: tuple[int, int, int, int, Array], layout: Layout) -> None:
+    def __init__(self, parts: tuple[int, int, int, int, Array], layout: Layout, connected: bool = True) -> None:
         self.sequence = parts[0]  #: 1 for the first packet; 0: no data yet
         self.host_time = parts[1] * 1e-9  #: time of arrival on this machine's monotonic clock [s]
         self.connection = parts[2]  #: a change means that the stream was interrupted
         self.lost_before = parts[3]  #: packets missing before this one
         self.values = parts[4]  #: all numbers in the order of the fields
         self._layout = layout
+        self._connected = connected
 
     def __getitem__(self, field: str) -> Any:
         place = self._layout.get(field)
@@ -77,7 +80,7 @@ class Sample:
 
     def _name(self, field: str, names: dict[int, str], unknown: str) -> str:
         value = self._number(field)
-        return unknown if np.isnan(value) else names.get(int(value), f"UNKNOWN_{int(value)}")
+        return unknown if np.isnan(value) or not self._connected else names.get(int(value), f"UNKNOWN_{int(value)}")
 
     @property
     def time(self) -> float:
@@ -158,6 +161,7 @@ class Sample:
         return f"<tiller.Sample {self.sequence}, t = {self.time:.3f} s, q = {np.round(self.q, 4).tolist()}>"
 
 
+@checked
 class Samples(Iterator[Sample]):
     """Iterates over all packets from now on: `for sample in robot.samples():`.
 

@@ -18,12 +18,16 @@ from types import TracebackType
 from typing import Any
 
 from . import _native, services, simulator as simulators
+from ._arguments import checked
 from ._values import ZEROS, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, NotConnected, RegisterInUse
 from .motions import ForceMode, Jog, Move, PathMove, Stream
 from .receive import Layout, Recording, Sample, Samples
 from .simulator import Simulator
 
+# What the robot reports of its outputs: followed in addition to the fields that were asked for.
+_CONFIRMING = ("actual_digital_output_bits", "target_speed_fraction", "analog_io_types", "standard_analog_output0",
+               "standard_analog_output1")
 JOG_FRAMES = ("base", "tool", "custom", "joints")
 _LOOP_TARGETS: dict[str, tuple[Callable[[Floats, str], list[float]], str]] = {
     "servo_j": (joint_positions, "joint positions"), "servo_l": (pose_numbers, "a pose"), "speed_j": (floats, "joint speeds"),
@@ -113,6 +117,7 @@ class LoopReport:
     fast_wake_ups: bool = False  #: the system kept its processors out of deep sleep
 
 
+@checked
 class Robot:
     """A connection to a robot.
 
@@ -121,14 +126,16 @@ class Robot:
             robot.take_control()
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-    Data are received immediately; take_control() takes control. address: of the controller. fields: RTDE outputs to
-    receive; None: a selection for most programs. frequency: packets per second [Hz]; 0: maximum of the controller.
-    speed_cap: speed limit of TCP and elbow for all commands, including moves [m/s]. timeout: for the first packet [s].
-    upper_registers: use registers 24-47 instead of 0-23. priority: of the receive and control threads, 0 for none.
-    All methods may be called from any thread and let other Python threads run while they wait; Ctrl-C ends every wait.
-    Only in a callback of packet_loop() waiting calls are refused. An uncaught exception stops the arm. A Robot without
-    any reference from a name or handle is closed. A Robot created before fork() is closed in the child process.
-    Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (with the field) or Timeout.
+    Data come at once; control is taken by take_control(). A connection that is refused is not tried again. address: of the controller. fields: RTDE outputs to follow,
+    None: what most programs want. frequency: packets a second [Hz]; 0: as many as the controller gives. speed_cap: no
+    command makes TCP or elbow faster than this [m/s]; it binds moves too. timeout: for the first packet [s].
+    upper_registers: talk through registers 24-47 rather than 0-23. priority: of the threads that receive and control, 0
+    for none.
+    Every method may be called from any thread and lets other Python threads run while it waits; Ctrl-C ends every wait.
+    Only in a callback of packet_loop() calls that wait are refused. An exception that nothing catches stops the arm.
+    A Robot that neither a name nor a handle refers to ends like a closed one. One made before fork() is closed in the
+    child process.
+    Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
     """
 
     def __init__(self, address: str, *, fields: Sequence[str] | None = None, frequency: float = 0.0,
@@ -144,14 +151,15 @@ class Robot:
             self._waiting = simulator.flowing
         clock = None if simulator is None else simulator._native.clock()
         port = 30004 + port_offset
-        receiver = _native.Receiver(address, port, frequency, list(fields or ()), min(priority + 5, 99) if priority
-                                    else 0, clock)
+        followed = [] if not fields else [*fields, *(field for field in _CONFIRMING if field not in fields)]
+        receiver = _native.Receiver(address, port, frequency, followed, min(priority + 5, 99) if priority else 0, clock)
         controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock)
         self._links: tuple[_native.Receiver, _native.Controller] | None = (receiver, controller)
         if simulator is not None:
             simulator._native.follow(receiver)
             simulator._native.follow(controller)
-        self._layout: Layout = {name: (first, count) for name, first, count, _ in receiver.layout()}
+        self._layout: Layout = {name: (first, count) for name, first, count, _ in receiver.layout()
+                                if not fields or name in fields or name == "timestamp"}
         self._last: Sample | None = None
         self._outputs: services.Outputs | None = None
         self._force_blocks: list[ForceMode] = []
@@ -188,7 +196,8 @@ class Robot:
         NotConnected: create another Robot to connect again.
         """
         if (links := self._links) is not None:
-            links[1].release()  # raises in a callback of packet_loop(), without changes
+            with self._waiting():
+                links[1].release()  # refused in a callback of packet_loop(): then nothing has changed
         links, self._links = self._links, None
         _open.discard(self)
         if links is None:
@@ -218,10 +227,13 @@ class Robot:
 
     @property
     def state(self) -> Sample:
-        """The newest packet; after close(), the last one. Values that the robot does not send are NaN; see
-        wait_for_data()."""
+        """The newest packet; the last one when the robot is closed. Its values are NaN where the robot does not send them;
+        see wait_for_data(). While the link is lost, robot_mode, safety_mode and runtime_state are unknown."""
         links, last = self._links, self._last
-        return last if links is None and last is not None else Sample(self._receiver.latest(), self._layout)
+        if links is None and last is not None:
+            return last
+        receiver = self._receiver
+        return Sample(receiver.latest(), self._layout, receiver.state() == "Receiving")
 
     @property
     def data_age(self) -> float:
@@ -287,7 +299,8 @@ class Robot:
             if links[1].is_busy():
                 raise RegisterInUse(f"take control of {self.address}",
                                     "another Robot object of this program moves the arm: stop() or close() that one first")
-            links[1].release()
+            with other._waiting():
+                links[1].release()
         with self._waiting():
             controller.take_control(timeout)
         return self
@@ -297,8 +310,9 @@ class Robot:
                                                                            other._upper_registers)
 
     def release(self) -> None:
-        """Stops the arm and releases control; data continue to arrive."""
-        self._controller.release()
+        """Brakes what moves and gives control back; data go on coming."""
+        with self._waiting():
+            self._controller.release()
 
     @property
     def in_control(self) -> bool:
@@ -308,10 +322,10 @@ class Robot:
 
     @property
     def status(self) -> Mapping[str, Any]:
-        """The state of control as a dict: "in_control", "loss" (the reason if not in control), "moving", "executing",
-        "limiter" (the limit that reduces the speed), "last_cause" (cause of the end of the last motion, as
-        Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms", "robot_mode", "safety_mode",
-        "speed_fraction", "speed_scaling" and more."""
+        """What control knows, a dict: "in_control", "loss" (why not), "fresh" (False: no data for 100 ms, so the modes are
+        unknown and the rest describes the past), "moving", "executing", "limiter" (what holds the speed
+        down), "last_cause" (why the last motion ended, as Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms",
+        "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
         return self._controller.status()
 
     @property

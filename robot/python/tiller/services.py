@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _native
+from ._arguments import checked
 from .errors import InvalidArgument
 
 Waiting = Callable[[], AbstractContextManager[Any]]
 TIMEOUT = 3.0
 
 
+@checked
 class Outputs:
     """Sets outputs and the speed slider, with or without a running program. Each call returns when the robot reports
     the new value. Raises Timeout if it does not, RegisterInUse if another client or a fieldbus uses the input."""
@@ -43,6 +45,7 @@ class Outputs:
             self._native.set_speed_slider(fraction, timeout)
 
 
+@checked
 class Registers:
     """General purpose input registers, for programs on the robot that read them: see Robot.registers()."""
 
@@ -76,6 +79,7 @@ class Service:
     program: str  #: loaded on the robot; empty: none or not reported
 
 
+@checked
 class Dashboard:
     """Power, programs and the pendant: the dashboard server of CB3 and e-Series, the Robot API of PolyScope X."""
 

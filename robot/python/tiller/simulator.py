@@ -5,13 +5,13 @@ from __future__ import annotations
 import contextlib
 import itertools
 import os
-import threading
 import weakref
 from collections.abc import Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._arguments import checked
 from ._values import Floats, floats, joint_positions, one_of
 from .receive import DIGITAL_PINS
 
@@ -25,14 +25,11 @@ _simulators: weakref.WeakSet[Simulator] = weakref.WeakSet()
 def stop_all() -> None:
     """For the end of the process, when no other thread runs Python code any more."""
     for simulator in list(_simulators):
-        simulator._forget_threads()
         simulator.stop()
 
 
 def forget_all() -> None:
     """For a forked child: the simulators run in the parent process."""
-    for simulator in list(_simulators):
-        simulator._forget_threads()
     _simulators.clear()
 
 
@@ -42,6 +39,7 @@ def _own_address() -> str:
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
 
 
+@checked
 class Simulator:
     """A simulated robot, powered on with its brakes released.
 
@@ -64,16 +62,7 @@ class Simulator:
         self._native = _native.Simulator(model, software, self.address, virtual, powered_on,
                                          None if start is None else joint_positions(start, "start"), remote_control, programs,
                                          0 if virtual else priority)
-        self._thread: threading.Thread | None = None
-        self._forget_threads()
         _simulators.add(self)
-
-    def _forget_threads(self) -> None:
-        """Replaces all locks: threads that no longer exist cannot release theirs."""
-        self._lock = threading.Lock()
-        self._stepping = threading.Lock()
-        self._wanted = 0
-        self._thread = None
 
     def start(self) -> Simulator:
         """Opens the ports. Raises Rejected with the port and a suggested action if one is in use."""
@@ -81,12 +70,7 @@ class Simulator:
         return self
 
     def stop(self) -> None:
-        """Ends the simulator and all connections. No effect if it is not running."""
-        with self._lock:
-            self._wanted = 0
-            thread = self._thread
-        if thread is not None:
-            thread.join()
+        """Ends the simulator and every connection. Harmless when it does not run."""
         self._native.stop()
 
     @property
@@ -104,8 +88,7 @@ class Simulator:
         """Advances virtual time [s] by whole control periods; all clients of robot() process each of them."""
         if not self.virtual:
             raise ValueError("step() is for Simulator(virtual=True): here time goes on by itself")
-        with self._stepping:
-            self._native.step(seconds)
+        self._native.step(seconds)
 
     @contextlib.contextmanager
     def flowing(self) -> Iterator[None]:
@@ -113,28 +96,11 @@ class Simulator:
         if not self.virtual:
             yield
             return
-        with self._lock:
-            self._wanted += 1
-            if self._thread is None:
-                self._thread = threading.Thread(target=self._flow, name="tiller-time", daemon=True)
-                self._thread.start()
+        self._native.begin_flow()
         try:
             yield
         finally:
-            with self._lock:
-                self._wanted = max(0, self._wanted - 1)
-                thread = self._thread if self._wanted == 0 else None
-            if thread is not None:
-                thread.join()
-
-    def _flow(self) -> None:
-        while True:
-            with self._lock:
-                if self._wanted == 0 or not self._native.is_running():
-                    self._thread = None
-                    return
-            with self._stepping:
-                self._native.tick()
+            self._native.end_flow()
 
     def fault(self, words: str) -> str:
         """Triggers a fault by its name: "protective-stop", "delay 20 5"; "help" lists all."""

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens recordings of all formats, and selects the format of a new file.
+// Recordings of every format: opening a file, and the format that a new file is written in.
 
 #include <memory>
 
@@ -16,8 +16,8 @@ namespace tiller::recording {
 /// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
 
-/// The format for RecorderOptions::format, selected by the extension (case is ignored): .csv or .mcap.
-/// Errors   InvalidArgument for other extensions
+/// The format for RecorderOptions::format by the end of the path, in capital or small letters: .csv or .mcap.
+/// Errors   InvalidArgument for another end, naming both
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 

@@ -151,6 +151,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     limits.randomSeed = plant_.options().seed;
     limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
     limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == Assumptions::RpcFactory::Defers;
+    limits.mainFirst = plant_.assumptions().threadOrder == Assumptions::ThreadOrder::MainFirst;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     failure_.reset();

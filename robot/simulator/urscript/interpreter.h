@@ -3,7 +3,8 @@
 
 // Runs one program, one controller frame at a time. Within a frame every script thread runs until it blocks,
 // ends or has used its time slice; between frames nothing runs. The order is deterministic: the thread with
-// most of its slice left first, among equals the eldest; a thread started in a frame still runs in it.
+// most of its slice left first, among equals the eldest, but the main program last (see Limits::mainFirst); a thread
+// started in a frame still runs in it.
 //
 // Host side protocol: each control period call runFrame() once, then step the arm. The destructor and stop()
 // end the program and tell the host.
@@ -38,8 +39,11 @@ struct Limits {
     int threads = 128;
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
-    bool threadsBeginNextFrame = false;     ///< otherwise in the one in which they are run
-    bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not look whether its server accepts
+    /// Among equals the main program runs before its threads. Otherwise after them: programs whose thread copies an
+    /// input that the main program acts on, e.g. the vendor's example of an RTDE control loop, act on the newest copy.
+    bool mainFirst = false;
+    bool threadsBeginNextFrame = false;     ///< otherwise in the period in which they are started
+    bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not check whether its server accepts
 };
 
 class InterpreterMode;

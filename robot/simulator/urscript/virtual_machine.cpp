@@ -99,11 +99,15 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// Who has most of the frame left; among equals the eldest.
+// The thread with most of the frame left; among equals the eldest, but the main program as `mainFirst` says.
 ScriptThread* Interpreter::Machine::next() const {
+    const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
+        const bool mainWaits = !limits_.mainFirst && best.id == 0;
+        return later.sliceNs > best.sliceNs || (mainWaits && later.sliceNs == best.sliceNs);
+    };
     ScriptThread* best = nullptr;
     for (const auto& thread : threads_) {
-        if ((best == nullptr || thread->sliceNs > best->sliceNs) && runnable(*thread)) {
+        if ((best == nullptr || precedes(*thread, *best)) && runnable(*thread)) {
             best = thread.get();
         }
     }

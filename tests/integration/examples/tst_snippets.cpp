@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The code in the READMEs is covered by tests: each code block is contained literally in one of the examples, each
-// CMake block in the project that is built with the installed library.
+// The code in the READMEs is covered by tests: each code block is contained literally in one of the examples. CMake blocks
+// are built by integration/package/readme.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>

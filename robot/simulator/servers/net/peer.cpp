@@ -22,7 +22,7 @@ constexpr double kMoment = 1e-6;
 }  // namespace
 
 Peer::Peer(native_socket::Descriptor descriptor, std::size_t backlog)
-    : descriptor_(descriptor), backlog_(backlog) {}
+    : descriptor_(descriptor), port_(native_socket::peerPort(descriptor)), backlog_(backlog) {}
 
 Peer::~Peer() {
     close();
@@ -156,32 +156,40 @@ void Peer::put(std::span<const std::uint8_t> bytes) {
     out_.insert(out_.end(), bytes.begin() + static_cast<std::ptrdiff_t>(gone), bytes.end());
 }
 
-bool Peer::send(std::span<const std::uint8_t> bytes) {
+bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
     if (!open_ || closing_ || isMute_) {
         return true;  // there is nobody to be told
     }
     flush();
     if (!isPlain() || !held_.empty()) {
-        return hold(bytes);
+        return hold(bytes, stamp);
     }
     if (pending() > 0 && pending() + bytes.size() > backlog_) {
         return false;
     }
     put(bytes);
+    noteDelivered(stamp);
     return true;
+}
+
+// What the socket does not take now is not waited for: this client does not read.
+void Peer::noteDelivered(std::optional<double> stamp) {
+    if (stamp && pending() == 0) {
+        delivered_ = stamp;
+    }
 }
 
 bool Peer::send(std::string_view text) {
     return send({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-bool Peer::hold(std::span<const std::uint8_t> bytes) {
+bool Peer::hold(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
     const std::size_t most = link_->isLost() ? backlog_ + kSystemBuffer : kMostOnTheWay;
     if (pending() > backlog_ || heldBytes_ + bytes.size() > most) {
         return false;
     }
     const double due = std::max(link_->departure(), held_.empty() ? 0.0 : held_.back().due);
-    held_.push_back({due, {bytes.begin(), bytes.end()}});
+    held_.push_back({due, {bytes.begin(), bytes.end()}, 0, stamp});
     heldBytes_ += bytes.size();
     return true;
 }
@@ -203,6 +211,7 @@ void Peer::releaseHeld() {
             first.due = link_->now() + kMoment;
             return;
         }
+        noteDelivered(first.stamp);
         held_.pop_front();
     }
 }

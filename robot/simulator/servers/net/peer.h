@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -35,8 +36,12 @@ public:
 
     /// Sends, or keeps for later what the socket does not take now. False, with nothing taken, when the
     /// backlog has no room for it: this peer does not read.
-    bool send(std::span<const std::uint8_t> bytes);
+    /// stamp  of the bytes, for delivered()
+    bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
+    /// Of the newest bytes that the client can read completely; nothing: none with a stamp.
+    std::optional<double> delivered() const { return delivered_; }
+    std::uint16_t port() const { return port_; }  ///< Of the client's end.
     /// Sends what is due and what the socket takes now.
     void flush();
     /// Bytes the socket did not take yet; what is under way on a slow cable does not count.
@@ -50,18 +55,22 @@ private:
         double due;  ///< [s] controller time
         std::vector<std::uint8_t> bytes;
         std::size_t gone = 0;
+        std::optional<double> stamp = {};
     };
 
     std::size_t receiveNow(std::span<std::uint8_t> into);
     std::size_t receiveThroughCable(std::span<std::uint8_t> into);
     std::size_t sendNow(std::span<const std::uint8_t> bytes);
     void endSending();
-    bool hold(std::span<const std::uint8_t> bytes);
+    bool hold(std::span<const std::uint8_t> bytes, std::optional<double> stamp);
     void releaseHeld();
     void put(std::span<const std::uint8_t> bytes);
+    void noteDelivered(std::optional<double> stamp);
     bool isPlain() const;
 
     native_socket::Descriptor descriptor_;
+    std::uint16_t port_;
+    std::optional<double> delivered_;
     Link* link_ = nullptr;
     std::size_t backlog_;
     std::vector<std::uint8_t> out_;

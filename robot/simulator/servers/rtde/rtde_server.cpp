@@ -223,11 +223,21 @@ void RtdeServer::publish() {
 }
 
 void RtdeServer::send(Client& client, rtde::ByteView package) {
-    if (client.peer.send(package)) {
+    if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
         client.peer.close();  // as the guide says of a client that does not read
     }
+}
+
+std::vector<RtdeDelivery> RtdeServer::deliveries() const {
+    std::vector<RtdeDelivery> all;
+    for (const auto& client : clients_) {
+        if (const auto stamp = client->peer.delivered()) {
+            all.push_back({client->peer.port(), *stamp});
+        }
+    }
+    return all;
 }
 
 double RtdeServer::departure() const {

@@ -22,6 +22,7 @@
 #include "robot/simulator/servers/net/server.h"
 #include "robot/simulator/servers/rtde/rtde_inputs.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
+#include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 
@@ -49,6 +50,8 @@ public:
     /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
+    /// The newest data package that each client can read.
+    std::vector<RtdeDelivery> deliveries() const;
     /// Threads  any
     int clients() const { return connected_.load(std::memory_order_acquire); }
 

@@ -34,6 +34,21 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN((void)result.value(), std::logic_error);
     }
 
+    void theExceptionOfAFailureHasItsError() {
+        const auto caught = [](const auto& result) {
+            try {
+                (void)result.value();
+            } catch (const ResultError& error) {
+                return error;
+            }
+            return ResultError({});
+        };
+        const Error refused{ErrorCode::ConnectionRefused, "connect", "no"};
+        QCOMPARE(caught(Result<int>(refused)).code(), ErrorCode::ConnectionRefused);
+        QCOMPARE(caught(Result<void>(refused)).error().context, QString("connect"));
+        QCOMPARE(caught(Result<void>(refused)).what(), "ConnectionRefused: connect (no)");
+    }
+
     void valueThatCannotBeCopiedCanBeTakenOut() {
         Result<std::unique_ptr<int>> result(std::make_unique<int>(7));
         const std::unique_ptr<int> taken = std::move(result).value();

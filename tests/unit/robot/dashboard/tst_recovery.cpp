@@ -18,11 +18,16 @@ struct Robot {
     std::atomic<int> mode{7};    ///< RobotMode
     std::atomic<int> refusals{0};
     std::atomic<int> unlocks{0};
+    std::atomic<int> outages{0};  ///< so many times the controller ends the connection instead of an answer
     RawPeer peer{[this](RawPeer::Link& link) {
         link.send("Connected\n");
         while (!link.isOver()) {
             const QByteArray line = link.readLine();
             if (line.isNull()) {
+                return;
+            }
+            if (outages > 0) {
+                --outages;
                 return;
             }
             link.send(reply(line) + "\n");
@@ -129,6 +134,27 @@ private Q_SLOTS:
         QCOMPARE(error.code, ErrorCode::Rejected);
         QVERIFY(error.controllerMessage.contains(QStringLiteral("person")));
         QCOMPARE(bench.robot.mode.load(), 3);
+    }
+
+    void aControllerThatRestartsIsWaitedFor() {
+        Bench bench(SafetyMode::Normal, RobotMode::PowerOff);
+        bench.robot.outages = 5;
+        QVERIFY(bench.run({false, false, true, true}).ok());
+        QCOMPARE(bench.robot.mode.load(), 7);
+        const std::vector<RecoveryStep> steps{RecoveryStep::Look, RecoveryStep::PowerOn,
+                                              RecoveryStep::ReleaseBrakes, RecoveryStep::Done};
+        QCOMPARE(bench.steps, steps);
+    }
+
+    void aDeadlineEndsTheWaitForARestart() {
+        Bench bench(SafetyMode::Normal, RobotMode::PowerOff);
+        bench.robot.outages = 1'000'000;
+        CancelToken token;
+        const auto done = recover(bench.client, {}, Deadline::after(std::chrono::seconds(60), token),
+                                  [&](RecoveryStep) { token.cancel(); });
+        QCOMPARE(done.error().code, ErrorCode::Cancelled);
+        const auto late = recover(bench.client, {}, Deadline::after(std::chrono::milliseconds(300)));
+        QCOMPARE(late.error().code, ErrorCode::Timeout);
     }
 
     void oneRuleSaysWhatLeadsOn() {

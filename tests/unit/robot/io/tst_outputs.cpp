@@ -80,6 +80,26 @@ class TestOutputs : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void withoutFieldsThatConfirmNothingIsSent() {
+        RtdePeer peer;
+        receive::ReceiverOptions follow;
+        follow.host = QStringLiteral("127.0.0.1");
+        follow.port = peer.port();
+        follow.fields = {"actual_q"};
+        const receive::Receiver receiver(follow);
+        Outputs outputs({.host = QStringLiteral("127.0.0.1"), .port = peer.port()},
+                        OutputFeedback::fromReceiver(receiver));
+        const auto refused = [](const Result<void>& done, const char* field) {
+            return done.error().code == ErrorCode::FieldUnknown &&
+                   done.error().controllerMessage.contains(QLatin1String(field));
+        };
+        QVERIFY(refused(outputs.setDigitalOutput(0, true, patience()), "actual_digital_output_bits"));
+        QVERIFY(refused(outputs.setSpeedSlider(0.5, patience()), "target_speed_fraction"));
+        QVERIFY(
+            refused(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, patience()), "analog_io_types"));
+        QVERIFY(peer.input("standard_digital_output_mask").empty());
+    }
+
     void setsOnlyTheBitsAskedFor_data();
     void setsOnlyTheBitsAskedFor();
     void groupsAreSetTogether();

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void waitsForData();
     void waitingForDataSaysWhyNoneCame();
     void waitingForDataWantsFreshOnes();
+    void aRestartOfTheControllerIsWaitedFor();
     void subscribersWaitForTheNextOne();
     void waitingEndsWithTheReceiver();
     void samplesCarryTheClocksTime();
@@ -168,7 +169,22 @@ void TestReceiver::waitingForDataSaysWhyNoneCame() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
-    QCOMPARE(refused.waitForData(Deadline::after(1ms)).error().code, ErrorCode::ConnectionRefused);
+    // Nothing listens there, and nothing did before: not waited for, unless that is asked for.
+    QCOMPARE(refused.waitForData(Deadline::never()).error().code, ErrorCode::ConnectionRefused);
+    QCOMPARE(refused.waitForData(Deadline::after(1ms), OnRefusal::Wait).error().code,
+             ErrorCode::ConnectionRefused);
+    const CancelToken whileWaiting;
+    auto waiting = std::async(std::launch::async, [&] {
+        return refused.waitForData(Deadline::after(1h, whileWaiting), OnRefusal::Wait);
+    });
+    QVERIFY(waiting.wait_for(50ms) == std::future_status::timeout);
+    whileWaiting.cancel();
+    QCOMPARE(waiting.get().error().code, ErrorCode::Cancelled);
+    ReceiverOptions nowhere;
+    nowhere.host = QStringLiteral("no host");
+    Receiver unresolved(nowhere);
+    QVERIFY(unresolved.start().ok());
+    QCOMPARE(unresolved.waitForData(Deadline::never()).error().code, ErrorCode::AddressInvalid);
     Subscription subscription = refused.subscribe();
     const Error error = subscription.next(Deadline::after(1ms)).error();
     QCOMPARE(error.code, ErrorCode::Timeout);
@@ -203,6 +219,25 @@ void TestReceiver::waitingForDataWantsFreshOnes() {
     peer.closeConnection();
     TRY_VERIFY(receiver.state() == ReceiverState::Waiting);
     QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
+}
+
+void TestReceiver::aRestartOfTheControllerIsWaitedFor() {
+    auto peer = std::make_unique<RtdePeer>();
+    ReceiverOptions options = to(peer->port());
+    options.reconnectDelays = {1ms};
+    Receiver receiver(options);
+    QVERIFY(receiver.start().ok());
+    peer->send(1.0);
+    QVERIFY(receiver.waitForData(Deadline::after(60s)).ok());
+    peer.reset();
+    TRY_VERIFY(receiver.lastError().code == ErrorCode::ConnectionRefused);
+    QVERIFY(receiver.waitForData(Deadline::after(50ms)).error().code == ErrorCode::ConnectionRefused);
+    const CancelToken token;
+    auto waiting =
+        std::async(std::launch::async, [&] { return receiver.waitForData(Deadline::after(1h, token)); });
+    QVERIFY(waiting.wait_for(50ms) == std::future_status::timeout);
+    token.cancel();
+    QCOMPARE(waiting.get().error().code, ErrorCode::Cancelled);
 }
 
 void TestReceiver::subscribersWaitForTheNextOne() {

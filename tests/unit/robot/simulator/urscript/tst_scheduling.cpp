@@ -55,6 +55,39 @@ private Q_SLOTS:
         run.frames(2);
         QCOMPARE(run.value("order"), "tmtm");
     }
+    void theMainProgramActsOnWhatItsThreadCopied() {
+        // The shape of the vendor's example of an RTDE control loop.
+        const std::string text =
+            "def m():\n setp = 0\n done = 0\n thread copy():\n while True:\n"
+            " setp = read_input_float_register(0)\n sync()\n end\n end\n run copy()\n"
+            " while True:\n if read_input_integer_register(0) > done:\n"
+            " done = read_input_integer_register(0)\n executed = setp\n end\n sync()\n end\nend\n";
+        const auto executed = [&](bool mainFirst) {
+            Limits limits;
+            limits.mainFirst = mainFirst;
+            ScriptRun run(text, limits);
+            std::string all;
+            run.frames(2);
+            for (int i = 1; i <= 3; ++i) {
+                run.host.floatIn[0] = 10.0 * i;
+                run.host.intIn[0] = i;
+                run.frames(1);
+                all += run.value("executed") + " ";
+            }
+            return all;
+        };
+        QCOMPARE(executed(false), "10 20 30 ");
+        QCOMPARE(executed(true), "0 10 20 ");
+    }
+    void threadsKeepTheirOrderAmongThemselves() {
+        ScriptRun run(
+            "def m():\n order = \"\"\n thread a():\n while True:\n order = order + \"a\"\n sync()\n end\n "
+            "end\n"
+            " thread b():\n while True:\n order = order + \"b\"\n sync()\n end\n end\n"
+            " run a()\n run b()\n while True:\n order = order + \"m\"\n sync()\n end\nend\n");
+        run.frames(3);
+        QCOMPARE(run.value("order"), "mababmabm");
+    }
     void aLoopThatTakesNoTimeIsAnError() {
         ScriptRun run("def m():\n  while True:\n    x = 1\n  end\nend\n");
         QCOMPARE(run.frames(1), State::Failed);
@@ -182,7 +215,7 @@ private Q_SLOTS:
         run.host.moveFrames = 20;
         QCOMPARE(run.frames(20), State::Running);
         QCOMPARE(run.frames(1), State::Finished);
-        QCOMPARE(run.value("n"), "20");
+        QCOMPARE(run.value("n"), "21");  // in the last period too, before the main program ends
     }
     void servoTakesOneFrameEach() {
         ScriptRun run("def m():\nwhile True:\nservoj([0,0,0,0,0,0], t=0.002)\nend\nend\n");
