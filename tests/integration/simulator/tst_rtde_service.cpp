@@ -59,6 +59,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
+    // As on a robot: clients that read the answer and the data with one call must not get both at once.
+    void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
+        QTest::addColumn<double>("frequency");
+        QTest::addColumn<int>("periods");
+        QTest::newRow("500") << 500.0 << 1;
+        QTest::newRow("125") << 125.0 << 4;
+        QTest::newRow("10") << 10.0 << 50;
+    }
+    void theFirstPackageFollowsTheAnswerToStartByOneInterval() {
+        QFETCH(double, frequency);
+        QFETCH(int, periods);
+        VirtualRobot robot;
+        RawRtde rtde = robot.rtde();
+        QVERIFY(rtde.useVersion());
+        QCOMPARE(rtde.setupOutputs(frequency, "timestamp"), QByteArray("\x01") + "DOUBLE");
+        QVERIFY(rtde.start());
+        robot.controller.step(periods - 1);
+        QCOMPARE(rtde.packages().size(), std::size_t(0));
+        robot.controller.step();
+        QCOMPARE(rtde.packages().size(), std::size_t(1));
+    }
+
     void cb3StepsEvery8Milliseconds() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;

@@ -99,7 +99,7 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
                 client.leaves = plant_.elapsed() + kExtraCb3Client;
             }
             client.started = client.output && client.output->isValid();
-            client.periods = 0;
+            client.startPeriod = period_;
             rtde::writeStartReply(reply_, client.started);
             break;
         case rtde::PackageType::Pause:
@@ -199,7 +199,9 @@ void RtdeServer::publish() {
         if (!client->started || !client->peer.isOpen()) {
             continue;
         }
-        const bool on = client->periods++ % client->divider == 0 && (link() == nullptr || !link()->drops());
+        const std::uint64_t periods = period_ - client->startPeriod;
+        const bool on =
+            periods > 0 && periods % client->divider == 0 && (link() == nullptr || !link()->drops());
         const auto id =
             client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
         if (plant_.assumptions().data == Assumptions::Data::Even && client->waiting.empty()) {

@@ -32,7 +32,10 @@ public:
     explicit RtdeServer(Plant& plant);
 
     /// Once a control period, before anything is read.
-    void beginPeriod() { inputs_.applyRest(); }
+    void beginPeriod() {
+        ++period_;
+        inputs_.applyRest();
+    }
     void service() override;
     void publish() override;
     void closeClients() override;
@@ -65,7 +68,7 @@ private:
         unsigned divider = 1;  ///< every n-th control period
         bool started = false;
         std::optional<double> leaves;     ///< when it is closed, as one too many [s]
-        std::uint64_t periods = 0;        ///< since START
+        std::uint64_t startPeriod = 0;    ///< the period that answered START
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
         struct Waiting {
             double due;  ///< [s]
@@ -94,6 +97,7 @@ private:
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
     RtdeInputs::ClientId lastId_ = 0;
+    std::uint64_t period_ = 0;  ///< that is under way, or the last one
     rtde::Bytes reply_;
     std::atomic<std::uint64_t> packages_{0};
     std::atomic<std::uint64_t> sent_{0};
