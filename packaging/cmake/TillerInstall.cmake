@@ -34,7 +34,8 @@ if(TILLER_SHARED)
 else()
     install(TARGETS ur_rtde_library COMPONENT development)
     list(TRANSFORM tiller_rooms PREPEND tiller_ OUTPUT_VARIABLE tiller_room_libraries)
-    install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_arm tiller_ur_rtde
+    install(TARGETS tiller_robot ${tiller_room_libraries} tiller_simulator tiller_urscript tiller_pendant tiller_arm
+        tiller_ur_rtde
         EXPORT tillerTargets COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiller
         INCLUDES DESTINATION include/tiller)

@@ -56,6 +56,13 @@ struct Assumptions {
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when `run` lets the new thread begin
 
+    enum class EventNode : std::uint8_t { Level, Edge };
+    /// An event node of the pendant runs while its condition is true, or once each time it becomes true.
+    EventNode eventNode = EventNode::Level;
+    enum class RpcFactory : std::uint8_t { Connects, Defers };
+    /// rpc_factory() needs a server that accepts, or only the calls of its methods do.
+    RpcFactory rpcFactory = RpcFactory::Connects;
+
     /// Deprecated builtins: there, or names the compiler does not know.
     enum class Builtin : std::uint8_t { Present, Missing };
     Builtin teachMode = Builtin::Present;

@@ -6,21 +6,29 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "robot/simulator/programs/urp_file.h"
+#include "robot/simulator/pendant/pendant_program.h"
 #include "robot/simulator/urscript/program.h"
 
 using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const QByteArray content(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
-    // Whatever a program refers to is this program again, or half of it as a script.
-    const FileReader files = [&content](const QString& name) {
-        return name.endsWith(QLatin1String(".urp")) ? std::optional(content)
-                                                    : std::optional(content.left(content.size() / 2));
+    // Every program that the input refers to is the input again, every script and installation a half of it.
+    pendant::PendantSource source;
+    source.files = [&content](const QString& name) -> std::optional<QByteArray> {
+        return name.endsWith(QLatin1String(".urp"))            ? content
+               : name.endsWith(QLatin1String(".installation")) ? content.right(content.size() / 2)
+                                                               : content.left(content.size() / 2);
     };
-    if (const auto script = scriptOfUrp(content, QStringLiteral("p"), files)) {
-        const urscript::CompileOutcome outcome = urscript::compile(*script);
-        if (!outcome && outcome.error.text.empty()) {
+    source.unknownUrcap = pendant::UnknownUrcap::Skip;
+    for (const auto& program :
+         {pendant::readUrp(content, QStringLiteral("p"), source), pendant::readUrpx(content)}) {
+        if (!program) {
+            if (program.error().context.isEmpty()) {
+                std::abort();
+            }
+        } else if (const auto outcome = urscript::compile(program->script);
+                   !outcome && outcome.error.text.empty()) {
             std::abort();
         }
     }

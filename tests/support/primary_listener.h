@@ -43,6 +43,9 @@ struct Heard {
                 ++states;
                 continue;
             }
+            if (package[4] != 20) {
+                continue;  // variables of a program
+            }
             const QByteArray body = package.mid(15);
             switch (package[14]) {
                 case kText:

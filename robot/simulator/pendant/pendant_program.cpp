@@ -1,80 +1,80 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/programs/urp_file.h"
+#include "robot/simulator/pendant/pendant_program.h"
 
-#include <zlib.h>
-#include <utility>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <memory>
 
-#include "robot/simulator/programs/urp_writer.h"
+#include "robot/simulator/pendant/installation.h"
+#include "robot/simulator/pendant/program_translator.h"
+#include "robot/simulator/pendant/xml_tree.h"
 
-namespace tiller::simulator {
+namespace tiller::simulator::pendant {
 
 namespace {
 
-constexpr qsizetype kLargestXml = 64 << 20;
+constexpr const char* kEnding = ".installation";
 
-bool isGzip(const QByteArray& content) {
-    return content.startsWith("\x1f\x8b");
+/// The installation that the program names, or the one in use; empty when neither is there.
+Result<Installation> installationOf(const XmlElement& root, const PendantSource& source) {
+    for (const QString& name : {root.attribute("installationRelativePath") + kEnding,
+                                root.attribute("installation") + kEnding, source.installation}) {
+        const std::optional<QByteArray> content =
+            name == QLatin1String(kEnding) ? std::nullopt : source.files(name);
+        if (content) {
+            const QString variables = name.chopped(QLatin1String(kEnding).size()) + ".variables";
+            return readInstallation(name, *content, source.files(variables).value_or(QByteArray()));
+        }
+    }
+    return Installation();
 }
 
 }  // namespace
-
-std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype most) {
-    if (!isGzip(compressed)) {
-        return std::nullopt;
-    }
-    z_stream stream{};
-    constexpr int kGzipOnly = 16 + MAX_WBITS;
-    if (inflateInit2(&stream, kGzipOnly) != Z_OK) {
-        return std::nullopt;
-    }
-    // zlib reads only; its interface is older than const.
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.constData()));
-    stream.avail_in = static_cast<uInt>(compressed.size());
-    QByteArray out;
-    QByteArray piece(64 * 1024, Qt::Uninitialized);
-    int state = Z_OK;
-    while (state == Z_OK && out.size() <= most) {
-        stream.next_out = reinterpret_cast<Bytef*>(piece.data());
-        stream.avail_out = static_cast<uInt>(piece.size());
-        state = inflate(&stream, Z_NO_FLUSH);
-        out.append(piece.constData(), piece.size() - static_cast<qsizetype>(stream.avail_out));
-    }
-    inflateEnd(&stream);
-    return state == Z_STREAM_END && out.size() <= most ? std::optional(out) : std::nullopt;
-}
 
 bool isUrpFile(const QByteArray& content) {
-    return isGzip(content) || content.left(4096).contains("<URProgram");
+    return isGzip(content) || content.left(4096).contains("<URProgram") ||
+           content.left(4096).contains("ProgramRootNode");
 }
 
-namespace {
-
-Result<std::unique_ptr<UrpElement>> treeOf(const QByteArray& content) {
-    const std::optional<QByteArray> xml = isGzip(content) ? gunzip(content, kLargestXml) : content;
-    if (!xml) {
-        return Error{
-            ErrorCode::FileCorrupt, QStringLiteral("the compressed data are damaged or too much"), {}};
-    }
-    return readUrpTree(*xml);
-}
-
-}  // namespace
-
-Result<std::string> scriptOfUrp(const QByteArray& content, const QString& name, const FileReader& files) {
-    const Result<std::unique_ptr<UrpElement>> root = treeOf(content);
+Result<PendantProgram> readUrp(const QByteArray& content, const QString& name, const PendantSource& source) {
+    const Result<std::unique_ptr<XmlElement>> root = readPendantFile(content);
     if (!root) {
         return root.error();
     }
-    const UrpTreeReader trees = [&files](const QString& file) -> Result<std::unique_ptr<UrpElement>> {
-        const std::optional<QByteArray> other = files(file);
-        if (!other) {
-            return Error{ErrorCode::FileNotReadable,
-                         QStringLiteral("there is no file '%1' in the programs folder").arg(file),
-                         {}};
-        }
-        return treeOf(*other);
-    };
-    return UrpWriter(trees, files).write(**root, name);
+    const Result<Installation> installation = installationOf(**root, source);
+    if (!installation) {
+        return Error{ErrorCode::FileCorrupt,
+                     QStringLiteral("the installation cannot be read: %1").arg(installation.error().context),
+                     {}};
+    }
+    return ProgramTranslator(source, *installation).translate(**root, name);
 }
 
-}  // namespace tiller::simulator
+Result<PendantProgram> readUrpx(const QByteArray& content) {
+    QJsonParseError damage{};
+    const QJsonObject root = QJsonDocument::fromJson(content, &damage).object();
+    if (damage.error != QJsonParseError::NoError) {
+        return Error{
+            ErrorCode::FileCorrupt, QStringLiteral("this is not JSON: %1").arg(damage.errorString()), {}};
+    }
+    const auto part = [&root](const char* which) {
+        return root.value(QLatin1String(which))
+            .toObject()
+            .value(QLatin1String("urscript"))
+            .toObject()
+            .value(QLatin1String("script"));
+    };
+    // The application's part (frames, functions, threads) and the program's make one program.
+    if (const QJsonValue program = part("program"); program.isString()) {
+        return PendantProgram{"def program():\n" + part("application").toString().toStdString() + '\n' +
+                              program.toString().toStdString() + "\nend\n"};
+    }
+    if (const QJsonValue script = root.value(QLatin1String("script")); script.isString()) {
+        return PendantProgram{script.toString().toStdString()};
+    }
+    return Error{ErrorCode::FileCorrupt,
+                 QStringLiteral("there is no URScript within, and no .script file beside it"),
+                 {}};
+}
+
+}  // namespace tiller::simulator::pendant

@@ -1,238 +1,327 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/programs/urp_writer.h"
+#include "robot/simulator/pendant/program_translator.h"
 
-#include <QRegularExpression>
 #include <QStringList>
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "robot/simulator/programs/external_control.h"
+#include "robot/simulator/pendant/urcaps.h"
 
-namespace tiller::simulator {
+namespace tiller::simulator::pendant {
 
 namespace {
 
-/// A fresh pendant's: the arm upright. [rad]
-constexpr const char* kProgramHome = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
-constexpr double kHomeSpeed = 1.05;         ///< [rad/s]
-constexpr double kHomeAcceleration = 1.40;  ///< [rad/s2]
-constexpr std::size_t kMostSubPrograms = 1000;
+constexpr std::size_t kMaxSubPrograms = 1000;
+constexpr double kMinCurrent = 0.004, kMaxCurrent = 0.020;  ///< of analog terminals [A]
+constexpr double kMaxVoltage = 10.0;                        ///< [V]
 
-/// A word the language takes for a name.
-QString nameOf(QString words) {
-    for (QChar& c : words) {
-        c = c.isLetterOrNumber() && c.unicode() < 128 ? c : QChar('_');
+QString textOf(const XmlElement& node, const char* child) {
+    const XmlElement* const found = node.child(child);
+    return found == nullptr ? QString() : found->text.trimmed();
+}
+
+bool isElse(const XmlElement& node) {
+    return node.attribute("type") == QLatin1String("Else");
+}
+
+bool continuesIf(const XmlElement& node) {
+    return node.is("If") && (isElse(node) || node.attribute("type") == QLatin1String("ElseIf"));
+}
+
+/// The branches of an If that are below it, not beside it, and are not those of an If below it.
+std::vector<const XmlElement*> branchesBelow(const XmlElement& node) {
+    std::vector<const XmlElement*> branches;
+    const XmlElement* const children = node.child("children");
+    bool isOpen = false;
+    for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
+        const XmlElement& child = *children->children[i];
+        if (!isSuppressed(child) && !continuesIf(child)) {
+            isOpen = child.is("If");
+        } else if (!isSuppressed(child) && !isOpen) {
+            branches.push_back(&child);
+        }
     }
-    return words.isEmpty() || words[0].isDigit() ? 'p' + words : words;
-}
-
-/// The pendant shows some operators as one sign.
-QString withoutSigns(QString text) {
-    static const std::pair<QChar, const char*> kSigns[] = {
-        {QChar(0x225F), "=="}, {QChar(0x2260), "!="}, {QChar(0x2264), "<="},
-        {QChar(0x2265), ">="}, {QChar(0x2254), "="},
-    };
-    for (const auto& [sign, words] : kSigns) {
-        text.replace(sign, QLatin1String(words));
-    }
-    return text;
-}
-
-/// Words keep their distance from what stands beside them; the pendant saves some tokens without blanks.
-QString apart(const QString& token) {
-    const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
-    const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();
-    return (begins ? QStringLiteral(" ") : QString()) + token + (ends ? QStringLiteral(" ") : QString());
-}
-
-bool isSuppressed(const UrpElement& node) {
-    return node.is("SuppressedNode") || node.is("suppressedNode");
-}
-
-/// What a terminal is called on the pendant before an installation names it, and how a script reads it.
-struct Pin {
-    const char* name;
-    const char* function;
-    int count;
-};
-constexpr Pin kPins[] = {
-    {"digital_in", "get_standard_digital_in", 8},
-    {"digital_out", "get_standard_digital_out", 8},
-    {"config_in", "get_configurable_digital_in", 8},
-    {"config_out", "get_configurable_digital_out", 8},
-    {"tool_in", "get_tool_digital_in", 2},
-    {"tool_out", "get_tool_digital_out", 2},
-    {"analog_in", "get_standard_analog_in", 2},
-    {"analog_out", "get_standard_analog_out", 2},
-    {"tool_analog_in", "get_tool_analog_in", 2},
-    {"gp_bool_in", "read_input_boolean_register", 128},
-    {"gp_int_in", "read_input_integer_register", 48},
-    {"gp_float_in", "read_input_float_register", 48},
-    {"gp_bool_out", "read_output_boolean_register", 128},
-    {"gp_int_out", "read_output_integer_register", 48},
-    {"gp_float_out", "read_output_float_register", 48},
-};
-
-/// Six numbers, as text; empty when they are not.
-QString anglesOf(const UrpElement& holder) {
-    const UrpElement* const position = holder.child("position");
-    const UrpElement* const joints = (position == nullptr ? &holder : position)->child("JointAngles");
-    const QString angles = joints == nullptr ? QString() : joints->attribute("angles");
-    const QStringList numbers = angles.split(',');
-    bool all = numbers.size() == 6;
-    for (const QString& number : numbers) {
-        bool ok = false;
-        number.trimmed().toDouble(&ok);
-        all = all && ok;
-    }
-    return all ? '[' + angles + ']' : QString();
+    return branches;
 }
 
 }  // namespace
 
-void UrpWriter::refuse(const UrpElement& at, const QString& why) {
-    if (error_) {
-        return;
-    }
-    const QString own = at.attribute("name");
-    const QString named = own.isEmpty() ? QString() : QStringLiteral(" '%1'").arg(own);
-    error_ = Error{ErrorCode::FileCorrupt,
-                   QStringLiteral("line %1, %2%3: %4").arg(at.line).arg(at.name, named, why),
-                   {}};
-}
+ProgramTranslator::ProgramTranslator(const PendantSource& source, const Installation& installation)
+    : source_(source)
+    , t_(installation, source.software, source.isReserved)
+    , x_(t_)
+    , motion_(t_, x_, [this](const XmlElement& node) { writeChildren(node); }) {}
 
-QString UrpWriter::uniqueName(const QString& words) {
-    const QString wanted = nameOf(words);
-    QString name = wanted;
-    for (int i = 2; !names_.insert(name).second; ++i) {
-        name = QStringLiteral("%1_%2").arg(wanted).arg(i);
+Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, const QString& name) {
+    t_.out = &head_;
+    const XmlElement* const parts = root.child("children");
+    const XmlElement* const main = parts == nullptr ? nullptr : parts->child("MainProgram");
+    if (root.name.contains(QLatin1String("ProgramRootNode"))) {
+        t_.refuse(root, QStringLiteral("programs saved before PolyScope 3 are not simulated"));
+    } else if (!root.is("URProgram")) {
+        t_.refuse(root, QStringLiteral("this is not a program, which begins with URProgram"));
+    } else if (main == nullptr) {
+        t_.refuse(root, QStringLiteral("there is no MainProgram"));
     }
-    return name;
-}
-
-Result<std::string> UrpWriter::write(const UrpElement& root, const QString& name) {
-    if (!root.is("URProgram")) {
-        refuse(root, QStringLiteral("not a program, which begins with URProgram"));
-        return *error_;
+    if (t_.refusal()) {
+        return *t_.refusal();
     }
-    const UrpElement* const parts = root.child("children");
-    const UrpElement* const main = parts == nullptr ? nullptr : parts->child("MainProgram");
-    if (main == nullptr) {
-        refuse(root, QStringLiteral("there is no MainProgram"));
-        return *error_;
-    }
-    const QString head = QStringLiteral("def %1():\n").arg(uniqueName(name));
-    ++depth_;
+    t_.numberNodes(*parts);
+    const QString head = QStringLiteral("def %1():\n").arg(t_.uniqueName(name));
+    writeInstallation();
     writeInitialValues(root, false);
+    writeInitNode(*parts, *main);
+    motion_.defineWaypoints(root);
+
+    t_.out = &body_;
     writeBeforeStart(*parts);
     writeThreads(*parts);
-    writeRepeated(*main);
-    // What the nodes have called; names are found wherever in the program they are told.
-    const QString body = std::exchange(script_, {});
+    writeRepeated(*main, QStringLiteral("Robot Program"));
     writeSubPrograms();
-    --depth_;
-    if (error_) {
-        return *error_;
+
+    if (motion_.usesDirections()) {
+        Motion::defineDirections(head_);
     }
-    return (head + script_ + otherInitialValues_ + body + QStringLiteral("end\n")).toStdString();
+    if (t_.refusal()) {
+        return *t_.refusal();
+    }
+    PendantProgram program;
+    ScriptText timers(1);
+    t_.out = &timers;
+    defineTimers();
+    program.script =
+        (head + timers.text() + head_.text() + functions_.text() + body_.text() + QStringLiteral("end\n"))
+            .toStdString();
+    program.unfinished = t_.unfinishedNode();
+    return program;
 }
 
-// ---- parts of a program ---------------------------------------------------------------------------------
+// ---- the beginning of a program -------------------------------------------------------------------------
 
-void UrpWriter::writeInitialValues(const UrpElement& element, bool suppressed) {
+void ProgramTranslator::writeInstallation() {
+    const Installation& installation = t_.installation;
+    if (const auto tcp = installation.tcps.find(installation.activeTcp); tcp != installation.tcps.end()) {
+        statement(QStringLiteral("set_tcp(p[%1])").arg(tcp->second));
+    }
+    if (installation.defaultPayload) {
+        writePayload(*installation.defaultPayload);
+    }
+    for (int i = 0; i < 2 && !installation.file.isEmpty(); ++i) {
+        const bool isVoltage = installation.analogOutputIsVoltage[static_cast<std::size_t>(i)];
+        statement(QStringLiteral("set_analog_outputdomain(%1, %2)").arg(i).arg(isVoltage ? 1 : 0));
+    }
+    for (const auto& [name, feature] : installation.features) {
+        if (feature.isVariable) {
+            statement(QStringLiteral("global %1 = p[%2]").arg(identifier(name), feature.pose));
+        }
+    }
+    for (const auto& [name, value] : installation.variables) {
+        statement(QStringLiteral("global %1 = %2").arg(identifier(name), value));
+    }
+    for (const auto& [name, signal] : installation.signals_) {
+        statement(QStringLiteral("modbus_add_signal(%1, %2, %3, %4, %5, %6)")
+                      .arg(quoted(signal.host))
+                      .arg(signal.slave)
+                      .arg(signal.address)
+                      .arg(static_cast<int>(signal.type))
+                      .arg(quoted(name), signal.sequential ? "True" : "False"));
+    }
+}
+
+void ProgramTranslator::writePayload(const Payload& payload) {
+    const bool hasInertia = !payload.inertia.isEmpty() && !t_.software.isCb3() &&
+                            (t_.software.major > 5 || t_.software.minor >= 10);
+    const QString center =
+        payload.centerOfGravity.isEmpty() ? QString() : QStringLiteral(", [%1]").arg(payload.centerOfGravity);
+    statement(
+        hasInertia && !center.isEmpty()
+            ? QStringLiteral("set_target_payload(%1%2, [%3])").arg(payload.mass, center, payload.inertia)
+            : QStringLiteral("set_payload(%1%2)").arg(payload.mass, center));
+}
+
+/// Variables that carry their initial value where the program first uses them.
+void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppressed) {
     for (const auto& child : element.children) {
         const bool off = suppressed || isSuppressed(*child);
-        const UrpElement* const value =
-            child->is("variable") ? child->child("initializeExpression") : nullptr;
-        if (value != nullptr && !value->children.empty()) {
-            const bool goodSoFar = !error_;
-            const QString line =
-                QStringLiteral("global %1 = %2").arg(variableOf(*child), expressionOf(*value));
-            if (off && goodSoFar && error_) {
-                error_.reset();  // what is switched off need not be understood
+        const XmlElement* const value = child->is("variable") || child->is("ProgramVariable")
+                                            ? child->child("initializeExpression")
+                                            : nullptr;
+        if (value != nullptr && !value->children.empty() && child->has("name")) {
+            const bool wasRefused = t_.refusal().has_value();
+            const QString script = x_.of(*value).script;
+            if (off && !wasRefused && t_.refusal()) {
+                t_.forgive();  // what is switched off need not be understood
             } else {
-                emitLine(line);
+                statement(QStringLiteral("global %1 = %2").arg(identifier(child->attribute("name")), script));
             }
         }
         writeInitialValues(*child, off);
     }
 }
 
-void UrpWriter::writeBeforeStart(const UrpElement& parts) {
+/// The values of "Variables Setup", unless the program does not use them.
+void ProgramTranslator::writeInitNode(const XmlElement& parts, const XmlElement& main) {
+    const XmlElement* const init = parts.child("InitVariablesNode");
+    const XmlElement* const variables = init == nullptr ? nullptr : init->child("variables");
+    if (variables == nullptr || main.attribute("InitVariablesNode") == QLatin1String("false")) {
+        return;
+    }
+    for (const auto& variable : variables->children) {
+        const XmlElement* const value = variable->child("expression");
+        const QString script = value == nullptr ? QString() : x_.of(*value).script.trimmed();
+        if (!script.isEmpty()) {
+            statement(QStringLiteral("global %1 = %2").arg(identifier(variable->attribute("name")), script));
+        }
+    }
+}
+
+void ProgramTranslator::defineTimers() {
+    for (const QString& timer : timers_) {
+        statement(QStringLiteral("global %1 = 0.0").arg(timer));
+        statement(QStringLiteral("global %1_is_counting = False").arg(timer));
+    }
+    if (timers_.empty()) {
+        return;
+    }
+    statement(QStringLiteral("thread tiller_timers():"));
+    statement(QStringLiteral("  while True:"));
+    for (const QString& timer : timers_) {
+        statement(QStringLiteral("    if %1_is_counting:").arg(timer));
+        statement(QStringLiteral("      %1 = %1 + get_steptime()").arg(timer));
+        statement(QStringLiteral("    end"));
+    }
+    statement(QStringLiteral("    sync()"));
+    statement(QStringLiteral("  end"));
+    statement(QStringLiteral("end"));
+    statement(QStringLiteral("run tiller_timers()"));
+}
+
+// ---- parts of a program ---------------------------------------------------------------------------------
+
+void ProgramTranslator::writeBeforeStart(const XmlElement& parts) {
     for (const auto& part : parts.children) {
         if (part->is("SpecialSequence") && part->attribute("type") == QLatin1String("BeforeStart")) {
-            writeChildrenOf(*part);
-        } else if (!part->is("MainProgram") && !part->is("Thread") && !part->is("InitVariablesNode") &&
-                   !part->is("SubProgram") && !part->is("Comment") && !isSuppressed(*part)) {
-            refuse(*part, QStringLiteral("this part of a program is not simulated"));
+            t_.label(*part, QStringLiteral("BeforeStart"));
+            writeChildren(*part);
+        } else if (!part->is("MainProgram") && !part->is("Thread") && !part->is("Event") &&
+                   !part->is("InitVariablesNode") && !part->is("SubProgram") && !part->is("Comment") &&
+                   !isSuppressed(*part)) {
+            t_.refuse(*part, QStringLiteral("this part of a program is not simulated"));
         }
     }
 }
 
-void UrpWriter::writeThreads(const UrpElement& parts) {
+void ProgramTranslator::writeThreads(const XmlElement& parts) {
     for (const auto& part : parts.children) {
-        if (part->is("Thread")) {
-            const QString name = uniqueName(part->attribute("name"));
-            emitLine(QStringLiteral("thread %1():").arg(name));
-            ++depth_;
-            writeRepeated(*part);
-            --depth_;
-            emitLine(QStringLiteral("end"));
-            emitLine(QStringLiteral("handle_%1 = run %1()").arg(name));
+        if (part->is("Event")) {
+            writeEvent(*part);
+        } else if (part->is("Thread")) {
+            const QString name = t_.uniqueName(part->attribute("name"));
+            statement(QStringLiteral("thread %1():").arg(name));
+            t_.out->indent();
+            writeRepeated(*part, part->attribute("name"));
+            t_.out->outdent();
+            statement(QStringLiteral("end"));
+            statement(QStringLiteral("threadId_%1 = run %1()").arg(name));
         }
     }
 }
 
-/// A program and a thread begin anew at their end, unless the box for that is not ticked.
-void UrpWriter::writeRepeated(const UrpElement& part) {
+/// Its nodes run beside the program whenever the condition holds; while they run, it is not looked at.
+void ProgramTranslator::writeEvent(const XmlElement& event) {
+    const Expression condition = x_.in(event, "expression", QStringLiteral("the condition"));
+    const QString name = t_.uniqueName(QStringLiteral("Event_%1").arg(t_.nextNumber()));
+    statement(QStringLiteral("thread %1():").arg(name));
+    t_.out->indent();
+    statement(QStringLiteral("while True:"));
+    t_.out->indent();
+    statement(QStringLiteral("if (%1):").arg(condition.script));
+    t_.out->indent();
+    t_.label(event, QStringLiteral("Event %1").arg(condition.shown));
+    t_.out->outdent();
+    writeBlock(event);
+    if (source_.eventNeedsEdge) {
+        statement(QStringLiteral("  while (%1):").arg(condition.script));
+        statement(QStringLiteral("    sync()"));
+        statement(QStringLiteral("  end"));
+    }
+    statement(QStringLiteral("end"));
+    statement(QStringLiteral("sync()"));
+    t_.out->outdent();
+    statement(QStringLiteral("end"));
+    t_.out->outdent();
+    statement(QStringLiteral("end"));
+    statement(QStringLiteral("threadId_%1 = run %1()").arg(name));
+}
+
+/// A program and a thread start again at their end, unless the box for that is not ticked.
+void ProgramTranslator::writeRepeated(const XmlElement& part, const QString& label) {
     if (part.attribute("runOnlyOnce") == QLatin1String("false")) {
-        emitLine(QStringLiteral("while True:"));
+        statement(QStringLiteral("while True:"));
+        t_.out->indent();
+        t_.label(part, label);
+        t_.out->outdent();
         writeBlock(part);
-        emitLine(QStringLiteral("end"));
+        statement(QStringLiteral("end"));
     } else {
-        writeChildrenOf(part);
+        t_.label(part, label);
+        writeChildren(part);
     }
 }
 
-void UrpWriter::writeSubPrograms() {
-    // Grows while their own calls are written.
-    for (std::size_t i = 0; i < subPrograms_.size() && !error_; ++i) {
+void ProgramTranslator::writeSubPrograms() {
+    t_.out = &functions_;
+    // The list grows while the calls in them are written.
+    for (std::size_t i = 0; i < subPrograms_.size() && !t_.refusal(); ++i) {
         const SubProgram sub = subPrograms_[i];
-        emitLine(QStringLiteral("def %1():").arg(sub.name));
+        statement(QStringLiteral("def %1():").arg(sub.name));
+        t_.out->indent();
+        t_.label(*sub.node, sub.node->attribute("name"));
+        t_.out->outdent();
         writeBlock(*sub.body);
-        emitLine(QStringLiteral("end"));
+        statement(QStringLiteral("end"));
     }
 }
 
 /// A sub program is written out in the file, or is a program of its own beside it.
-const UrpElement* UrpWriter::bodyOf(const UrpElement& subProgram) {
-    const UrpElement* const file = subProgram.child("file");
-    if (subProgram.child("children") != nullptr || file == nullptr) {
+const XmlElement* ProgramTranslator::bodyOf(const XmlElement& subProgram) {
+    if (subProgram.child("children") != nullptr) {
         return &subProgram;
     }
-    return mainOfFile(file->text.trimmed(), subProgram);
+    for (const char* const element : {"programFile", "file"}) {
+        if (const QString file = textOf(subProgram, element); !file.isEmpty()) {
+            return mainOfFile(file, subProgram);
+        }
+    }
+    return &subProgram;
 }
 
-const UrpElement* UrpWriter::mainOfFile(const QString& name, const UrpElement& at) {
-    auto known = trees_.find(name);
-    if (known == trees_.end()) {
-        Result<std::unique_ptr<UrpElement>> tree = readTree_(name);
+const XmlElement* ProgramTranslator::mainOfFile(const QString& name, const XmlElement& at) {
+    auto known = files_.find(name);
+    if (known == files_.end()) {
+        const std::optional<QByteArray> content = source_.files(name);
+        Result<std::unique_ptr<XmlElement>> tree =
+            content ? readPendantFile(*content)
+                    : Result<std::unique_ptr<XmlElement>>(
+                          Error{ErrorCode::FileNotReadable,
+                                QStringLiteral("there is no file '%1' in the programs folder").arg(name),
+                                {}});
         if (!tree) {
-            refuse(at, tree.error().context);
+            t_.refuse(at, tree.error().context);
             return nullptr;
         }
-        known = trees_.emplace(name, std::move(*tree)).first;
+        known = files_.emplace(name, std::move(*tree)).first;
         // They belong to the beginning of the program, not to where the sub program is called.
-        QString soFar = std::exchange(script_, {});
-        const int depth = std::exchange(depth_, 1);
+        ScriptText* const here = std::exchange(t_.out, &head_);
         writeInitialValues(*known->second, false);
-        depth_ = depth;
-        otherInitialValues_ += std::exchange(script_, std::move(soFar));
+        motion_.defineWaypoints(*known->second);
+        t_.out = here;
     }
-    const UrpElement* const parts = known->second->child("children");
-    const UrpElement* const main = parts == nullptr ? nullptr : parts->child("MainProgram");
+    const XmlElement* const parts = known->second->child("children");
+    const XmlElement* const main = parts == nullptr ? nullptr : parts->child("MainProgram");
     if (!known->second->is("URProgram") || main == nullptr) {
-        refuse(at, QStringLiteral("'%1' is not a program").arg(name));
+        t_.refuse(at, QStringLiteral("'%1' is not a program").arg(name));
         return nullptr;
     }
     return main;
@@ -240,334 +329,547 @@ const UrpElement* UrpWriter::mainOfFile(const QString& name, const UrpElement& a
 
 // ---- nodes ----------------------------------------------------------------------------------------------
 
-void UrpWriter::writeBlock(const UrpElement& node) {
-    ++depth_;
-    const qsizetype before = script_.size();
-    writeChildrenOf(node);
-    if (script_.size() == before) {
-        emitLine(QStringLiteral("sync()"));  // a block has to have a statement
+void ProgramTranslator::writeBlock(const XmlElement& node) {
+    t_.out->indent();
+    const int before = t_.out->statements();
+    writeChildren(node);
+    if (t_.out->statements() == before) {
+        statement(QStringLiteral("sync()"));  // a block has to have a statement
     }
-    --depth_;
+    t_.out->outdent();
 }
 
-void UrpWriter::writeChildrenOf(const UrpElement& node) {
-    const UrpElement* const children = node.child("children");
+void ProgramTranslator::writeChildren(const XmlElement& node) {
+    const XmlElement* const children = node.child("children");
     if (children == nullptr) {
         return;
     }
-    bool openIf = false;  // one that an Else may follow
+    std::vector<const XmlElement*> branches;  // of an If that may go on
+    const auto finish = [&] {
+        if (!branches.empty()) {
+            writeBranches(std::exchange(branches, {}), 0);
+        }
+    };
     for (const auto& child : children->children) {
         if (isSuppressed(*child)) {
             continue;
         }
-        const QString type = child->is("If") ? child->attribute("type") : QString();
-        const bool continues = type == QLatin1String("Else") || type == QLatin1String("ElseIf");
-        if (openIf && !continues) {
-            emitLine(QStringLiteral("end"));
-            openIf = false;
+        if (continuesIf(*child)) {
+            // Below its If rather than beside it, as older files have it, the If writes it.
+            if (!branches.empty()) {
+                branches.push_back(child.get());
+            } else if (!node.is("If")) {
+                t_.refuse(*child, QStringLiteral("there is no If before it"));
+            }
+            continue;
         }
+        finish();
         if (child->is("If")) {
-            writeBranch(*child, type);
-            // One that stands within its If ends with that.
-            openIf = openIf || !continues;
+            branches = branchesBelow(*child);
+            branches.insert(branches.begin(), child.get());
         } else {
             writeNode(*child);
         }
     }
-    if (openIf) {
-        emitLine(QStringLiteral("end"));
-    }
+    finish();
 }
 
-void UrpWriter::writeBranch(const UrpElement& node, const QString& type) {
-    const UrpElement* const condition = node.child("expression");
-    const bool isElse = type == QLatin1String("Else");
-    if (!isElse && condition == nullptr) {
-        refuse(node, QStringLiteral("there is no condition"));
+/// A condition that is checked continuously ends the nodes below it when it no longer holds; then the next branch
+/// has its turn.
+void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first) {
+    const XmlElement& node = *branches[first];
+    const bool hasNext = first + 1 < branches.size();
+    if (isElse(node)) {
+        t_.label(node, QStringLiteral("Else"));
+        writeChildren(node);
+        if (hasNext) {
+            t_.refuse(*branches[first + 1], QStringLiteral("it comes after an Else"));
+        }
         return;
     }
-    emitLine(isElse ? QStringLiteral("else:")
-                    : QStringLiteral("%1 %2:").arg(
-                          type == QLatin1String("ElseIf") ? QStringLiteral("elif") : QStringLiteral("if"),
-                          expressionOf(*condition)));
+    const Expression condition = x_.in(node, "expression", QStringLiteral("the condition"));
+    t_.label(node, QStringLiteral("%1 %2").arg(first == 0 ? "If" : "ElseIf", condition.shown));
+    const auto writeNext = [&] {
+        t_.out->indent();
+        const int before = t_.out->statements();
+        writeBranches(branches, first + 1);
+        if (t_.out->statements() == before) {
+            statement(QStringLiteral("sync()"));
+        }
+        t_.out->outdent();
+    };
+    if (!node.isTrue("checkContinuously")) {
+        statement(QStringLiteral("if (%1):").arg(condition.script));
+        writeBlock(node);
+        if (hasNext) {
+            statement(QStringLiteral("else:"));
+            writeNext();
+        }
+        statement(QStringLiteral("end"));
+        return;
+    }
+    const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
+    const QString state = name + "_state", handle = name + "_thread";  // 0 runs, 1 is done, 2 does not hold
+    statement(QStringLiteral("global %1 = 2").arg(state));
+    statement(QStringLiteral("thread %1():").arg(name));
     writeBlock(node);
-}
-
-void UrpWriter::writeNode(const UrpElement& node) {
-    if (node.is("Script")) {
-        writeScript(node);
-    } else if (node.is("Assignment")) {
-        writeAssignment(node);
-    } else if (node.is("Wait")) {
-        writeWait(node);
-    } else if (node.is("Move")) {
-        writeMove(node);
-    } else if (node.is("SafeHome")) {
-        writeSafeHome(node);
-    } else if (node.is("Folder")) {
-        writeChildrenOf(node);
-    } else if (node.is("Loop")) {
-        writeLoop(node);
-    } else if (node.is("Popup")) {
-        writePopup(node);
-    } else if (node.is("Halt")) {
-        emitLine(QStringLiteral("halt"));
-    } else if (node.is("Timer")) {
-        writeTimer(node);
-    } else if (node.is("CallSubProgram")) {
-        writeCall(node);
-    } else if (node.is("Contributed") &&
-               node.attribute("strategyClass").contains(QLatin1String(kControlNodeOwner))) {
-        emitLine(QString::fromUtf8(kControlNode.data(), kControlNode.size()).trimmed());
-    } else if (node.is("Contributed")) {
-        refuse(node,
-               QStringLiteral("the node of '%1' is not simulated")
-                   .arg(node.attribute("strategyURCapName").isEmpty() ? node.attribute("strategyClass")
-                                                                      : node.attribute("strategyURCapName")));
-    } else if (!node.is("Comment")) {
-        refuse(node, QStringLiteral("this node is not simulated"));
+    statement(QStringLiteral("  %1 = 1").arg(state));
+    statement(QStringLiteral("end"));
+    statement(QStringLiteral("if (%1):").arg(condition.script));
+    statement(QStringLiteral("  %1 = 0").arg(state));
+    statement(QStringLiteral("  %1 = run %2()").arg(handle, name));
+    statement(QStringLiteral("  while %1 == 0:").arg(state));
+    statement(QStringLiteral("    if (%1):").arg(condition.script));
+    statement(QStringLiteral("      sync()"));
+    statement(QStringLiteral("    else:"));
+    statement(QStringLiteral("      kill %1").arg(handle));
+    statement(QStringLiteral("      %1 = 2").arg(state));
+    statement(QStringLiteral("    end"));
+    statement(QStringLiteral("  end"));
+    statement(QStringLiteral("end"));
+    if (hasNext) {
+        statement(QStringLiteral("if %1 == 2:").arg(state));
+        writeNext();
+        statement(QStringLiteral("end"));
     }
 }
 
-void UrpWriter::writeAssignment(const UrpElement& node) {
-    const UrpElement* const variable = node.child("variable");
-    const UrpElement* const value = node.child("expression");
-    if (variable == nullptr || value == nullptr) {
-        refuse(node, QStringLiteral("variable or value is missing"));
+void ProgramTranslator::writeNode(const XmlElement& node) {
+    using Write = void (ProgramTranslator::*)(const XmlElement&);
+    static const std::map<QString, Write> kNodes{
+        {"Script", &ProgramTranslator::writeScript},
+        {"Assignment", &ProgramTranslator::writeAssignment},
+        {"Wait", &ProgramTranslator::writeWait},
+        {"Set", &ProgramTranslator::writeSet},
+        {"SetPayload", &ProgramTranslator::writeSetPayload},
+        {"Loop", &ProgramTranslator::writeLoop},
+        {"Switch", &ProgramTranslator::writeSwitch},
+        {"Popup", &ProgramTranslator::writePopup},
+        {"Timer", &ProgramTranslator::writeTimer},
+        {"CallSubProgram", &ProgramTranslator::writeCall},
+        {"Contributed", &ProgramTranslator::writeUrcap},
+    };
+    using WriteMotion = void (Motion::*)(const XmlElement&);
+    static const std::map<QString, WriteMotion> kMotions{
+        {"Move", &Motion::writeMove},
+        {"Waypoint", &Motion::writeWaypoint},
+        {"CircleMove", &Motion::writeCircle},
+        {"gui.program.direction.MoveDirectionNode", &Motion::writeDirection},
+        {"SafeHome", &Motion::writeHome},
+        {"Force", &Motion::writeForce},
+    };
+    if (const auto found = kNodes.find(node.name); found != kNodes.end()) {
+        (this->*found->second)(node);
+    } else if (const auto motion = kMotions.find(node.name); motion != kMotions.end()) {
+        (motion_.*motion->second)(node);
+    } else if (node.is("Folder")) {
+        t_.label(node, node.attribute("name"));
+        writeChildren(node);
+    } else if (node.is("Halt")) {
+        t_.label(node, QStringLiteral("Halt"));
+        statement(QStringLiteral("halt"));
+    } else if (node.is("Comment")) {
+        t_.label(node, '\'' + node.attribute("comment") + '\'');
+    } else if (node.is("Placeholder")) {
+        t_.unfinished(node, QStringLiteral("it is empty"));
+    } else if (!node.is("Until")) {  // its direction or waypoint writes it
+        t_.refuse(node, QStringLiteral("this node is not simulated"));
+    }
+}
+
+void ProgramTranslator::writeAssignment(const XmlElement& node) {
+    const QString variable = x_.variable(node);
+    if (node.attribute("valueSource") == QLatin1String("Operator")) {
+        static const std::map<QString, const char*> kTypes{
+            {"Boolean", "boolean"}, {"Integer", "integer"}, {"Float", "float"}, {"String", "string"}};
+        const auto type = kTypes.find(node.attribute("valueType"));
+        const QString message = node.attribute("message");
+        if (type == kTypes.end()) {
+            t_.refuse(
+                node,
+                QStringLiteral("a value of type '%1' is not simulated").arg(node.attribute("valueType")));
+            return;
+        }
+        t_.label(node, variable + QChar(0x2254) + '\'' + message + '\'');
+        statement(QStringLiteral("global %1 = request_%2_from_primary_client(%3)")
+                      .arg(variable, QLatin1String(type->second), quoted(message)));
         return;
     }
-    emitLine(QStringLiteral("global %1 = %2").arg(variableOf(*variable), expressionOf(*value)));
+    const Expression value = x_.in(node, "expression", QStringLiteral("the value"));
+    t_.label(node, variable + QChar(0x2254) + value.shown);
+    statement(QStringLiteral("global %1 = %2").arg(variable, value.script));
 }
 
-/// A timer shows on the pendant; here it is a variable like others, which stands still.
-void UrpWriter::writeTimer(const UrpElement& node) {
-    if (const UrpElement* const variable = node.child("variable")) {
-        emitLine(QStringLiteral("global %1 = 0.0").arg(variableOf(*variable)));
+void ProgramTranslator::writeTimer(const XmlElement& node) {
+    const QString timer = x_.variable(node);
+    const QString action = node.attribute("action");
+    t_.label(node, QStringLiteral("%1: %2").arg(timer, action));
+    if (!timer.isEmpty() && std::ranges::find(timers_, timer) == timers_.end()) {
+        timers_.push_back(timer);
+    }
+    if (action == QLatin1String("Start") || action == QLatin1String("Stop")) {
+        statement(QStringLiteral("%1_is_counting = %2")
+                      .arg(timer, action == QLatin1String("Start") ? "True" : "False"));
+    } else if (action == QLatin1String("Reset")) {
+        statement(QStringLiteral("%1 = 0.0").arg(timer));
+    } else {
+        t_.refuse(node, QStringLiteral("the action '%1' is not simulated").arg(action));
     }
 }
 
-void UrpWriter::writeScript(const UrpElement& node) {
-    const UrpElement* const kept = node.child("cachedContents");
-    const UrpElement* const line = node.child("expression");
-    const UrpElement* const file = node.child("file");
+void ProgramTranslator::writeScript(const XmlElement& node) {
+    const XmlElement* const cached = node.child("cachedContents");
+    const QString file = textOf(node, "file");
     QString text;
-    if (kept != nullptr) {
-        text = kept->text;
-    } else if (line != nullptr) {
-        text = expressionOf(*line);
-    } else if (file != nullptr) {
-        const QString name = file->text.trimmed();
-        const std::optional<QByteArray> content = readScript_(name);
+    if (cached != nullptr || !file.isEmpty()) {
+        t_.label(node, QStringLiteral("Script: %1").arg(file.section('/', -1)));
+        const std::optional<QByteArray> content =
+            cached == nullptr ? source_.files(file) : std::optional(cached->text.toUtf8());
         if (!content) {
-            refuse(node, QStringLiteral("there is no file '%1' in the programs folder").arg(name));
+            t_.refuse(node, QStringLiteral("there is no file '%1' in the programs folder").arg(file));
             return;
         }
         text = QString::fromUtf8(*content);
+    } else {
+        const Expression line = x_.in(node, "expression", QStringLiteral("the script"));
+        t_.label(node, line.shown);
+        text = line.script;
     }
-    for (const QString& words : text.split('\n')) {
-        if (!words.trimmed().isEmpty()) {
-            emitLine(words);
+    for (const QString& line : text.split('\n')) {
+        if (!line.trimmed().isEmpty()) {
+            statement(line);
         }
     }
 }
 
-void UrpWriter::writeWait(const UrpElement& node) {
-    const UrpElement* const time = node.child("waitTime");
-    bool ok = false;
-    const double seconds = time == nullptr ? 0 : time->text.toDouble(&ok);
-    if (node.attribute("type") != QLatin1String("Sleep") || !ok || !(seconds >= 0)) {
-        refuse(node, QStringLiteral("only a wait for a time is simulated"));
-        return;
-    }
-    emitLine(QStringLiteral("sleep(%1)").arg(seconds));
+void ProgramTranslator::waitUntil(const QString& condition) {
+    statement(QStringLiteral("while not(%1):").arg(condition));
+    statement(QStringLiteral("  sync()"));
+    statement(QStringLiteral("end"));
 }
 
-void UrpWriter::writeLoop(const UrpElement& node) {
+void ProgramTranslator::writeWait(const XmlElement& node) {
     const QString type = node.attribute("type");
-    const int count = node.attribute("count").toInt();
-    const UrpElement* const condition = node.child("expression");
-    if (type == QLatin1String("Always") || type == QLatin1String("Forever")) {
-        emitLine(QStringLiteral("while True:"));
-        writeBlock(node);
-    } else if (type == QLatin1String("While") && condition != nullptr) {
-        emitLine(QStringLiteral("while %1:").arg(expressionOf(*condition)));
-        writeBlock(node);
-    } else if (type == QLatin1String("Counting") && count > 0) {
-        const QString counter = QStringLiteral("loop_%1").arg(++loops_);
-        emitLine(counter + QStringLiteral(" = 0"));
-        emitLine(QStringLiteral("while %1 < %2:").arg(counter).arg(count));
-        writeBlock(node);
-        emitLine(QStringLiteral("  %1 = %1 + 1").arg(counter));
+    if (type == QLatin1String("Sleep")) {
+        const QString seconds = numberList(textOf(node, "waitTime"), 1);
+        t_.label(node, QStringLiteral("Wait: %1").arg(seconds));
+        if (seconds.isEmpty() || seconds.toDouble() < 0) {
+            t_.refuse(node, QStringLiteral("'%1' is not a time to wait").arg(textOf(node, "waitTime")));
+        }
+        statement(QStringLiteral("sleep(%1)").arg(seconds));
+    } else if (type == QLatin1String("DigitalInput")) {
+        const Expressions::Signal signal = x_.signal(node);
+        const QString value = textOf(node, "digitalValue");
+        const bool high = value == QLatin1String("1") || value == QLatin1String("true");
+        if (!high && value != QLatin1String("0") && value != QLatin1String("false")) {
+            t_.unfinished(node, QStringLiteral("the value to wait for is missing"));
+        }
+        t_.label(node, QStringLiteral("Wait %1=%2").arg(signal.shown, high ? "HI" : "LO"));
+        waitUntil(QStringLiteral("%1 == %2").arg(signal.read, high ? "True" : "False"));
+    } else if (type == QLatin1String("AnalogInput")) {
+        const Expressions::Signal signal = x_.signal(node);
+        const QString value = numberList(textOf(node, "analogValue"), 1);
+        const QString comparison = textOf(node, "analogComparison");
+        const char* const sign = comparison == QLatin1String("0")   ? "<"
+                                 : comparison == QLatin1String("1") ? ">"
+                                                                    : nullptr;
+        if (value.isEmpty() || sign == nullptr) {
+            t_.refuse(node, QStringLiteral("this comparison of an analog input is not simulated"));
+            return;
+        }
+        t_.label(node, QStringLiteral("Wait %1%2%3").arg(signal.shown, QLatin1String(sign), value));
+        waitUntil(QStringLiteral("%1 %2 %3").arg(signal.read, QLatin1String(sign), value));
+    } else if (type == QLatin1String("Condition")) {
+        const Expression condition = x_.in(node, "expression", QStringLiteral("the condition"));
+        t_.label(node, QStringLiteral("Wait %1").arg(condition.shown));
+        waitUntil(condition.script);
+    } else if (type == QLatin1String("NoWait")) {
+        t_.label(node, QStringLiteral("Wait"));
     } else {
-        refuse(node, QStringLiteral("this kind of loop is not simulated, or has no condition"));
-        return;
+        t_.refuse(node, QStringLiteral("a wait of type '%1' is not simulated").arg(type));
     }
-    emitLine(QStringLiteral("end"));
 }
 
-void UrpWriter::writePopup(const UrpElement& node) {
-    QString message = node.attribute("message");
-    message.remove('"').replace('\n', ' ');
-    emitLine(QStringLiteral("popup(\"%1\", blocking=%2)")
-                 .arg(message, node.attribute("haltProgram") == QLatin1String("true") ? "True" : "False"));
-}
-
-void UrpWriter::writeCall(const UrpElement& node) {
-    const UrpElement* const named = node.child("subprogram");
-    const UrpElement* const sub = named == nullptr ? nullptr : named->resolved();
-    if (sub == nullptr || subPrograms_.size() >= kMostSubPrograms) {
-        refuse(node, QStringLiteral("it leads to no sub program"));
+void ProgramTranslator::writeSet(const XmlElement& node) {
+    const QString type = node.attribute("type");
+    if (type == QLatin1String("NoAction")) {
+        t_.label(node, QStringLiteral("Set"));
+        writeToolSettings(node);
         return;
     }
-    // The part of the program may itself be a path to the place where the sub program is written out.
-    const UrpElement* const told = sub->resolved();
-    const UrpElement& whole = told == nullptr ? *sub : *told;
-    auto place = subProgramOf_.find(&whole);
+    if (type != QLatin1String("DigitalOutput") && type != QLatin1String("AnalogOutput") &&
+        type != QLatin1String("ExpressionOutput")) {
+        t_.refuse(node, QStringLiteral("an action of type '%1' is not simulated").arg(type));
+        return;
+    }
+    const Expressions::Signal signal = x_.signal(node);
+    QString value, shown;
+    if (type == QLatin1String("DigitalOutput")) {
+        const QString digit = textOf(node, "digitalValue");
+        const bool high = digit == QLatin1String("1") || digit == QLatin1String("true");
+        if (!high && digit != QLatin1String("0") && digit != QLatin1String("false")) {
+            t_.unfinished(node, QStringLiteral("the value is missing"));
+        }
+        value = high ? QStringLiteral("True") : QStringLiteral("False");
+        shown = high ? QStringLiteral("On") : QStringLiteral("Off");
+    } else if (type == QLatin1String("AnalogOutput")) {
+        // The node has amperes or volts, the script a part of the range.
+        bool ok = false;
+        double amount = textOf(node, "analogValue").toDouble(&ok);
+        shown = textOf(node, "analogValue");
+        const bool isAnalog = signal.kind != nullptr && signal.kind->value == TerminalValue::Analog;
+        const auto index = static_cast<std::size_t>(signal.number);
+        if (isAnalog && index < t_.installation.analogOutputIsVoltage.size() &&
+            t_.installation.analogOutputIsVoltage[index]) {
+            amount /= kMaxVoltage;
+        } else if (isAnalog) {
+            amount = (amount - kMinCurrent) / (kMaxCurrent - kMinCurrent);
+        }
+        if (!ok || (isAnalog && !(amount >= -1e-9 && amount <= 1 + 1e-9))) {
+            t_.refuse(node, QStringLiteral("'%1' is not within the range of the output").arg(shown));
+        }
+        value = QString::number(isAnalog ? std::clamp(amount, 0.0, 1.0) : amount, 'g', 12);
+    } else {
+        const Expression expression = x_.in(node, "expression", QStringLiteral("the value"));
+        value = expression.script;
+        shown = expression.shown;
+        if (signal.kind != nullptr && signal.kind->value == TerminalValue::Analog) {
+            t_.refuse(node, QStringLiteral("an expression for an analog output is not simulated"));
+        }
+    }
+    t_.label(node, QStringLiteral("Set %1=%2").arg(signal.shown, shown));
+    const QString line = signal.write(value);
+    if (line.isEmpty() && (signal.kind != nullptr || signal.modbus != nullptr)) {
+        t_.refuse(node, QStringLiteral("'%1' is not an output").arg(signal.shown));
+    }
+    statement(line);
+}
+
+/// The part of a Set node that goes with every action, and with none.
+void ProgramTranslator::writeToolSettings(const XmlElement& node) {
+    if (const XmlElement* const given = node.child("tcp")) {
+        const XmlElement* const tcp = given->resolved();
+        const QString name = tcp == nullptr ? QString() : tcp->attribute("referencedName");
+        const auto found = t_.installation.tcps.find(name);
+        if (found == t_.installation.tcps.end()) {
+            t_.refuse(node,
+                      QStringLiteral("there is no TCP '%1': %2").arg(name, t_.installation.shownName()));
+            return;
+        }
+        statement(QStringLiteral("set_tcp(p[%1])").arg(found->second));
+    }
+    if (node.has("payload")) {
+        const QString mass = numberList(node.attribute("payload"), 1);
+        const QString center = numberList(node.attribute("centerOfGravity"), 3);
+        if (mass.isEmpty() || (center.isEmpty() && !node.isTrue("tcpAsCog"))) {
+            t_.refuse(node, QStringLiteral("this payload is not simulated"));
+        }
+        // Without a centre of gravity it is the TCP.
+        writePayload({{}, mass, node.isTrue("tcpAsCog") ? QString() : center, {}});
+    }
+}
+
+void ProgramTranslator::writeSetPayload(const XmlElement& node) {
+    QString name = node.attribute("workpieceName");
+    if (const XmlElement* const named = node.target("payload"); name.isEmpty() && named != nullptr) {
+        name = named->attribute("referencedName");
+    }
+    t_.label(node, QStringLiteral("Set Payload: %1").arg(name));
+    if (const Payload* const payload = t_.installation.payload(name)) {
+        writePayload(*payload);
+    } else {
+        t_.refuse(node,
+                  QStringLiteral("there is no payload '%1': %2").arg(name, t_.installation.shownName()));
+    }
+}
+
+/// The nodes below it repeat beside the check, which ends them.
+void ProgramTranslator::writeWhileHolds(const XmlElement& node, const QString& condition) {
+    const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
+    statement(QStringLiteral("thread %1():").arg(name));
+    t_.out->indent();
+    statement(QStringLiteral("while True:"));
+    writeBlock(node);
+    statement(QStringLiteral("end"));
+    t_.out->outdent();
+    statement(QStringLiteral("end"));
+    statement(QStringLiteral("if (%1):").arg(condition));
+    statement(QStringLiteral("  %1_thread = run %1()").arg(name));
+    statement(QStringLiteral("  while (%1):").arg(condition));
+    statement(QStringLiteral("    sync()"));
+    statement(QStringLiteral("  end"));
+    statement(QStringLiteral("  kill %1_thread").arg(name));
+    statement(QStringLiteral("end"));
+}
+
+void ProgramTranslator::writeLoop(const XmlElement& node) {
+    const QString type = node.attribute("type");
+    if (type == QLatin1String("Always") || type == QLatin1String("Forever")) {
+        t_.label(node, QStringLiteral("Loop"));
+        statement(QStringLiteral("while True:"));
+        writeBlock(node);
+        statement(QStringLiteral("end"));
+    } else if (type == QLatin1String("While")) {
+        const Expression condition = x_.in(node, "expression", QStringLiteral("the condition"));
+        t_.label(node, QStringLiteral("Loop %1").arg(condition.shown));
+        if (node.isTrue("checkContinuously")) {
+            writeWhileHolds(node, condition.script);
+            return;
+        }
+        statement(QStringLiteral("while (%1):").arg(condition.script));
+        writeBlock(node);
+        statement(QStringLiteral("end"));
+    } else if (type == QLatin1String("Counting")) {
+        bool ok = false;
+        const int count = node.attribute("count").toInt(&ok);
+        if (!ok || count < 0) {
+            t_.unfinished(node, QStringLiteral("the count is missing"));
+        }
+        const QString counter = node.child("loopVariable") != nullptr
+                                    ? x_.variable(node, "loopVariable")
+                                    : t_.uniqueName(QStringLiteral("loop_%1").arg(t_.nextNumber()));
+        t_.label(node, QStringLiteral("Loop %1 times").arg(count));
+        statement(QStringLiteral("global %1 = 0").arg(counter));
+        statement(QStringLiteral("while (%1 < %2):").arg(counter).arg(count));
+        writeBlock(node);
+        statement(QStringLiteral("  %1 = %1 + 1").arg(counter));
+        statement(QStringLiteral("end"));
+    } else {
+        t_.refuse(node, QStringLiteral("a loop of type '%1' is not simulated").arg(type));
+    }
+}
+
+void ProgramTranslator::writeSwitch(const XmlElement& node) {
+    const Expression value = x_.in(node, "expression", QStringLiteral("the value"));
+    const QString variable = t_.uniqueName(QStringLiteral("switch_%1").arg(t_.nextNumber()));
+    t_.label(node, QStringLiteral("Switch %1").arg(value.shown));
+    statement(QStringLiteral("%1 = %2").arg(variable, value.script));
+    const XmlElement* const children = node.child("children");
+    const XmlElement* otherwise = nullptr;
+    bool isOpen = false;
+    const auto writeCase = [&](const XmlElement& branch, const QString& label) {
+        t_.out->indent();
+        t_.label(branch, label);
+        t_.out->outdent();
+        writeBlock(branch);
+    };
+    for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
+        const XmlElement& branch = *children->children[i];
+        if (isSuppressed(branch) || branch.is("Comment")) {
+            continue;
+        }
+        const QString wanted = branch.attribute("caseValue");
+        if (branch.is("Case") && !wanted.isEmpty()) {
+            if (numberList(wanted, 1).isEmpty()) {
+                t_.refuse(branch, QStringLiteral("'%1' is not a number").arg(wanted));
+            }
+            statement(QStringLiteral("%1 (%2 == %3):").arg(isOpen ? "elif" : "if", wanted, variable));
+            writeCase(branch, QStringLiteral("Case %1").arg(wanted));
+            isOpen = true;
+        } else if (branch.name.contains(QLatin1String("Default")) && otherwise == nullptr) {
+            otherwise = &branch;
+        } else {
+            t_.refuse(branch, QStringLiteral("this node is not simulated within a switch"));
+        }
+    }
+    if (otherwise != nullptr) {
+        statement(isOpen ? QStringLiteral("else:") : QStringLiteral("if True:"));
+        writeCase(*otherwise, QStringLiteral("Default"));
+        isOpen = true;
+    }
+    if (isOpen) {
+        statement(QStringLiteral("end"));
+    }
+}
+
+/// A popup waits for the operator; one that ends the program shows and does not.
+void ProgramTranslator::writePopup(const XmlElement& node) {
+    const QString type = node.attribute("type");
+    const bool isWarning = type == QLatin1String("Warning"), isError = type == QLatin1String("Error");
+    const bool halts = node.isTrue("haltProgram");
+    const bool isVariable = node.attribute("inputType") == QLatin1String("Variable");
+    const QString text = isVariable ? x_.variable(node) : quoted(node.attribute("message"));
+    t_.label(node, QStringLiteral("Popup: %1").arg(isVariable ? text : node.attribute("message")));
+    statement(QStringLiteral("popup(%1, \"%2\", %3, %4, blocking=%5)")
+                  .arg(text,
+                       isWarning ? "Warning"
+                       : isError ? "Error"
+                                 : "Message",
+                       isWarning ? "True" : "False", isError ? "True" : "False", halts ? "False" : "True"));
+    if (halts) {
+        statement(QStringLiteral("halt"));
+    }
+}
+
+void ProgramTranslator::writeCall(const XmlElement& node) {
+    const XmlElement* const named = node.child("subprogram");
+    if (named == nullptr) {
+        t_.unfinished(node, QStringLiteral("the sub program is missing"));
+        return;
+    }
+    const XmlElement* const sub = named->resolved();
+    if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
+        t_.refuse(node, QStringLiteral("it leads to no sub program"));
+        return;
+    }
+    auto place = subProgramOf_.find(sub);
     if (place == subProgramOf_.end()) {
-        const UrpElement* const body = bodyOf(whole);
+        const XmlElement* const body = bodyOf(*sub);
         if (body == nullptr) {
             return;
         }
-        place = subProgramOf_.emplace(&whole, subPrograms_.size()).first;
-        subPrograms_.push_back({uniqueName(whole.attribute("name")), body});
+        place = subProgramOf_.emplace(sub, subPrograms_.size()).first;
+        subPrograms_.push_back({t_.uniqueName(sub->attribute("name")), sub, body});
     }
-    emitLine(subPrograms_[place->second].name + QStringLiteral("()"));
+    t_.label(node, QStringLiteral("Call %1").arg(sub->attribute("name")));
+    statement(subPrograms_[place->second].name + QStringLiteral("()"));
 }
 
-// ---- motion ---------------------------------------------------------------------------------------------
-
-double UrpWriter::numberOf(const UrpElement& node, const char* attribute) {
-    bool ok = false;
-    const double value = node.attribute(attribute).toDouble(&ok);
-    if (!ok) {
-        refuse(node, QStringLiteral("%1 is no number").arg(QLatin1String(attribute)));
-    }
-    return value;
-}
-
-void UrpWriter::writeMove(const UrpElement& node) {
-    const QString type = node.attribute("motionType");
-    const QString function = type == QLatin1String("MoveJ")   ? QStringLiteral("movej")
-                             : type == QLatin1String("MoveL") ? QStringLiteral("movel")
-                             : type == QLatin1String("MoveP") ? QStringLiteral("movep")
-                                                              : QString();
-    if (function.isEmpty()) {
-        refuse(node, QStringLiteral("motion '%1' is not simulated").arg(type));
+void ProgramTranslator::writeUrcap(const XmlElement& node) {
+    const QString nodeClass = node.attribute("strategyClass");
+    const QString shown = node.has("strategyURCapName") ? node.attribute("strategyURCapName") : nodeClass;
+    if (nodeClass.contains(QLatin1String(kControlNodeOwner))) {
+        statement(
+            QString::fromUtf8(kControlNode.data(), static_cast<qsizetype>(kControlNode.size())).trimmed());
         return;
     }
-    const UrpElement* const children = node.child("children");
-    if (children == nullptr) {
+    const QString label =
+        node.has("strategyProgramNodeType") ? node.attribute("strategyProgramNodeType") : shown;
+    t_.label(node, label);
+    if (const UrcapStandIn* const standIn = source_.urcaps.find(nodeClass)) {
+        const Result<QStringList> lines = UrcapStandIns::bodyOf(*standIn, node);
+        if (!lines) {
+            t_.refuse(node, lines.error().context);
+            return;
+        }
+        if (urcaps_.insert(standIn).second) {
+            for (const QString& line : standIn->setup) {
+                head_.line(line);
+            }
+        }
+        for (const QString& line : *lines) {
+            statement(line);
+        }
+        writeChildren(node);
         return;
     }
-    for (const auto& child : children->children) {
-        if (child->is("Waypoint")) {
-            writeWaypoint(*child, node, function);
-        } else if (child->is("SafeHome")) {
-            writeSafeHome(*child);
-        } else if (!isSuppressed(*child) && !child->is("Comment")) {
-            refuse(*child, QStringLiteral("this node is not simulated within a move"));
-        }
+    switch (source_.unknownUrcap) {
+        case UnknownUrcap::Refuse:
+            t_.refuse(node,
+                      QStringLiteral("the node of '%1' is not simulated, and class '%2' has no stand-in")
+                          .arg(shown, nodeClass));
+            break;
+        case UnknownUrcap::Ask:
+            statement(
+                QStringLiteral("popup(%1, \"URCap\", False, False, blocking=True)")
+                    .arg(quoted(QStringLiteral("%1 (%2) is not simulated. Continue?").arg(label, shown))));
+            break;
+        case UnknownUrcap::Skip:
+            statement(QStringLiteral("textmsg(%1)")
+                          .arg(quoted(
+                              QStringLiteral("%1 (%2) is not simulated and was skipped").arg(label, shown))));
+            break;
     }
 }
 
-/// A waypoint may have a speed and a blend of its own.
-void UrpWriter::writeWaypoint(const UrpElement& waypoint, const UrpElement& move, const QString& function) {
-    const QString target = targetOf(waypoint, move);
-    if (target.isEmpty()) {
-        refuse(waypoint, QStringLiteral("its position cannot be told"));
-        return;
-    }
-    const UrpElement* const own = waypoint.child("motionParameters");
-    const bool joints = function == QLatin1String("movej");
-    const auto value = [&](const char* ownName, const char* common) {
-        return own != nullptr && !own->attribute(ownName).isEmpty() ? numberOf(*own, ownName)
-                                                                    : numberOf(move, common);
-    };
-    const double speed = value(joints ? "jointSpeed" : "cartesianSpeed", "speed");
-    const double acceleration = value(joints ? "jointAcceleration" : "cartesianAcceleration", "acceleration");
-    QString line = QStringLiteral("%1(%2, a=%3, v=%4").arg(function, target).arg(acceleration).arg(speed);
-    if (own != nullptr && !own->attribute("blendRadius").isEmpty()) {
-        line += QStringLiteral(", r=%1").arg(numberOf(*own, "blendRadius"));
-    }
-    emitLine(line + ')');
-}
-
-/// The position is one of the installation, which is not read: the node's own, or a fresh pendant's.
-void UrpWriter::writeSafeHome(const UrpElement& node) {
-    const QString own = anglesOf(node);
-    const auto value = [&](const char* attribute, double otherwise) {
-        return node.attribute(attribute).isEmpty() ? otherwise : numberOf(node, attribute);
-    };
-    emitLine(QStringLiteral("movej(%1, a=%2, v=%3)")
-                 .arg(own.isEmpty() ? '[' + QLatin1String(kProgramHome) + ']' : own)
-                 .arg(value("acceleration", kHomeAcceleration))
-                 .arg(value("speed", kHomeSpeed)));
-}
-
-/// Empty when it cannot be told.
-QString UrpWriter::targetOf(const UrpElement& waypoint, const UrpElement& move) {
-    const QString type = waypoint.attribute("type");
-    if (type == QLatin1String("Fixed")) {
-        return anglesOf(waypoint);
-    }
-    const UrpElement* const variable = waypoint.child("variable");
-    const UrpElement* const feature = move.child("feature");
-    // A pose in another frame than the base's would need the installation.
-    const bool inBase =
-        feature == nullptr || feature->attribute("referencedName") == QLatin1String("Joint_0_name");
-    return type == QLatin1String("Variable") && variable != nullptr && inBase ? variableOf(*variable)
-                                                                              : QString();
-}
-
-// ---- expressions ----------------------------------------------------------------------------------------
-
-QString UrpWriter::variableOf(const UrpElement& reference) {
-    const UrpElement* const variable = reference.resolved();
-    const QString name = variable == nullptr ? QString() : variable->attribute("name");
-    if (name.isEmpty()) {
-        refuse(reference, QStringLiteral("it leads to no variable"));
-    }
-    return nameOf(name);
-}
-
-QString UrpWriter::pinOf(const UrpElement& node) {
-    const UrpElement* const given = node.child("pin");
-    const UrpElement* const pin = given == nullptr ? nullptr : given->resolved();
-    if (pin == nullptr) {
-        refuse(node, QStringLiteral("it names no pin"));
-        return {};
-    }
-    const QString name =
-        pin->attribute("referencedName").isEmpty() ? pin->text.trimmed() : pin->attribute("referencedName");
-    static const QRegularExpression kNumbered(QStringLiteral("^(\\w+)\\[(\\d{1,3})\\]$"));
-    const QRegularExpressionMatch match = kNumbered.match(name);
-    for (const Pin& known : kPins) {
-        if (match.hasMatch() && match.captured(1).toLower() == QLatin1String(known.name) &&
-            match.captured(2).toInt() < known.count) {
-            return QStringLiteral("%1(%2)").arg(QLatin1String(known.function), match.captured(2));
-        }
-    }
-    refuse(node,
-           QStringLiteral("pin '%1' is not known; names given in an installation are not read").arg(name));
-    return {};
-}
-
-QString UrpWriter::expressionOf(const UrpElement& expression) {
-    QString text;
-    for (const auto& part : expression.children) {
-        if (part->is("ExpressionChar")) {
-            text += part->attribute("character");
-        } else if (part->is("ExpressionToken")) {
-            text += apart(part->attribute("token") + part->attribute("character"));
-        } else if (part->is("ExpressionVariable") && !part->children.empty()) {
-            text += variableOf(*part->children.front());
-        } else if (part->is("ExpressionIO")) {
-            text += pinOf(*part);
-        } else {
-            refuse(*part, QStringLiteral("this part of an expression is not simulated"));
-        }
-    }
-    return withoutSigns(text);
-}
-
-}  // namespace tiller::simulator
+}  // namespace tiller::simulator::pendant

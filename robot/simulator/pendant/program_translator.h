@@ -1,93 +1,96 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Turns the nodes of a pendant's program into URScript, as the pendant does when it runs them.
+// Turns the nodes of a pendant's program into URScript, as the pendant does when it plays them.
 
 #include <QByteArray>
 #include <QString>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/simulator/programs/urp_tree.h"
+#include "robot/simulator/pendant/expressions.h"
+#include "robot/simulator/pendant/motion.h"
+#include "robot/simulator/pendant/pendant_program.h"
+#include "robot/simulator/pendant/translation.h"
 
-namespace tiller::simulator {
+namespace tiller::simulator::pendant {
 
-/// The tree of another program file, by the name a node gives; an Error when there is none to be had.
-using UrpTreeReader = std::function<Result<std::unique_ptr<UrpElement>>(const QString& name)>;
-
-/// For one program; write() once.
-class UrpWriter {
+/// For one program; translate() once.
+class ProgramTranslator {
 public:
-    UrpWriter(UrpTreeReader trees, FileReader scripts)
-        : readTree_(std::move(trees)), readScript_(std::move(scripts)) {}
+    /// All of them outlive this object.
+    ProgramTranslator(const PendantSource& source, const Installation& installation);
 
     /// root  URProgram, outlives this object
     /// Returns  a `def` of that name
-    /// Errors   FileCorrupt with line, node and reason: a program with a node that cannot be told is refused
+    /// Errors   FileCorrupt with line, node and reason: a program with a node that cannot be translated is refused
     ///          as a whole, because half a program is not what its author taught
-    Result<std::string> write(const UrpElement& root, const QString& name);
+    Result<PendantProgram> translate(const XmlElement& root, const QString& name);
 
 private:
     struct SubProgram {
         QString name;
-        const UrpElement* body;  ///< its children are the nodes
+        const XmlElement* node;  ///< as the program names it
+        const XmlElement* body;  ///< its children are the nodes
+    };
+    struct Branch {
+        const XmlElement* node;
+        bool isContinuous;
     };
 
-    void emitLine(const QString& line) { script_ += QString(2 * depth_, ' ') + line + '\n'; }
-    void refuse(const UrpElement& at, const QString& why);
-    QString uniqueName(const QString& words);
+    // the beginning of a program
+    void writeInstallation();
+    void writeInitialValues(const XmlElement& element, bool suppressed);
+    void writeInitNode(const XmlElement& parts, const XmlElement& main);
+    void defineTimers();
 
     // parts of a program
-    void writeInitialValues(const UrpElement& element, bool suppressed);
-    void writeBeforeStart(const UrpElement& parts);
-    void writeThreads(const UrpElement& parts);
-    void writeRepeated(const UrpElement& part);
+    void writeBeforeStart(const XmlElement& parts);
+    void writeThreads(const XmlElement& parts);
+    void writeEvent(const XmlElement& event);
+    void writeRepeated(const XmlElement& part, const QString& label);
     void writeSubPrograms();
-    const UrpElement* mainOfFile(const QString& name, const UrpElement& at);
-    const UrpElement* bodyOf(const UrpElement& subProgram);
+    const XmlElement* bodyOf(const XmlElement& subProgram);
+    const XmlElement* mainOfFile(const QString& name, const XmlElement& at);
 
     // nodes
-    void writeBlock(const UrpElement& node);
-    void writeChildrenOf(const UrpElement& node);
-    void writeBranch(const UrpElement& node, const QString& type);
-    void writeNode(const UrpElement& node);
-    void writeAssignment(const UrpElement& node);
-    void writeTimer(const UrpElement& node);
-    void writeScript(const UrpElement& node);
-    void writeWait(const UrpElement& node);
-    void writeLoop(const UrpElement& node);
-    void writePopup(const UrpElement& node);
-    void writeCall(const UrpElement& node);
+    void writeBlock(const XmlElement& node);
+    void writeChildren(const XmlElement& node);
+    void writeNode(const XmlElement& node);
+    void writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first);
+    void writeWhileHolds(const XmlElement& node, const QString& condition);
+    void writeSwitch(const XmlElement& node);
+    void writeLoop(const XmlElement& node);
+    void writeAssignment(const XmlElement& node);
+    void writeTimer(const XmlElement& node);
+    void writeScript(const XmlElement& node);
+    void writeWait(const XmlElement& node);
+    void writeSet(const XmlElement& node);
+    void writeSetPayload(const XmlElement& node);
+    void writeToolSettings(const XmlElement& node);
+    void writePayload(const Payload& payload);
+    void writePopup(const XmlElement& node);
+    void writeCall(const XmlElement& node);
+    void writeUrcap(const XmlElement& node);
+    void waitUntil(const QString& condition);
+    void statement(const QString& line) { t_.out->line(line); }
 
-    // motion
-    void writeMove(const UrpElement& node);
-    void writeWaypoint(const UrpElement& waypoint, const UrpElement& move, const QString& function);
-    void writeSafeHome(const UrpElement& node);
-    QString targetOf(const UrpElement& waypoint, const UrpElement& move);
-    double numberOf(const UrpElement& node, const char* attribute);
-
-    // expressions
-    QString variableOf(const UrpElement& reference);
-    QString pinOf(const UrpElement& node);
-    QString expressionOf(const UrpElement& expression);
-
-    UrpTreeReader readTree_;
-    FileReader readScript_;
-    std::map<QString, std::unique_ptr<UrpElement>> trees_;  ///< of other files, by name
-    QString otherInitialValues_;                            ///< told in them
-    QString script_;
-    int depth_ = 0;
-    int loops_ = 0;
-    std::set<QString> names_;  ///< of functions and threads
+    const PendantSource& source_;
+    Translation t_;
+    Expressions x_;
+    Motion motion_;
+    std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other programs, by name
+    ScriptText head_{1};                                    ///< values and functions the program begins with
+    ScriptText functions_{1};                               ///< sub programs
+    ScriptText body_{1};
+    std::vector<QString> timers_;
+    std::set<const UrcapStandIn*> urcaps_;  ///< whose setup is written
     std::vector<SubProgram> subPrograms_;
-    std::map<const UrpElement*, std::size_t> subProgramOf_;  ///< by its element, where it is in the list
-    std::optional<Error> error_;
+    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< by its element, the index into the list
 };
 
-}  // namespace tiller::simulator
+}  // namespace tiller::simulator::pendant

@@ -1,38 +1,43 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/programs/urp_tree.h"
+#include "robot/simulator/pendant/xml_tree.h"
 
+#include <zlib.h>
 #include <QStringList>
 #include <QXmlStreamReader>
 #include <algorithm>
 
-namespace tiller::simulator {
+namespace tiller::simulator::pendant {
 
 namespace {
 
-constexpr int kDeepest = 400;
-constexpr int kMostElements = 2'000'000;
+constexpr int kMaxDepth = 400;
+constexpr int kMaxElements = 2'000'000;
+constexpr int kMaxReferences = 8;  ///< in a row; a chain that is longer is a circle
+constexpr qsizetype kMaxXml = 64 << 20;
 
-/// The child a step of a path names: "children", or "Assignment[2]" for the second of that name.
-const UrpElement* step(const UrpElement& from, const QString& words) {
-    const qsizetype bracket = words.indexOf('[');
-    const QString name = bracket < 0 ? words : words.left(bracket);
-    int number = bracket < 0 ? 1 : words.mid(bracket + 1, words.size() - bracket - 2).toInt();
+/// The child that one step of a path names: "children", or "Assignment[2]" for the second of that name.
+const XmlElement* childAt(const XmlElement& from, const QString& step) {
+    const qsizetype bracket = step.indexOf('[');
+    const QString name = bracket < 0 ? step : step.left(bracket);
+    int number = bracket < 0 ? 1 : step.mid(bracket + 1, step.size() - bracket - 2).toInt();
     const auto found = std::find_if(from.children.begin(), from.children.end(),
                                     [&](const auto& child) { return child->name == name && --number == 0; });
     return found == from.children.end() ? nullptr : found->get();
 }
 
-}  // namespace
-
-const UrpElement* UrpElement::child(const char* wanted) const {
-    return step(*this, QLatin1String(wanted));
-}
-
-const UrpElement* UrpElement::resolved() const {
-    const QString path = attribute("reference");
-    const UrpElement* at = this;
-    for (const QString& words : path.split('/', Qt::SkipEmptyParts)) {
-        at = words == QLatin1String("..") ? at->parent : step(*at, words);
+const XmlElement* follow(const XmlElement& from, const QString& path) {
+    QStringList steps = path.split('/', Qt::SkipEmptyParts);
+    const XmlElement* at = &from;
+    if (path.startsWith('/')) {
+        while (at->parent != nullptr) {
+            at = at->parent;
+        }
+        if (steps.isEmpty() || steps.takeFirst() != at->name) {
+            return nullptr;
+        }
+    }
+    for (const QString& step : steps) {
+        at = step == QLatin1String("..") ? at->parent : childAt(*at, step);
         if (at == nullptr) {
             return nullptr;
         }
@@ -40,27 +45,61 @@ const UrpElement* UrpElement::resolved() const {
     return at;
 }
 
-Result<std::unique_ptr<UrpElement>> readUrpTree(const QByteArray& xml) {
+}  // namespace
+
+const XmlElement* XmlElement::child(const char* wanted) const {
+    return childAt(*this, QLatin1String(wanted));
+}
+
+const XmlElement* XmlElement::target(const char* wanted) const {
+    const XmlElement* const found = child(wanted);
+    return found == nullptr ? nullptr : found->resolved();
+}
+
+const XmlElement* XmlElement::descendant(const char* wanted) const {
+    for (const auto& child : children) {
+        if (child->is(wanted)) {
+            return child.get();
+        }
+        if (const XmlElement* const found = child->descendant(wanted)) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
+const XmlElement* XmlElement::resolved() const {
+    const XmlElement* at = this;
+    for (int i = 0; i < kMaxReferences && at != nullptr; ++i) {
+        if (!at->has("reference")) {
+            return at;
+        }
+        at = follow(*at, at->attribute("reference"));
+    }
+    return nullptr;
+}
+
+Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml) {
     QXmlStreamReader reader(xml);
-    std::unique_ptr<UrpElement> root;
-    UrpElement* open = nullptr;
+    std::unique_ptr<XmlElement> root;
+    XmlElement* open = nullptr;
     int depth = 0;
     int count = 0;
     while (!reader.atEnd()) {
         switch (reader.readNext()) {
             case QXmlStreamReader::StartElement: {
-                if (++depth > kDeepest || ++count > kMostElements) {
+                if (++depth > kMaxDepth || ++count > kMaxElements) {
                     return Error{ErrorCode::FileCorrupt,
                                  QStringLiteral("line %1: too deep or too large for a program")
                                      .arg(reader.lineNumber()),
                                  {}};
                 }
-                auto element = std::make_unique<UrpElement>();
+                auto element = std::make_unique<XmlElement>();
                 element->name = reader.name().toString();
                 element->attributes = reader.attributes();
                 element->line = reader.lineNumber();
                 element->parent = open;
-                UrpElement* const here = element.get();
+                XmlElement* const here = element.get();
                 (open == nullptr ? root : open->children.emplace_back()) = std::move(element);
                 open = here;
                 break;
@@ -83,7 +122,45 @@ Result<std::unique_ptr<UrpElement>> readUrpTree(const QByteArray& xml) {
                      QStringLiteral("line %1: %2").arg(reader.lineNumber()).arg(reader.errorString()),
                      {}};
     }
-    return Result<std::unique_ptr<UrpElement>>(std::move(root));
+    return Result<std::unique_ptr<XmlElement>>(std::move(root));
 }
 
-}  // namespace tiller::simulator
+bool isGzip(const QByteArray& content) {
+    return content.startsWith("\x1f\x8b");
+}
+
+std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize) {
+    if (!isGzip(compressed)) {
+        return std::nullopt;
+    }
+    z_stream stream{};
+    constexpr int kGzipOnly = 16 + MAX_WBITS;
+    if (inflateInit2(&stream, kGzipOnly) != Z_OK) {
+        return std::nullopt;
+    }
+    // zlib reads only; its interface is older than const.
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.constData()));
+    stream.avail_in = static_cast<uInt>(compressed.size());
+    QByteArray out;
+    QByteArray piece(64 * 1024, Qt::Uninitialized);
+    int state = Z_OK;
+    while (state == Z_OK && out.size() <= maxSize) {
+        stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+        stream.avail_out = static_cast<uInt>(piece.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        out.append(piece.constData(), piece.size() - static_cast<qsizetype>(stream.avail_out));
+    }
+    inflateEnd(&stream);
+    return state == Z_STREAM_END && out.size() <= maxSize ? std::optional(out) : std::nullopt;
+}
+
+Result<std::unique_ptr<XmlElement>> readPendantFile(const QByteArray& content) {
+    const std::optional<QByteArray> xml = isGzip(content) ? gunzip(content, kMaxXml) : content;
+    if (!xml) {
+        return Error{
+            ErrorCode::FileCorrupt, QStringLiteral("the compressed data are damaged or too large"), {}};
+    }
+    return readXmlTree(*xml);
+}
+
+}  // namespace tiller::simulator::pendant

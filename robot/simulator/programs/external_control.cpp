@@ -3,9 +3,14 @@
 
 #include <QXmlStreamReader>
 
-#include "robot/simulator/programs/urp_file.h"
+#include "robot/simulator/pendant/urcaps.h"
+#include "robot/simulator/pendant/xml_tree.h"
 
 namespace tiller::simulator {
+
+using pendant::gunzip;
+using pendant::kControlNode;
+using pendant::kControlNodeOwner;
 
 namespace {
 

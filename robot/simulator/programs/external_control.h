@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace tiller::simulator {
 
@@ -26,11 +25,6 @@ struct ScriptProvider {
 
 /// What an installation file (XML, gzipped) says of it. Nothing when it says nothing.
 std::optional<ScriptProvider> scriptProviderOf(const QByteArray& installation);
-
-/// In the names of its owner and class, whoever publishes it.
-inline constexpr const char* kControlNodeOwner = ".externalcontrol";
-/// Stands for the node in a program; means nothing to the interpreter.
-inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
 
 /// The program with the script in place of its nodes.
 std::string withControlScript(std::string program, std::string script);

@@ -150,6 +150,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     urscript::Limits limits;
     limits.randomSeed = plant_.options().seed;
     limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
+    limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == Assumptions::RpcFactory::Defers;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     state_ = RuntimeState::Playing;

@@ -3,14 +3,11 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QStringList>
 #include <algorithm>
 
 #include "robot/core/atomic_file.h"
 #include "robot/core/file_reading.h"
-#include "robot/simulator/programs/urp_file.h"
 
 namespace tiller::simulator {
 
@@ -22,24 +19,6 @@ constexpr const char* kProgramRoots[] = {"/ursim/programs/", "/programs/"};
 std::optional<QByteArray> contentOf(const QString& path) {
     const Result<QByteArray> content = readWholeFile(path, kLargestProgram);
     return content ? std::optional(*content) : std::nullopt;
-}
-
-/// The application's part (frames, functions, threads) and the program's make one program.
-std::optional<std::string> scriptOfUrpx(const QJsonObject& root) {
-    const auto part = [&root](const char* which) {
-        return root.value(QLatin1String(which))
-            .toObject()
-            .value(QLatin1String("urscript"))
-            .toObject()
-            .value(QLatin1String("script"));
-    };
-    const QJsonValue program = part("program");
-    if (program.isString()) {
-        return "def program():\n" + part("application").toString().toStdString() + '\n' +
-               program.toString().toStdString() + "\nend\n";
-    }
-    const QJsonValue script = root.value(QLatin1String("script"));
-    return script.isString() ? std::optional(script.toString().toStdString()) : std::nullopt;
 }
 
 Error notThere(const QString& name) {
@@ -87,35 +66,33 @@ std::optional<QByteArray> ProgramStore::readPath(const QString& path) const {
     return isWithin(path) ? contentOf(path) : std::nullopt;
 }
 
-Result<std::string> ProgramStore::scriptOf(const QString& path) const {
+Result<pendant::PendantProgram> ProgramStore::programAt(const QString& path) const {
     const std::optional<QByteArray> content = readPath(path);
     if (!content) {
         return notThere(path);
     }
     const QFileInfo file(path);
     const bool urpx = file.suffix() == QLatin1String("urpx");
-    const bool urp = isUrpFile(*content);
+    const bool urp = pendant::isUrpFile(*content);
     if (!urp && !urpx) {
-        return content->toStdString();
+        return pendant::PendantProgram{content->toStdString()};
     }
     const QString scriptName = file.completeBaseName() + QStringLiteral(".script");
     if (const auto beside = readPath(file.dir().filePath(scriptName))) {
-        return beside->toStdString();
+        return pendant::PendantProgram{beside->toStdString()};
     }
-    if (urp) {
-        return scriptOfUrp(*content, file.completeBaseName(),
-                           [this](const QString& name) { return read(name); });
+    if (!urp) {
+        return pendant::readUrpx(*content);
     }
-    QJsonParseError damage{};
-    const QJsonDocument document = QJsonDocument::fromJson(*content, &damage);
-    if (const std::optional<std::string> script = scriptOfUrpx(document.object())) {
-        return *script;
-    }
-    return Error{ErrorCode::FileCorrupt,
-                 damage.error == QJsonParseError::NoError
-                     ? QStringLiteral("there is no URScript within, and no .script file beside it")
-                     : QStringLiteral("no JSON: %1").arg(damage.errorString()),
-                 {}};
+    pendant::PendantSource source = source_;
+    source.installation = installation_;
+    // Names are relative to the program, or to the folder of all programs.
+    source.files = [this, &file](const QString& name) {
+        const std::optional<QByteArray> beside =
+            QDir::isAbsolutePath(name) ? std::nullopt : readPath(file.dir().filePath(name));
+        return beside ? beside : read(name);
+    };
+    return pendant::readUrp(*content, file.completeBaseName(), source);
 }
 
 Result<void> ProgramStore::load(const QString& name) {
@@ -123,8 +100,8 @@ Result<void> ProgramStore::load(const QString& name) {
     if (!path) {
         return notThere(name);
     }
-    if (const Result<std::string> text = scriptOf(*path); !text) {
-        return Error{ErrorCode::FileCorrupt, text.error().context, {}};
+    if (const Result<pendant::PendantProgram> program = programAt(*path); !program) {
+        return Error{ErrorCode::FileCorrupt, program.error().context, {}};
     }
     path_ = *path;
     name_ = QFileInfo(*path).fileName().toStdString();
@@ -149,9 +126,19 @@ ScriptProvider ProgramStore::scriptProvider() const {
 }
 
 Result<std::string> ProgramStore::script() const {
-    Result<std::string> text = isLoaded() ? scriptOf(path_) : Result<std::string>(notThere(QString()));
-    if (text && !text->ends_with('\n')) {
-        *text += '\n';
+    Result<pendant::PendantProgram> program =
+        isLoaded() ? programAt(path_) : Result<pendant::PendantProgram>(notThere(QString()));
+    if (!program) {
+        return program.error();
+    }
+    if (program->unfinished) {
+        return Error{ErrorCode::FileCorrupt,
+                     QStringLiteral("the program is not finished: %1").arg(program->unfinished->context),
+                     {}};
+    }
+    std::string text = std::move(program->script);
+    if (!text.ends_with('\n')) {
+        text += '\n';
     }
     return text;
 }

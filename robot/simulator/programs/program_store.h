@@ -5,9 +5,8 @@
 // Robot API share. Nothing outside that folder is read or written, whatever a client names and wherever `..`
 // or a symbolic link may lead; the folder is looked at anew each time. A program file is one of
 //
-// - `.urp`, as the pendant saves it (XML, gzipped): what runs is the `.script` the pendant saved beside it,
-//   or else what can be told from the XML itself, see urp_file.h;
-// - `.urpx`, as PolyScope X saves it (JSON): the `.script` beside it, or the URScript within it;
+// - `.urp` or `.urpx`, as the pendant saves it: the `.script` the pendant saved beside it runs, or else what
+//   pendant/pendant_program.h makes of its nodes;
 // - any other file: URScript text.
 
 #include <QString>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/simulator/pendant/pendant_program.h"
 #include "robot/simulator/programs/external_control.h"
 
 namespace tiller::simulator {
@@ -29,14 +29,15 @@ inline constexpr qint64 kLargestProgram = 16 << 20;
 class ProgramStore {
 public:
     /// folder  empty: there are no programs, until one is uploaded
-    explicit ProgramStore(QString folder) : folder_(std::move(folder)) {}
+    /// source  with what programs of the pendant are read; its files are those of the folder
+    ProgramStore(QString folder, pendant::PendantSource source)
+        : folder_(std::move(folder)), source_(std::move(source)) {}
 
     /// name  relative to the folder, or its full path; `/programs/` and `/ursim/programs/` mean the folder
     /// Errors   FileNotReadable: there is no such file within the folder; FileCorrupt: it cannot be told what
     ///          the program does, with the reason. Nothing changes then
     Result<void> load(const QString& name);
-    /// The installation file, of which the simulated robot uses little. Every robot has a
-    /// default.installation. Errors as load()
+    /// The installation of programs that name none. Every robot has a default.installation. Errors as load()
     Result<void> loadInstallation(const QString& name);
     /// Of the installation: who is asked for the scripts of External Control nodes.
     ScriptProvider scriptProvider() const;
@@ -51,7 +52,7 @@ public:
     /// Bare file name.
     std::string name() const { return name_; }
     /// The loaded program, read again, as URScript.
-    /// Errors   as load(): it may have changed since
+    /// Errors   as load(): it may have changed since; FileCorrupt: the program is unfinished
     Result<std::string> script() const;
 
     /// Writes a file into an existing folder within the programs folder ("." is that one itself).
@@ -70,9 +71,10 @@ private:
     bool isWithin(const QString& path) const;
     std::optional<QByteArray> read(const QString& name) const;
     std::optional<QByteArray> readPath(const QString& path) const;
-    Result<std::string> scriptOf(const QString& path) const;
+    Result<pendant::PendantProgram> programAt(const QString& path) const;
 
     QString folder_;
+    pendant::PendantSource source_;
     QString installation_ = QStringLiteral("default.installation");
     std::unique_ptr<QTemporaryDir> own_;
     QString path_;

@@ -5,13 +5,26 @@
 
 #include "robot/simulator/box/plant.h"
 #include "robot/simulator/host/script_host.h"
+#include "robot/simulator/urscript/program.h"
 
 namespace tiller::simulator {
+
+namespace {
+
+pendant::PendantSource pendantSource(const SimulatorOptions& options) {
+    pendant::PendantSource source;
+    source.software = options.software;
+    source.isReserved = [](const QString& name) { return urscript::isReservedName(name.toStdString()); };
+    source.eventNeedsEdge = options.assumptions.eventNode == Assumptions::EventNode::Edge;
+    return source;
+}
+
+}  // namespace
 
 Services::Services(Plant& plant, FaultServer::Handler faults)
     : plant_(plant)
     , link_(plant.options().seed)
-    , store_(plant.options().programsFolder)
+    , store_(plant.options().programsFolder, pendantSource(plant.options()))
     , dashboard_(plant, store_)
     , robotApi_(plant, store_)
     , primary_(plant, true, true)

@@ -8,15 +8,26 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
+Status finish(Call& c, std::int32_t handle) {
+    StructData data;
+    data.handle = handle;
+    c.result = Value::structure(std::move(data));
+    return Status::Done;
+}
+
 Status rpcFactory(Call& c) {
     RemoteCalls& remote = *c.context().remote;
+    const bool looks = !c.limits().remoteServersMayBeAbsent;
     if (c.first) {
         if (c.string(0) != "xmlrpc") {
             fault("rpc_factory: type must be \"xmlrpc\"");
         }
-        const Result<std::int32_t> handle = remote.open(c.string(1));
+        const Result<std::int32_t> handle = looks ? remote.open(c.string(1)) : remote.declare(c.string(1));
         if (!handle.ok()) {
             fault(handle.error());
+        }
+        if (!looks) {
+            return finish(c, *handle);
         }
         c.state = *handle;
         return Status::Again;
@@ -29,10 +40,7 @@ Status rpcFactory(Call& c) {
     if (!*opened) {
         return Status::Again;
     }
-    StructData data;
-    data.handle = handle;
-    c.result = Value::structure(std::move(data));
-    return Status::Done;
+    return finish(c, handle);
 }
 
 constexpr BuiltinRow kRpcRows[] = {

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/lexer.h"
 #include "robot/simulator/urscript/parser.h"
 
 namespace tiller::simulator::urscript {
@@ -254,6 +256,10 @@ CompileOutcome compile(std::string_view source, const CompileOptions& options) {
     }
     out.program = std::make_shared<const Program>(std::move(code));
     return out;
+}
+
+bool isReservedName(std::string_view name) {
+    return isKeyword(name) || findBuiltin(name) >= 0;
 }
 
 }  // namespace tiller::simulator::urscript

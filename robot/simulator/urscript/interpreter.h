@@ -38,7 +38,8 @@ struct Limits {
     int threads = 128;
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
-    bool threadsBeginNextFrame = false;  ///< otherwise in the one in which they are run
+    bool threadsBeginNextFrame = false;     ///< otherwise in the one in which they are run
+    bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not look whether its server accepts
 };
 
 class InterpreterMode;

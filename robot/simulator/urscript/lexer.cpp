@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/urscript/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -322,6 +323,11 @@ CompileError syntaxError(std::string_view source, int line, int column) {
     // One line may be the whole of a broken transmission.
     text = text.substr(0, 200);
     return {line, column, "syntax_error_on_line:" + std::to_string(line) + ":" + std::string(text) + ":"};
+}
+
+bool isKeyword(std::string_view word) {
+    return std::any_of(kKeywords.begin(), kKeywords.end(),
+                       [word](const auto& keyword) { return keyword.first == word; });
 }
 
 }  // namespace tiller::simulator::urscript

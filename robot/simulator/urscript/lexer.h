@@ -95,6 +95,7 @@ struct LexOutcome {
 
 /// `source` must outlive the tokens.
 LexOutcome tokenize(std::string_view source);
+bool isKeyword(std::string_view word);
 
 /// "syntax_error_on_line:<n>:<text of the line>:" at that place.
 CompileError syntaxError(std::string_view source, int line, int column);

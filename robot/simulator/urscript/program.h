@@ -64,4 +64,7 @@ struct CompileOutcome {
 /// Threads  any. Bounded in depth and memory for any input.
 CompileOutcome compile(std::string_view text, const CompileOptions& options = {});
 
+/// Whether a name is a word of the language or a builtin of any software, so that a function needs another.
+bool isReservedName(std::string_view name);
+
 }  // namespace tiller::simulator::urscript

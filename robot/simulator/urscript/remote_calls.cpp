@@ -11,7 +11,7 @@ Error unreachable(const xml_rpc::Address& address) {
 
 }  // namespace
 
-Result<std::int32_t> RemoteCalls::open(std::string_view url) {
+Result<std::int32_t> RemoteCalls::declare(std::string_view url) {
     const auto address = xml_rpc::parseAddress(url);
     if (!address) {
         return scriptError("rpc_factory: \"" + std::string(url) + "\" is no address of a server");
@@ -21,8 +21,16 @@ Result<std::int32_t> RemoteCalls::open(std::string_view url) {
     }
     const auto handle = static_cast<std::int32_t>(servers_.size()) + 1;
     servers_[handle] = *address;
-    if (!host_.openSocket(socketOf(-handle), address->host, address->port)) {
-        return unreachable(*address);
+    return handle;
+}
+
+Result<std::int32_t> RemoteCalls::open(std::string_view url) {
+    const Result<std::int32_t> handle = declare(url);
+    if (handle.ok()) {
+        const xml_rpc::Address& address = servers_[*handle];
+        if (!host_.openSocket(socketOf(-*handle), address.host, address.port)) {
+            return unreachable(address);
+        }
     }
     return handle;
 }

@@ -20,7 +20,9 @@ class RemoteCalls {
 public:
     explicit RemoteCalls(SocketHost& host) : host_(host) {}
 
-    /// Begins to look whether somebody listens there. Returns a handle.
+    /// A handle of a server that need not be there yet.
+    Result<std::int32_t> declare(std::string_view url);
+    /// A handle, and the beginning of a look whether the server accepts connections.
     Result<std::int32_t> open(std::string_view url);
     /// True when somebody does; asked until then.
     Result<bool> opened(std::int32_t handle);

@@ -296,7 +296,7 @@ private Q_SLOTS:
                                       branch("If", QStringLiteral("a\u225F3"), set(1))));
         row("Loop Forever", mainProgram(withChildren("Loop type=\"Forever\"", set(1) + "<Halt/>")));
         row("Popup",
-            mainProgram("<Popup message=\"a &quot;word&quot;&#10;more\" haltProgram=\"false\"/>" + set(1)));
+            mainProgram(set(1) + "<Popup message=\"a &quot;word&quot;&#10;more\" haltProgram=\"true\"/>"));
         row("Halt", mainProgram(set(1) + "<Halt/>" + set(0)));
         row("Comment", mainProgram("<Comment comment=\"end\"/>" + set(1)));
         row("Folder", mainProgram(withChildren("Folder name=\"f\"", set(1))));
@@ -449,11 +449,9 @@ private Q_SLOTS:
         row("unknown node", mainProgram(good + "\n\n<Palletizing name=\"tray\"/>"),
             "line 3, Palletizing 'tray': this node is not simulated");
         row("node of a URCap", mainProgram("<Contributed strategyURCapName=\"Welding\"/>"), "Welding");
-        row("unknown part", mainProgram(good) + "<Event/>", "Event");
+        row("unknown part", mainProgram(good) + "<Riddle/>", "Riddle");
         row("variable from nowhere",
             mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")), "no variable");
-        row("if without condition", mainProgram(branch("If", {}, good)), "no condition");
-        row("loop over nothing", mainProgram(withChildren("Loop type=\"While\"", good)), "Loop");
         row("variable waypoint in another frame",
             mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
                                      "<Waypoint type=\"Variable\" name=\"w1\"><variable "
@@ -464,7 +462,7 @@ private Q_SLOTS:
             mainProgram(withChildren("Move motionType=\"MoveJ\" speed=\"fast\"",
                                      "<Waypoint type=\"Variable\"><variable "
                                      "name=\"w\"/></Waypoint>")),
-            "speed is no number");
+            "speed is not a number");
         row("circular move", mainProgram("<Move motionType=\"MoveC\"/>"), "MoveC");
         row("pin with a name of an installation",
             mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO><pin "
@@ -474,11 +472,7 @@ private Q_SLOTS:
             mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO><pin "
                         "referencedName=\"digital_in[8]\"/></ExpressionIO></expression></Assignment>"),
             "digital_in[8]");
-        row("no pin at all",
-            mainProgram("<Assignment><variable name=\"a\"/><expression><ExpressionIO/>"
-                        "</expression></Assignment>"),
-            "names no pin");
-        row("wait for an input", mainProgram("<Wait type=\"DigitalInput\"/>"), "Wait");
+        row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
             "no sub program");
@@ -499,6 +493,8 @@ private Q_SLOTS:
             mainProgram("<CallSubProgram><subprogram name=\"s\"><file>other.xml</file></subprogram>"
                         "</CallSubProgram>"),
             "'other.xml' is not a program");
+        QTest::newRow("saved before PolyScope 3") << "<gui.program.ProgramRootNode serialization=\"custom\"/>"
+                                                  << "before PolyScope 3";
         QTest::newRow("no XML") << "<URProgram><children>"
                                 << "line 1: ";
         QTest::newRow("too deep") << "<URProgram>" + QString("<a>").repeated(500) << "too deep";
@@ -520,6 +516,186 @@ private Q_SLOTS:
         QCOMPARE(heard.texts.size(), qsizetype(1));
         QVERIFY2(heard.texts[0].contains(why.toUtf8()), heard.texts[0]);
         QVERIFY2(heard.texts[0].startsWith("Error while loading program: p.urp: "), heard.texts[0]);
+    }
+
+    // As on the pendant: it can be edited, and must not run.
+    void anUnfinishedProgramLoadsAndDoesNotPlay_data() {
+        QTest::addColumn<QString>("parts");
+        QTest::addColumn<QString>("why");
+        const auto row = [](const char* name, const QString& nodes, const char* why) {
+            QTest::newRow(name) << mainProgram(nodes) << QString::fromLatin1(why);
+        };
+        row("if without condition", branch("If", {}, line("sync()")), "line 1, If: the condition is missing");
+        row("loop without condition", withChildren("Loop type=\"While\"", line("sync()")), "Loop");
+        row("no pin",
+            "<Assignment><variable name=\"a\"/><expression><ExpressionIO/></expression></Assignment>",
+            "names no pin");
+        row("wait for no input", "<Wait type=\"DigitalInput\"/>", "Wait");
+        row("set of no output", "<Set type=\"DigitalOutput\"/>", "Set");
+        row("assignment to nothing", "<Assignment/>", "the variable is missing");
+        row("waypoint without position",
+            "<Move motionType=\"MoveJ\"><children><Waypoint type=\"Fixed\" name=\"w\"/></children></Move>",
+            "Waypoint 'w': its position is missing");
+        row("call of nothing", "<CallSubProgram/>", "CallSubProgram");
+        row("placeholder", "<Placeholder/>", "Placeholder");
+        QTest::newRow("event without condition") << mainProgram(line("sync()")) + "<Event/>"
+                                                 << "Event";
+    }
+    void anUnfinishedProgramLoadsAndDoesNotPlay() {
+        QFETCH(QString, parts);
+        QFETCH(QString, why);
+        Loaded cell(program(parts));
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        QTest::ignoreMessage(QtWarningMsg,
+                             QRegularExpression("is not finished.*" + QRegularExpression::escape(why)));
+        QVERIFY(!cell.play());
+    }
+
+    // Programs reduced from those that users have: older spellings, references, what the installation gives.
+    void programsOfUsersRun_data() {
+        QTest::addColumn<QString>("parts");
+        QTest::addColumn<QString>("text");  ///< what the program reports
+        QTest::addColumn<quint64>("outputs");
+        QTest::addColumn<double>("base");  ///< where it ends; NaN: it does not move
+        const QString joints =
+            "<position><JointAngles angles=\"%1, -1.5, 1.5, -1.5, -1.5, 0.0\"/></position>";
+        const auto waypoint = [&joints](const char* name, const char* base) {
+            return QStringLiteral("<Waypoint type=\"Fixed\" name=\"%1\"><motionParameters/>").arg(name) +
+                   joints.arg(QLatin1String(base)) + "</Waypoint>";
+        };
+        const auto move = [](const QString& nodes, const char* type = "MoveJ", const QString& feature = {}) {
+            return withChildren(QStringLiteral("Move motionType=\"%1\" speed=\"1.0\" acceleration=\"1.4\" "
+                                               "blendRadius=\"0.01\" useActiveTCP=\"true\"")
+                                    .arg(QLatin1String(type)),
+                                nodes, feature);
+        };
+        const QString base = "<feature class=\"GeomFeatureReference\" referencedName=\"Joint_0_name\"/>";
+        const auto row = [](const char* name, const QString& parts, const char* text = "",
+                            quint64 outputs = 0, double end = qQNaN()) {
+            QTest::newRow(name) << parts << QString::fromLatin1(text) << outputs << end;
+        };
+        row("position in attributes",
+            mainProgram(move(
+                "<Waypoint type=\"Fixed\" name=\"W1\" kinematicsFlags=\"4\"><motionParameters/><position "
+                "joints=\"0.3, -1.5, 1.5, -1.5, -1.5, 0.0\" pose=\"-0.1, -0.3, 0.4, 0.0, 3.1, "
+                "0.0\"/></Waypoint>")),
+            "", 0, 0.3);
+        row("feature by reference",
+            mainProgram(move(waypoint("W1", "0.1"), "MoveJ", base) +
+                        assign("name=\"goal\"", "[0.2, -1.5, 1.5, -1.5, -1.5, 0]") +
+                        move("<Waypoint type=\"Variable\" name=\"V\"><motionParameters/><variable "
+                             "reference=\"../../../../Assignment/variable\"/></Waypoint>",
+                             "MoveJ",
+                             "<feature class=\"GeomFeatureReference\" reference=\"../../Move/feature\"/>")),
+            "", 0, 0.2);
+        row("feature variable",
+            mainProgram("<Assignment valueSource=\"Expression\"><variable "
+                        "name=\"a\"/><expression><ExpressionVariable>"
+                        "<GeomFeatureVariable "
+                        "featureName=\"Stack\"/></ExpressionVariable></expression></Assignment>" +
+                        line("textmsg(a)")),
+            "p[0.3,0.2,0.1,0,0,0]");
+        row("initial values",
+            "<InitVariablesNode><variables><variable name=\"armed\"><expression><ExpressionToken token=\" "
+            "True "
+            "\"/></expression></variable></variables></InitVariablesNode>" +
+                withChildren("MainProgram runOnlyOnce=\"true\" InitVariablesNode=\"true\"",
+                             line("textmsg(armed)")),
+            "True");
+        row("set an output",
+            mainProgram("<Set type=\"DigitalOutput\"><pin referencedName=\"digital_out[1]\"/><digitalValue>1"
+                        "</digitalValue></Set>"),
+            "", 0b10);
+        row("set an output with a name of the installation",
+            mainProgram("<Set type=\"DigitalOutput\"><pin referencedName=\"lamp\"/><digitalValue>1"
+                        "</digitalValue></Set>"),
+            "", 0b100);
+        row("circle in a process move",
+            mainProgram(move(waypoint("W1", "0.0")) +
+                        move(withChildren("CircleMove OrientationMode=\"FIXED\"",
+                                          waypoint("Via", "0.05") + waypoint("End", "0.1")),
+                             "MoveP")),
+            "", 0, 0.1);
+        row("force",
+            mainProgram(
+                "<Force type=\"Frame\">" + base +
+                "<selection value=\"0, 0, 1, 0, 0, 0\"/><wrench value=\"0.0, 0.0, -2.0, 0.0, 0.0, 0.0\"/>"
+                "<limitsForce value=\"0.15, 0.15, 0.15, 1.0, 1.0, 1.0\"/><limitsMotion value=\"0.1, 0.1, "
+                "0.1, "
+                "0.3, 0.3, 0.3\"/><children><Wait type=\"Sleep\"><waitTime>0.3</waitTime></Wait></children>"
+                "</Force>" +
+                line("textmsg(1)")),
+            "1");
+        row("wait for an input",
+            mainProgram("<Wait type=\"DigitalInput\"><pin referencedName=\"digital_in[0]\"/><digitalValue>0"
+                        "</digitalValue></Wait>" +
+                        line("textmsg(2)")),
+            "2");
+        row("node within a move",
+            mainProgram(move(waypoint("W1", "0.2") + "<Wait type=\"Sleep\"><waitTime>0.2</waitTime></Wait>" +
+                             line("textmsg(3)"))),
+            "3", 0, 0.2);
+        row("name of a waypoint", mainProgram(move(waypoint("W1", "0.5")) + line("textmsg(W1_q[0])")), "0.5",
+            0, 0.5);
+        row("event",
+            mainProgram("<Wait type=\"Sleep\"><waitTime>1.0</waitTime></Wait>" + line("textmsg(4)")) +
+                "<Event><expression><ExpressionToken token=\" True \"/></expression><children><Halt/>"
+                "</children></Event>");
+        row("popup that ends the program",
+            mainProgram("<Popup type=\"Error\" haltProgram=\"true\" message=\"m\" inputType=\"Text\"/>" +
+                        line("textmsg(5)")));
+    }
+    void programsOfUsersRun() {
+        QFETCH(QString, parts);
+        QFETCH(QString, text);
+        QFETCH(quint64, outputs);
+        QFETCH(double, base);
+        Loaded cell(
+            program(parts),
+            {{"default.installation",
+              "<Installation><IOs><DigitalOutputNames value=\", , lamp, , , , , \"/></IOs><Features>"
+              "<GeomPoseNode><GeomPoseNode isVariable=\"true\" name=\"Stack\"><toolPosition value=\"0.3, "
+              "0.2, "
+              "0.1\"/><toolAxisAngle value=\"0.0, 0.0, 0.0\"/></GeomPoseNode></GeomPoseNode></Features>"
+              "</Installation>"}});
+        RawPrimary primary = cell.robot.primary();
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        const Heard heard(primary);
+        QVERIFY2(heard.exceptions.empty(), heard.exceptions.empty() ? "" : heard.exceptions[0].mid(8));
+        QCOMPARE(heard.texts.join('|'), text.toUtf8());
+        QCOMPARE(cell.outputs(), outputs);
+        const double start = simulator::kHomeJoints[0];
+        QVERIFY(std::abs(cell.robot.controller.truth().q[0] - (std::isnan(base) ? start : base)) < 1e-3);
+    }
+
+    // The person at the robot decides when it goes on.
+    void aPopupWaitsForTheOperator() {
+        Loaded cell(program(mainProgram(
+            "<Popup type=\"Message\" haltProgram=\"false\" message=\"hands off?\" inputType=\"Text\"/>" +
+            line("textmsg(7)"))));
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        cell.robot.controller.stepSeconds(1);
+        QCOMPARE(Heard(primary).texts, QByteArrayList());
+        cell.dashboard.ask("close popup");
+        QVERIFY(cell.ends());
+        QCOMPARE(Heard(primary).texts, QByteArrayList{"7"});
+    }
+
+    void eachNodeReportsItsLineOfTheProgram() {
+        Loaded cell(program(mainProgram(
+            withChildren("Folder name=\"pick\"", "<Wait type=\"Sleep\"><waitTime>0.1</waitTime></Wait>") +
+            "<SuppressedNode>" + line("sync()") + "</SuppressedNode><Halt/>")));
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QByteArrayList labels;
+        for (const QByteArray& body : primary.messages(1)) {
+            labels << QByteArray::number(intAt(body, 0)) + ' ' + body.mid(4);
+        }
+        QCOMPARE(labels, (QByteArrayList{"1 Robot Program", "2 pick", "3 Wait: 0.1", "5 Halt"}));
     }
 
     // A program may break between load and play.

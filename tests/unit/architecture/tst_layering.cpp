@@ -64,6 +64,7 @@ const QList<Room>& rooms() {
          kGui},
         {"robot/simulator/urscript", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/simulator/arm", {"robot/core", "robot/kinematics"}, kGui},
+        {"robot/simulator/pendant", {"robot/core"}, kGui},
         {"robot/simulator",
          {"robot/core", "robot/realtime", "robot/kinematics", "robot/rtde/protocol.h", "robot/rtde/codec.h",
           "robot/rtde/splitter.h", "robot/rtde/values.h", "robot/rtde/fields.h"},

@@ -185,7 +185,7 @@ std::string DashboardCommands::play(const std::string&) {
                        text.error().context.toStdString());
         return kFailed;
     }
-    if (text->find(kControlNode) != std::string::npos) {
+    if (text->find(pendant::kControlNode) != std::string::npos) {
         programs.submitControlled(*text, store_.scriptProvider());
         return "Starting program";
     }

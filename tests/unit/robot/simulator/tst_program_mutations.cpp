@@ -6,7 +6,7 @@
 #include <QTest>
 #include <random>
 
-#include "robot/simulator/programs/urp_file.h"
+#include "robot/simulator/pendant/pendant_program.h"
 #include "robot/simulator/urscript/program.h"
 
 using namespace tiller;
@@ -20,6 +20,19 @@ QByteArray signs(const char* text) {
         xml += "<ExpressionChar character=\"" + QString(QChar(*text)).toHtmlEscaped().toUtf8() + "\"/>";
     }
     return xml;
+}
+
+QByteArray anInstallation() {
+    return "<Installation><IOs><DigitalInputNames value=\", part, , , , , , \"/><ModbusUnits><Unit "
+           "ipAddress=\"127.0.0.1\"><ModbusSignal name=\"plc\" type=\"REGISTER_OUTPUT\" slaveAddress=\"1\" "
+           "signalAddress=\"2\"/></Unit></ModbusUnits></IOs><TCPSettings "
+           "activePose=\"tip\"><availablePoses><tcp "
+           "name=\"tip\" offset=\"0,0,0.1,0,0,0\"/></availablePoses></TCPSettings><PayloadSettings><Payload "
+           "name=\"box\" mass=\"1\" defaultPayload=\"true\" centerOfGravity=\"0,0,0.1\" "
+           "inertiaParameters=\"0,0,0,0,0,0\"/></PayloadSettings><Features><GeomPoseNode><GeomPoseNode "
+           "isVariable=\"true\" name=\"Stack\"><toolPosition value=\"0.3,0.2,0.1\"/><toolAxisAngle "
+           "value=\"0,0,0\"/></GeomPoseNode></GeomPoseNode></Features><SafeHomeSettings enabled=\"true\" "
+           "position=\"0,-1.5,0,-1.5,0,0\"/></Installation>";
 }
 
 QByteArray everyNode() {
@@ -52,11 +65,50 @@ QByteArray everyNode() {
            "<Waypoint type=\"Fixed\"><motionParameters jointSpeed=\"1\" blendRadius=\"0.01\"/>" +
            joints +
            "</Waypoint><Waypoint type=\"Variable\"><variable name=\"n\"/></Waypoint></children></Move>"
-           "<SafeHome/>\n<CallSubProgram><subprogram reference=\"../../../../SubProgram\"/></CallSubProgram>"
+           "<SafeHome/>\n"
+           "<Set type=\"DigitalOutput\"><pin "
+           "referencedName=\"digital_out[1]\"/><digitalValue>1</digitalValue></Set>"
+           "<Set type=\"NoAction\" payload=\"1\" tcpAsCog=\"true\"><tcp referencedName=\"tip\"/></Set>"
+           "<Set type=\"ExpressionOutput\"><pin referencedName=\"plc\"/><expression>" +
+           signs("3") +
+           "</expression></Set><SetPayload workpieceName=\"box\"/>"
+           "<Wait type=\"DigitalInput\"><pin referencedName=\"part\"/><digitalValue>1</digitalValue></Wait>"
+           "<Wait type=\"Condition\"><expression>" +
+           signs("n<3") + "</expression></Wait>\n<Switch><expression>" + signs("n") +
+           "</expression><children><Case caseValue=\"1\"><children>" + line +
+           "</children></Case><Default><children>" + line + "</children></Default></children></Switch>" +
+           "<If type=\"If\" checkContinuously=\"true\"><expression>" + signs("n<1") +
+           "</expression><children>" + line + "</children></If><If type=\"Else\"><children>" + line +
+           "</children></If><Loop type=\"While\" checkContinuously=\"true\"><expression>" + signs("n<1") +
+           "</expression><children>" + line +
+           "</children></Loop>\n<Force type=\"Frame\"><feature referencedName=\"Joint_6_name\"/><selection "
+           "value=\"0,0,1,0,0,0\"/><wrench value=\"0,0,-2,0,0,0\"/><limitsForce "
+           "value=\"1,1,1,1,1,1\"/><limitsMotion "
+           "value=\"1,1,1,1,1,1\"/><children>" +
+           line +
+           "</children></Force>\n<Move motionType=\"MoveL\" speed=\"1\" acceleration=\"2\" "
+           "useActiveTCP=\"false\"><tcp referencedName=\"tip\"/><feature referencedName=\"Stack\"/><children>"
+           "<Waypoint type=\"Relative\" name=\"r\"><relativeFromPosition><JointAngles "
+           "angles=\"0,-1,1,0,1,0\"/>"
+           "</relativeFromPosition>" +
+           joints +
+           "</Waypoint><CircleMove OrientationMode=\"FIXED\"><children><Waypoint type=\"Fixed\" name=\"a\">" +
+           joints + "</Waypoint><Waypoint type=\"Fixed\" name=\"b\">" + joints +
+           "</Waypoint></children></CircleMove><gui.program.direction.MoveDirectionNode "
+           "selectedDirection=\"ZPlus\"><children><Until "
+           "type=\"DISTANCE\"><Distance>0.05</Distance></Until><Until "
+           "type=\"TOOL_CONTACT_DETECTION\" allowActions=\"true\" retraction=\"0.01\"><children>" +
+           line +
+           "</children></Until></children></gui.program.direction.MoveDirectionNode></children></Move>"
+           "<Contributed strategyClass=\"com.robotiq.urcap.gripper.GripperNode\"><dataModel><data "
+           "key=\"position\" "
+           "value=\"50\"/></dataModel></Contributed>\n<CallSubProgram><subprogram "
+           "reference=\"../../../../SubProgram\"/></CallSubProgram>"
            "<CallSubProgram><subprogram name=\"other\"><file>other.urp</file></subprogram></CallSubProgram>"
            "<Script type=\"File\"><file>a.script</file></Script><Script type=\"File\"><cachedContents>y = 2\n"
            "</cachedContents></Script><Halt/>\n</children></MainProgram>\n<SubProgram name=\"s\"><children>" +
-           line + "</children></SubProgram>\n<Thread name=\"t\" runOnlyOnce=\"true\"><children>" + line +
+           line + "</children></SubProgram>\n<Event><expression>" + signs("n<0") + "</expression><children>" +
+           line + "</children></Event><Thread name=\"t\" runOnlyOnce=\"true\"><children>" + line +
            "</children></Thread>\n</children></URProgram>\n";
 }
 
@@ -143,9 +195,10 @@ class TestProgramMutations : public QObject {
 private Q_SLOTS:
     void theProgramIsGoodBeforeItIsDamaged() {
         const QByteArray whole = everyNode();
-        const auto script = scriptOfUrp(whole, "p", reader(whole));
-        QVERIFY2(script.ok(), qPrintable(script.error().context));
-        const urscript::CompileOutcome outcome = urscript::compile(*script);
+        const auto program = pendant::readUrp(whole, "p", source(whole));
+        QVERIFY2(program.ok(), qPrintable(program.error().context));
+        QVERIFY(!program->unfinished);
+        const urscript::CompileOutcome outcome = urscript::compile(program->script);
         QVERIFY2(bool(outcome), outcome.error.text.c_str());
     }
 
@@ -154,14 +207,14 @@ private Q_SLOTS:
         int told = 0, refused = 0;
         for (unsigned seed = 1; seed <= 1000; ++seed) {
             const QByteArray content = Mutator(seed).mutated(whole);
-            const auto script = scriptOfUrp(content, "p", reader(content));
-            if (!script) {
+            const auto program = pendant::readUrp(content, "p", source(content));
+            if (!program) {
                 ++refused;
-                QVERIFY2(!script.error().context.isEmpty(), qPrintable(QString::number(seed)));
+                QVERIFY2(!program.error().context.isEmpty(), qPrintable(QString::number(seed)));
                 continue;
             }
             ++told;
-            const urscript::CompileOutcome outcome = urscript::compile(*script);
+            const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
         // Otherwise they would all have ended at the first line.
@@ -176,17 +229,22 @@ private Q_SLOTS:
                                 zlib.mid(6, zlib.size() - 10) + QByteArray(8, '\0');
         for (unsigned seed = 1; seed <= 1000; ++seed) {
             const QByteArray content = Mutator(seed).mutated(gzip);
-            const auto script = scriptOfUrp(content, "p", reader(content));
-            QVERIFY(script.ok() || !script.error().context.isEmpty());
+            const auto program = pendant::readUrp(content, "p", source(content));
+            QVERIFY(program.ok() || !program.error().context.isEmpty());
         }
     }
 
 private:
-    /// Whatever the program refers to: as a program itself, so that it may call itself without end.
-    static FileReader reader(const QByteArray& content) {
-        return [content](const QString& name) {
-            return name.endsWith(".urp") ? std::optional(content) : std::optional(QByteArray("z = 3\n"));
+    /// Every program that the program refers to is the program itself, so that it may call itself without end.
+    static pendant::PendantSource source(const QByteArray& content) {
+        pendant::PendantSource source;
+        source.files = [content](const QString& name) -> std::optional<QByteArray> {
+            return name.endsWith(".urp")            ? content
+                   : name.endsWith(".installation") ? anInstallation()
+                   : name.endsWith(".variables")    ? QByteArray("count=7\n")
+                                                    : QByteArray("z = 3\n");
         };
+        return source;
     }
 };
 

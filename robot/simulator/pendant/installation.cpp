@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/pendant/installation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/simulator/pendant/xml_tree.h"
+
+namespace tiller::simulator::pendant {
+
+namespace {
+
+void readTerminals(const XmlElement& ios, Installation& to) {
+    for (const TerminalKind& kind : terminalKinds()) {
+        const XmlElement* const names = ios.child(kind.namesElement);
+        const QStringList list = names == nullptr ? QStringList() : names->attribute("value").split(',');
+        for (int i = 0; i < std::min<int>(kind.count, static_cast<int>(list.size())); ++i) {
+            if (const QString name = list[i].trimmed(); !name.isEmpty()) {
+                to.terminals.try_emplace(name, Terminal{&kind, i});
+            }
+        }
+    }
+    if (const XmlElement* const domains = ios.child("analogOutputDomain")) {
+        const QStringList list = domains->attribute("value").split(',');
+        for (std::size_t i = 0; i < to.analogOutputIsVoltage.size(); ++i) {
+            to.analogOutputIsVoltage[i] =
+                list.value(static_cast<qsizetype>(i)).trimmed() == QLatin1String("1");
+        }
+    }
+}
+
+void readModbus(const XmlElement& units, Installation& to) {
+    using Type = ModbusSignal::Type;
+    static const std::map<QString, Type> kTypes{{"DIGITAL_INPUT", Type::DigitalInput},
+                                                {"DIGITAL_OUTPUT", Type::DigitalOutput},
+                                                {"REGISTER_INPUT", Type::RegisterInput},
+                                                {"REGISTER_OUTPUT", Type::RegisterOutput}};
+    for (const auto& unit : units.children) {
+        for (const auto& signal : unit->children) {
+            const auto type = kTypes.find(signal->attribute("type"));
+            if (signal->is("ModbusSignal") && type != kTypes.end() && signal->has("name")) {
+                to.signals_.try_emplace(
+                    signal->attribute("name"),
+                    ModbusSignal{unit->attribute("ipAddress"), signal->attribute("slaveAddress").toInt(),
+                                 signal->attribute("signalAddress").toInt(), type->second,
+                                 unit->isTrue("sequentialMode")});
+            }
+        }
+    }
+}
+
+/// Points, lines and planes have the same wrapper; only those with a pose of their own are known.
+void readFeatures(const XmlElement& element, Installation& to) {
+    const XmlElement* const position = element.child("toolPosition");
+    const XmlElement* const rotation = element.child("toolAxisAngle");
+    if (element.has("name") && position != nullptr && rotation != nullptr) {
+        const QString pose = numberList(position->attribute("value") + ',' + rotation->attribute("value"), 6);
+        if (!pose.isEmpty() && !element.isTrue("hiddenSubFeature")) {
+            to.features.try_emplace(element.attribute("name"), Feature{pose, element.isTrue("isVariable")});
+        }
+        return;
+    }
+    for (const auto& child : element.children) {
+        readFeatures(*child, to);
+    }
+}
+
+void readPayloads(const XmlElement& root, Installation& to) {
+    if (const XmlElement* const settings = root.child("PayloadSettings")) {
+        for (const auto& row : settings->children) {
+            const Payload payload{row->attribute("name"), numberList(row->attribute("mass"), 1),
+                                  numberList(row->attribute("centerOfGravity"), 3),
+                                  numberList(row->attribute("inertiaParameters"), 6)};
+            if (!payload.mass.isEmpty() && !payload.centerOfGravity.isEmpty()) {
+                to.payloads.push_back(payload);
+                if (row->isTrue("defaultPayload")) {
+                    to.defaultPayload = payload;
+                }
+            }
+        }
+    }
+    // Before software 5.10 the payload was one of the TCP settings.
+    const XmlElement* const tcps = root.child("TCPSettings");
+    if (!to.defaultPayload && tcps != nullptr) {
+        const QString mass = numberList(tcps->attribute("toolPayload"), 1);
+        const QString center = numberList(tcps->attribute("centerOfGravity"), 3);
+        if (!mass.isEmpty()) {
+            to.defaultPayload = Payload{{}, mass, center, {}};
+        }
+    }
+}
+
+/// A properties file: `name=value`, with backslashes before special characters.
+void readVariables(const QByteArray& content, Installation& to) {
+    for (const QByteArray& bytes : content.split('\n')) {
+        const QString line = QString::fromUtf8(bytes).trimmed();
+        QString text;
+        qsizetype equals = -1;
+        for (qsizetype i = 0; i < line.size() && !line.startsWith('#'); ++i) {
+            if (line[i] == '\\' && i + 1 < line.size()) {
+                ++i;
+                if (line[i] == 'u' && i + 4 < line.size()) {
+                    text += QChar(line.mid(i + 1, 4).toUShort(nullptr, 16));
+                    i += 4;
+                    continue;
+                }
+            } else if (line[i] == '=' && equals < 0) {
+                equals = text.size();
+            }
+            text += line[i];
+        }
+        if (equals > 0 && text.size() > equals + 1) {
+            to.variables.emplace_back(text.left(equals).trimmed(), text.mid(equals + 1).trimmed());
+        }
+    }
+}
+
+}  // namespace
+
+QString numberList(const QString& text, int count) {
+    const QStringList numbers = text.split(',');
+    bool all = numbers.size() == count;
+    for (const QString& number : numbers) {
+        bool ok = false;
+        const double value = number.trimmed().toDouble(&ok);
+        all = all && ok && std::isfinite(value);
+    }
+    return all ? text.simplified() : QString();
+}
+
+std::optional<std::array<double, 6>> sixNumbers(const QString& text) {
+    const QString list = numberList(text, 6);
+    if (list.isEmpty()) {
+        return std::nullopt;
+    }
+    std::array<double, 6> numbers{};
+    std::ranges::transform(list.split(','), numbers.begin(),
+                           [](const QString& number) { return number.trimmed().toDouble(); });
+    return numbers;
+}
+
+QString Installation::shownName() const {
+    return file.isEmpty() ? QStringLiteral("no installation file is there")
+                          : QStringLiteral("the installation is '%1'").arg(file);
+}
+
+const Payload* Installation::payload(const QString& name) const {
+    const auto found = std::ranges::find(payloads, name, &Payload::name);
+    return found == payloads.end() ? nullptr : &*found;
+}
+
+Result<Installation> readInstallation(const QString& file, const QByteArray& content,
+                                      const QByteArray& variables) {
+    const Result<std::unique_ptr<XmlElement>> tree = readPendantFile(content);
+    if (!tree) {
+        return tree.error();
+    }
+    const XmlElement& root = **tree;
+    Installation to;
+    to.file = file;
+    if (const XmlElement* const ios = root.target("IOs")) {
+        readTerminals(*ios, to);
+        if (const XmlElement* const units = ios->child("ModbusUnits")) {
+            readModbus(*units, to);
+        }
+    }
+    if (const XmlElement* const settings = root.child("TCPSettings")) {
+        to.activeTcp = settings->attribute("activePose");
+        if (const XmlElement* const poses = settings->child("availablePoses")) {
+            for (const auto& tcp : poses->children) {
+                if (const QString pose = numberList(tcp->attribute("offset"), 6); !pose.isEmpty()) {
+                    to.tcps.try_emplace(tcp->attribute("name"), pose);
+                }
+            }
+        }
+    }
+    for (const char* const container : {"Features", "GeomFeatures"}) {
+        if (const XmlElement* const features = root.child(container)) {
+            readFeatures(*features, to);
+        }
+    }
+    readPayloads(root, to);
+    if (const XmlElement* const home = root.child("SafeHomeSettings")) {
+        to.home = home->attribute("enabled") == QLatin1String("false")
+                      ? QString()
+                      : numberList(home->attribute("position"), 6);
+    }
+    readVariables(variables, to);
+    return to;
+}
+
+}  // namespace tiller::simulator::pendant

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The part of an installation file of the pendant that programs refer to: TCPs, payloads, features, names of
+// terminals, Modbus signals, the home position and the installation variables.
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/pendant/terminals.h"
+
+namespace tiller::simulator::pendant {
+
+/// A list of numbers as the file has it, "0.1, 2"; empty when it does not have `count` finite numbers.
+QString numberList(const QString& text, int count);
+/// The numbers of such a list.
+std::optional<std::array<double, 6>> sixNumbers(const QString& text);
+
+struct Payload {
+    QString name;
+    QString mass;             ///< [kg]
+    QString centerOfGravity;  ///< three numbers [m], flange frame
+    QString inertia;          ///< six numbers [kg m2]; empty: not given
+};
+
+struct Feature {
+    QString pose;             ///< six numbers, base frame
+    bool isVariable = false;  ///< programs have a variable of that name
+};
+
+struct ModbusSignal {
+    enum class Type {
+        DigitalInput,
+        DigitalOutput,
+        RegisterInput,
+        RegisterOutput
+    };  ///< numbers as in scripts
+    QString host;
+    int slave = 255;
+    int address = 0;
+    Type type = Type::DigitalInput;
+    bool sequential = false;
+};
+
+struct Installation {
+    QString file;                     ///< empty: there is none
+    std::map<QString, QString> tcps;  ///< six numbers, flange frame, by name
+    QString activeTcp;
+    std::vector<Payload> payloads;
+    std::optional<Payload> defaultPayload;
+    std::map<QString, Feature> features;
+    std::map<QString, Terminal> terminals;  ///< by the name given to them
+    std::map<QString, ModbusSignal> signals_;
+    std::array<bool, 2> analogOutputIsVoltage{false, false};
+    QString home;                                        ///< six joint angles [rad]; empty: not set
+    std::vector<std::pair<QString, QString>> variables;  ///< name and value, as URScript
+
+    /// What messages call it.
+    QString shownName() const;
+    const Payload* payload(const QString& name) const;
+};
+
+/// content    XML, gzipped or not
+/// variables  the file of installation variables beside it; empty: there is none
+/// Errors     FileCorrupt with the reason
+Result<Installation> readInstallation(const QString& file, const QByteArray& content,
+                                      const QByteArray& variables);
+
+}  // namespace tiller::simulator::pendant

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Move nodes and what belongs to motion: waypoints, circles, directions with their Until nodes, Home and Force.
+
+#include <QString>
+#include <functional>
+#include <vector>
+
+#include "robot/simulator/pendant/expressions.h"
+#include "robot/simulator/pendant/translation.h"
+
+namespace tiller::simulator::pendant {
+
+class Motion {
+public:
+    /// writeChildren  writes the nodes below a node, wherever they are
+    Motion(Translation& translation, Expressions& expressions,
+           std::function<void(const XmlElement&)> writeChildren)
+        : t_(translation), x_(expressions), writeChildren_(std::move(writeChildren)) {}
+
+    /// Names every fixed waypoint below an element, and writes the variables that hold their positions.
+    void defineWaypoints(const XmlElement& element);
+
+    void writeMove(const XmlElement& node);
+    void writeWaypoint(const XmlElement& node);
+    void writeCircle(const XmlElement& node);
+    void writeDirection(const XmlElement& node);
+    void writeHome(const XmlElement& node);
+    void writeForce(const XmlElement& node);
+
+    /// A function that directions use has to be defined.
+    bool usesDirections() const { return usesDirections_; }
+    static void defineDirections(ScriptText& out);
+
+private:
+    struct Definer;  // the node a waypoint has its motion, speed and feature from
+    struct Until;
+
+    Definer definerOf(const XmlElement& node);
+    QString targetOf(const XmlElement& waypoint, const Definer& move, bool joints);
+    QString parametersOf(const XmlElement& waypoint, const Definer& move);
+    QString number(const XmlElement& node, const char* attribute);
+    void applyTcp(const Definer& move);
+    bool isLast(const XmlElement& node) const;
+    std::vector<Until> untilsOf(const XmlElement& node, bool ofWaypoint);
+    void writeWatchedMove(const XmlElement& node, const QString& statement, const std::vector<Until>& untils);
+    void writeUntil(const Until& until, const QString& thread, const QString& arrived);
+    void writeActions(const Until& until);
+
+    Translation& t_;
+    Expressions& x_;
+    std::function<void(const XmlElement&)> writeChildren_;
+    bool usesDirections_ = false;
+};
+
+}  // namespace tiller::simulator::pendant

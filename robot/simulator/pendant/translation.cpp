@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "robot/simulator/pendant/translation.h"
+
+namespace tiller::simulator::pendant {
+
+QString identifier(const QString& text) {
+    QString name;
+    for (const QChar c : text) {
+        if (c.unicode() < 128) {
+            name += c.isLetterOrNumber() ? c : QChar('_');
+        } else {
+            // Two names that differ in such a letter only have to stay two names.
+            name += QStringLiteral("_%1_").arg(c.unicode(), 4, 16, QChar('0'));
+        }
+    }
+    return name.isEmpty() || name[0].isDigit() ? 'p' + name : name;
+}
+
+QString quoted(QString text) {
+    return '"' + text.replace('"', '\'').replace('\n', ' ').replace('\r', ' ') + '"';
+}
+
+bool isSuppressed(const XmlElement& node) {
+    return node.is("SuppressedNode") || node.is("suppressedNode");
+}
+
+void Translation::keep(std::optional<Error>& reason, const XmlElement& at, const QString& why) {
+    if (reason) {
+        return;
+    }
+    const QString own = at.attribute("name");
+    const QString named = own.isEmpty() ? QString() : QStringLiteral(" '%1'").arg(own);
+    reason = Error{ErrorCode::FileCorrupt,
+                   QStringLiteral("line %1, %2%3: %4").arg(at.line).arg(at.name, named, why),
+                   {}};
+}
+
+QString Translation::uniqueName(const QString& text) {
+    QString wanted = identifier(text);
+    if (isReserved_ && isReserved_(wanted)) {
+        wanted = "p_" + wanted;
+    }
+    QString name = wanted;
+    for (int i = 2; !names_.insert(name).second; ++i) {
+        name = QStringLiteral("%1_%2").arg(wanted).arg(i);
+    }
+    return name;
+}
+
+void Translation::numberNodes(const XmlElement& container) {
+    for (const auto& child : container.children) {
+        // A sub program may be written out where it is called; its line is where the program tree has it.
+        const XmlElement* const node = child->is("SubProgram") ? child->resolved() : child.get();
+        if (node == nullptr || !lines_.emplace(node, ++lastLine_).second) {
+            continue;
+        }
+        // A node that is switched off has its line, and so have those within it.
+        const XmlElement* const off = node->child("suppressedNode");
+        if (const XmlElement* const children = (off == nullptr ? node : off)->child("children")) {
+            numberNodes(*children);
+        }
+    }
+}
+
+void Translation::label(const XmlElement& node, const QString& text) {
+    const auto found = lines_.find(&node);
+    out->label(found == lines_.end() ? 0 : found->second, text);
+}
+
+}  // namespace tiller::simulator::pendant

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Stand-ins for the nodes of URCaps: URScript that is played in place of a node, see README.md.
+
+#include <QString>
+#include <QStringList>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/simulator/pendant/xml_tree.h"
+
+namespace tiller::simulator::pendant {
+
+/// Part of the names of owner and class of an External Control node, whoever publishes it.
+inline constexpr const char* kControlNodeOwner = ".externalcontrol";
+/// Marks an External Control node in a program, where the script of another computer belongs; means nothing to
+/// the interpreter.
+inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
+
+/// What happens to a node of a URCap without a stand-in.
+enum class UnknownUrcap {
+    Refuse,  ///< the program does not load
+    Ask,     ///< a popup names the node and waits for the operator
+    Skip,    ///< a text message names the node
+};
+
+struct UrcapStandIn {
+    QString nodeClass;                    ///< the whole strategyClass, or its last part
+    std::map<QString, QString> defaults;  ///< of the node's data, by key
+    QStringList setup;                    ///< lines for the beginning of the program, once
+    QStringList body;                     ///< lines in place of the node; `{key}` stands for a value
+};
+
+class UrcapStandIns {
+public:
+    /// Stand-ins for External Control, Robotiq 2F and OnRobot RG grippers.
+    static UrcapStandIns builtIn();
+
+    /// Adds the stand-ins of the files `*.script` of a folder; they take precedence over earlier ones.
+    /// Errors   FileNotReadable, FileCorrupt with file, line and reason
+    Result<void> addFolder(const QString& folder);
+    /// text  of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `# node` around
+    ///       URScript. name  of the file, for messages
+    Result<void> add(const QString& name, const QString& text);
+
+    /// Null when there is none.
+    const UrcapStandIn* find(const QString& nodeClass) const;
+    /// The lines of a node with the values of its data.
+    /// Errors   FileCorrupt: a value is missing
+    static Result<QStringList> bodyOf(const UrcapStandIn& standIn, const XmlElement& node);
+
+private:
+    std::vector<UrcapStandIn> all_;
+};
+
+}  // namespace tiller::simulator::pendant

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// Programs in the form in which the pendant saves them (tests/data/pendant): each is loaded and played in virtual
+// time, and what clients see of it is compared with its trace. For some there is a script as the pendant exports
+// it beside the program (exports/): it has the same effect.
+//
+// To write the traces again:  TILLER_UPDATE=1 tst_pendant_corpus
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/primary_listener.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+const QString kFolder = qEnvironmentVariable("TILLER_TEST_DATA") + "/pendant";
+
+enum { kLabel = 1, kRequestedValue = 9 };
+
+QString contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// Loads and plays a program, answers its popups and questions, and notes what a client sees.
+class Player {
+public:
+    explicit Player(const QString& folder)
+        : robot_([&folder] {
+            auto options = VirtualRobot::options();
+            options.programsFolder = folder;
+            return options;
+        }())
+        , dashboard_(robot_.dashboard())
+        , primary_(robot_.primary()) {}
+
+    QStringList play(const QString& name) {
+        robot_.controller.drainSockets();
+        robot_.controller.step();
+        primary_.takeAll();
+        const bool loaded = dashboard_.ask("load " + name.toUtf8()).startsWith("Loading program");
+        trace_ << (loaded ? "loaded" : "not loaded");
+        if (loaded) {
+            trace_ << (dashboard_.ask("play") == "Starting program\n" ? "playing" : "not playing");
+        }
+        constexpr int kPeriods = 5, kMaxSteps = 3000;
+        bool began = false;
+        for (int i = 0; i < kMaxSteps; ++i) {
+            robot_.controller.step(kPeriods);
+            note();
+            const bool stopped = robot_.programState() == RuntimeState::Stopped;
+            began = began || !stopped;
+            if (stopped && (began || i > 2)) {
+                break;
+            }
+        }
+        const auto& truth = robot_.controller.truth();
+        QStringList joints;
+        for (int i = 0; i < 6; ++i) {
+            joints << QString::number(truth.q[i] + 0.0, 'f', 2);
+        }
+        trace_ << (robot_.programState() == RuntimeState::Stopped ? "stopped at " : "still running at ") +
+                      joints.join(' ').replace("-0.00", "0.00");
+        return trace_;
+    }
+
+private:
+    void note() {
+        for (const QByteArray& package : primary_.packages()) {
+            if (package[4] != 20) {
+                continue;
+            }
+            const QByteArray body = package.mid(15);
+            switch (package[14]) {
+                case kLabel:
+                    trace_ << QStringLiteral("label %1 %2")
+                                  .arg(intAt(body, 0))
+                                  .arg(QString::fromUtf8(body.mid(4)));
+                    break;
+                case kText:
+                    trace_ << "text " + QString::fromUtf8(body);
+                    break;
+                case kException:
+                    trace_ << "exception " + QString::fromUtf8(body.mid(8));
+                    break;
+                case kErrorCode:
+                    trace_ << "error";
+                    break;
+                case kPopup: {
+                    const int title = static_cast<unsigned char>(body[11]);
+                    trace_ << QStringLiteral("popup %1%2%3 '%4' %5")
+                                  .arg(int(body[8]))
+                                  .arg(int(body[9]))
+                                  .arg(int(body[10]))
+                                  .arg(QString::fromUtf8(body.mid(12, title)),
+                                       QString::fromUtf8(body.mid(12 + title)));
+                    if (body[10] != 0) {
+                        dashboard_.ask("close popup");
+                    }
+                    break;
+                }
+                case kRequestedValue:
+                    trace_ << "question " + QString::fromUtf8(body.mid(8));
+                    robot_.controller.answerRequest(true);
+                    break;
+                default:
+                    break;
+            }
+        }
+        const auto outputs = robot_.controller.truth().digitalOutputs;
+        if (outputs != outputs_) {
+            outputs_ = outputs;
+            trace_ << QStringLiteral("outputs %1").arg(outputs, 0, 2);
+        }
+    }
+
+    VirtualRobot robot_;
+    RawDashboard dashboard_;
+    RawPrimary primary_;
+    QStringList trace_;
+    quint64 outputs_ = 0;
+};
+
+void addPrograms(const QString& folder, const QString& ending) {
+    QTest::addColumn<QString>("name");
+    for (const QString& file : QDir(folder).entryList({"*" + ending}, QDir::Files, QDir::Name)) {
+        const QString name = file.chopped(ending.size());
+        QTest::newRow(qPrintable(name)) << name;
+    }
+}
+
+/// What is left of a trace without the labels: the order of two threads in a period is not of interest.
+QStringList effects(QStringList trace) {
+    trace.removeIf([](const QString& line) { return line.startsWith("label "); });
+    return trace;
+}
+
+}  // namespace
+
+class TestPendantCorpus : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyProgramHasItsTrace_data() { addPrograms(kFolder, ".urp"); }
+    void everyProgramHasItsTrace() {
+        QFETCH(QString, name);
+        if (name.startsWith("refused") || name.startsWith("unfinished")) {
+            QTest::ignoreMessage(QtWarningMsg, QRegularExpression("^Error while loading program: "));
+        }
+        const QStringList trace = Player(kFolder).play(name + ".urp");
+        const QString path = kFolder + '/' + name + ".trace";
+        if (qEnvironmentVariableIsSet("TILLER_UPDATE")) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(trace.join('\n').toUtf8() + '\n');
+            return;
+        }
+        QCOMPARE(trace, contentOf(path).split('\n', Qt::SkipEmptyParts));
+    }
+
+    // Without these the corpus would say nothing about the whole of the nodes.
+    void theCorpusHasEveryNode() {
+        QString all;
+        for (const QString& file : QDir(kFolder).entryList({"*.urp"}, QDir::Files)) {
+            all += contentOf(kFolder + '/' + file);
+        }
+        for (const char* const element : {"<Script type=\"Line\"",
+                                          "<Script type=\"File\"",
+                                          "<Assignment valueSource=\"Expression\"",
+                                          "<Assignment valueSource=\"Operator\"",
+                                          "<If type=\"If\"",
+                                          "<If type=\"ElseIf\"",
+                                          "<If type=\"Else\"",
+                                          "checkContinuously=\"true\"",
+                                          "<Loop type=\"Counting\"",
+                                          "<Loop type=\"While\"",
+                                          "<Loop type=\"Forever\"",
+                                          "<Switch>",
+                                          "<Case ",
+                                          "<Default>",
+                                          "<Wait type=\"Sleep\"",
+                                          "<Wait type=\"DigitalInput\"",
+                                          "<Wait type=\"AnalogInput\"",
+                                          "<Wait type=\"Condition\"",
+                                          "<Wait type=\"NoWait\"",
+                                          "<Set type=\"DigitalOutput\"",
+                                          "<Set type=\"AnalogOutput\"",
+                                          "<Set type=\"ExpressionOutput\"",
+                                          "<Set type=\"NoAction\"",
+                                          "<SetPayload ",
+                                          "<Popup type=\"Message\"",
+                                          "<Popup type=\"Warning\"",
+                                          "<Popup type=\"Error\"",
+                                          "inputType=\"Variable\"",
+                                          "<Halt/>",
+                                          "<Comment ",
+                                          "<Folder ",
+                                          "<Timer action=\"Start\"",
+                                          "<Timer action=\"Stop\"",
+                                          "<Timer action=\"Reset\"",
+                                          "<Thread ",
+                                          "<Event>",
+                                          "<SpecialSequence ",
+                                          "<InitVariablesNode>",
+                                          "<CallSubProgram>",
+                                          "<SubProgram ",
+                                          "<Move motionType=\"MoveJ\"",
+                                          "<Move motionType=\"MoveL\"",
+                                          "<Move motionType=\"MoveP\"",
+                                          "<Waypoint type=\"Fixed\"",
+                                          "<Waypoint type=\"Relative\"",
+                                          "<Waypoint type=\"Variable\"",
+                                          "<CircleMove OrientationMode=\"FIXED\"",
+                                          "<CircleMove OrientationMode=\"UNCONSTRAINED\"",
+                                          "MoveDirectionNode selectedDirection",
+                                          "<Until type=\"DISTANCE\"",
+                                          "<Until type=\"EXPRESSION\"",
+                                          "<Until type=\"REACHED_WAYPOINT\"",
+                                          "<Force type=\"Simple\"",
+                                          "<Force type=\"Frame\"",
+                                          "<Force type=\"Point\"",
+                                          "<Force type=\"Motion\"",
+                                          "<SafeHome",
+                                          "<SuppressedNode>",
+                                          "<Placeholder/>",
+                                          "<ExpressionWaypoint>",
+                                          "<GeomFeatureVariable ",
+                                          "<InstallationVariable ",
+                                          "<Contributed "}) {
+            QVERIFY2(all.contains(QLatin1String(element)), element);
+        }
+    }
+
+    void theExportedScriptHasTheSameEffects_data() { addPrograms(kFolder + "/exports", ".script"); }
+    void theExportedScriptHasTheSameEffects() {
+        QFETCH(QString, name);
+        const QStringList program = effects(Player(kFolder).play(name + ".urp"));
+        const QStringList script = effects(Player(kFolder).play("exports/" + name + ".script"));
+        QCOMPARE(program, script);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPendantCorpus)
+#include "tst_pendant_corpus.moc"
