@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         options.fastTransitions = true;
         return options;
     }()};
-    static ProgramStore store{QString(), {}};
+    static ProgramStore store{QString(), [] { return pendant::PendantSource(); }};
     static DashboardCommands dashboard(plant, store);
     static Gripper gripper;
 

@@ -57,7 +57,10 @@ QString program(const QString& parts) {
 /// A robot with one program in its folder, loaded.
 struct Loaded {
     /// beside  other files of the folder, by name
-    explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {}) {
+    /// assumption  NAME=VALUE; empty: all as by default
+    explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {},
+                    const QString& assumption = {})
+        : assumed(assumption) {
         write("p.urp", xml);
         for (auto file = beside.begin(); file != beside.end(); ++file) {
             write(file.key(), file.value());
@@ -77,10 +80,14 @@ struct Loaded {
     }
     quint64 outputs() const { return robot.controller.truth().digitalOutputs; }
 
+    QString assumed;
     QTemporaryDir folder;
     VirtualRobot robot{[this] {
         auto options = VirtualRobot::options();
-        options.programsFolder = folder.path();
+        options.programsFolder = options.urcapsFolder = folder.path();
+        if (!assumed.isEmpty() && !simulator::assume(options.assumptions, assumed)) {
+            qFatal("%s", qPrintable(assumed));
+        }
         return options;
     }()};
     RawDashboard dashboard = robot.dashboard();
@@ -696,6 +703,73 @@ private Q_SLOTS:
             labels << QByteArray::number(intAt(body, 0)) + ' ' + body.mid(4);
         }
         QCOMPARE(labels, (QByteArrayList{"1 Robot Program", "2 pick", "3 Wait: 0.1", "5 Halt"}));
+    }
+
+    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen_data() {
+        QTest::addColumn<QString>("nodeClass");
+        QTest::addColumn<QString>("assumption");
+        QTest::addColumn<QByteArray>("texts");
+        QTest::newRow("stand-in") << "com.example.WeldNode"
+                                  << "" << QByteArray("12.5bead|True|end");
+        QTest::newRow("skip") << "com.example.Other"
+                              << "unknown-urcap=skip"
+                              << QByteArray("Other (Example) is not simulated and was skipped|end");
+        QTest::newRow("ask") << "com.example.Other"
+                             << "unknown-urcap=ask" << QByteArray("end");
+    }
+    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen() {
+        QFETCH(QString, nodeClass);
+        QFETCH(QString, assumption);
+        QFETCH(QByteArray, texts);
+        const QString node = QStringLiteral(
+                                 "<Contributed strategyClass=\"%1\" strategyProgramNodeType=\"Other\" "
+                                 "strategyURCapName=\"Example\"><dataModel><data key=\"current\" "
+                                 "value=\"12.5\"/><data key=\"on\" value=\"true\"/></dataModel>"
+                                 "</Contributed>")
+                                 .arg(nodeClass);
+        const QString standIn =
+            "# class: WeldNode\n# default shape: bead\n# setup\ndef weld(a, b, c):\n  textmsg(a, b)\n  "
+            "textmsg(c)\nend\n# node\nweld({current}, {shape}, {on})\n";
+        Loaded cell(program(mainProgram(node + line("textmsg(\"end\")"))), {{"weld.script", standIn}},
+                    assumption);
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        cell.robot.controller.stepSeconds(0.5);
+        QCOMPARE(cell.robot.programState() == RuntimeState::Stopped, !assumption.endsWith("ask"));
+        cell.dashboard.ask("close popup");
+        QVERIFY(cell.ends());
+        QCOMPARE(Heard(primary).texts.join('|'), texts);
+    }
+
+    // "Level" is the default: the event runs again while its condition stays true.
+    void anEventRunsOnceWhenItNeedsAnEdge_data() {
+        QTest::addColumn<QString>("assumption");
+        QTest::addColumn<bool>("again");
+        QTest::newRow("level") << "event-node=level" << true;
+        QTest::newRow("edge") << "event-node=edge" << false;
+    }
+    void anEventRunsOnceWhenItNeedsAnEdge() {
+        QFETCH(QString, assumption);
+        QFETCH(bool, again);
+        Loaded cell(program(mainProgram("<Wait type=\"Sleep\"><waitTime>0.5</waitTime></Wait>") +
+                            "<Event><expression><ExpressionToken token=\" True \"/></expression><children>" +
+                            line("textmsg(1)") +
+                            "<Wait type=\"Sleep\"><waitTime>0.1</waitTime></Wait></children></Event>"),
+                    {}, assumption);
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QCOMPARE(Heard(primary).texts.size() > 1, again);
+    }
+
+    // Sub programs that only a script calls belong to the program as well.
+    void aScriptMayCallASubProgram() {
+        Loaded cell(program(mainProgram(line("Sub_1()")) +
+                            withChildren("SubProgram name=\"Sub 1\"", line("set_digital_out(3, True)"))));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QCOMPARE(cell.outputs(), quint64(0b1000));
     }
 
     // A program may break between load and play.
