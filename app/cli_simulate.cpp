@@ -30,7 +30,9 @@ const QString kSimulateHelp = QStringLiteral(
     "  --headless           starts with the brakes released and in remote control, ready to move\n"
     "  --local              starts in local control and refuses the commands that a robot refuses then\n"
     "  --programs FOLDER    folder of the programs: .urp files as saved by the pendant, .urpx, or URScript\n"
-    "                       text\n"
+    "                       text; with the installation files that they name\n"
+    "  --urcaps FOLDER      URScript that replaces nodes of URCaps: one .script file for each node class,\n"
+    "                       with a line '# class: NAME'\n"
     "  --fault WORDS        fault that is present from the start; can be given several times. See\n"
     "                       'tiller-cli fault --help': the same words work while the simulator runs;\n"
     "                       '--fault help' lists them\n"
@@ -111,14 +113,15 @@ int simulate(const QStringList& arguments) {
     const QCommandLineOption headless("headless");
     const QCommandLineOption local("local");
     const QCommandLineOption programs("programs", {}, "FOLDER");
+    const QCommandLineOption urcaps("urcaps", {}, "FOLDER");
     const QCommandLineOption fault("fault", {}, "WORDS");
     const QCommandLineOption assumed("assume", {}, "NAME=VALUE");
     const QCommandLineOption bootTime("boot-time", {}, "SECONDS", "0");
     const QCommandLineOption calibration("calibration", {}, "SIZE", "0");
     const QCommandLineOption seed("seed", {}, "N", "1");
     const QCommandLineOption priority("priority", {}, "N");
-    parser.addOptions({help, listen, offset, model, software, headless, local, programs, fault, assumed,
-                       bootTime, calibration, seed, priority});
+    parser.addOptions({help, listen, offset, model, software, headless, local, programs, urcaps, fault,
+                       assumed, bootTime, calibration, seed, priority});
     if (!parser.parse(arguments)) {
         return wrongArguments(parser.errorText());
     }
@@ -201,6 +204,7 @@ int simulate(const QStringList& arguments) {
         return wrongArguments(
             QStringLiteral("--programs: '%1' is not a folder that can be read").arg(options.programsFolder));
     }
+    options.urcapsFolder = parser.value(urcaps);
     options.poweredOn = parser.isSet(headless);
     options.remoteControl = !parser.isSet(local);
     options.gateLocalControl = options.gateLoopbackClients = parser.isSet(local);

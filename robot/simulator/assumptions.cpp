@@ -53,6 +53,9 @@ const std::vector<Row>& rows() {
             "when a thread begins that has been run"),
         row(&A::eventNode, "event-node", {"level", "edge"},
             "an event node runs while its condition is true, or once each time it becomes true"),
+        row(&A::unknownUrcap, "unknown-urcap", {"refuse", "ask", "skip"},
+            "a program with a node of a URCap without a stand-in: does not load, asks the operator at the "
+            "node, or goes on"),
         row(&A::rpcFactory, "rpc-factory", {"connects", "defers"},
             "rpc_factory ends the program without a server, or only the calls of its methods do"),
         row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},

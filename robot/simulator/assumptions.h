@@ -59,11 +59,15 @@ struct Assumptions {
     enum class EventNode : std::uint8_t { Level, Edge };
     /// An event node of the pendant runs while its condition is true, or once each time it becomes true.
     EventNode eventNode = EventNode::Level;
+    enum class UnknownUrcap : std::uint8_t { Refuse, Ask, Skip };
+    /// A program with a node of a URCap that has no stand-in does not load, a popup asks the operator in place of
+    /// the node, or a text message names the node and the program continues.
+    UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
     enum class RpcFactory : std::uint8_t { Connects, Defers };
     /// rpc_factory() needs a server that accepts, or only the calls of its methods do.
     RpcFactory rpcFactory = RpcFactory::Connects;
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
-    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, where all have waited for it
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, if all have waited for it
 
     /// Deprecated builtins: there, or names the compiler does not know.
     enum class Builtin : std::uint8_t { Present, Missing };

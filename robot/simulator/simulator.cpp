@@ -18,6 +18,7 @@
 #include "robot/simulator/control_box.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/host/script_host.h"
+#include "robot/simulator/pendant/urcaps.h"
 
 namespace tiller::simulator {
 
@@ -262,6 +263,11 @@ Simulator::~Simulator() {
 }
 
 Result<void> Simulator::start() {
+    if (const Text& folder = d_->options.urcapsFolder; !folder.isEmpty()) {
+        if (Result<void> read = pendant::UrcapStandIns().addFolder(folder); !read) {
+            return read;
+        }
+    }
     adoptMainThread();
     makeApplication();
     return d_->start();

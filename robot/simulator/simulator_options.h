@@ -45,7 +45,8 @@ struct SimulatorOptions {
     double calibration = 0;  ///< the arm differs from its model by up to so many mm and mrad, and tells it
     double calibrationError = 0;  ///< what it tells differs from what it is by as much
     Text programsFolder = {};     ///< where `load` finds programs; empty: there are none
-    Text serialNumber = {};       ///< empty: one of its own for each model
+    Text urcapsFolder = {};  ///< stand-ins for nodes of URCaps, see README.md; empty: the built-in ones only
+    Text serialNumber = {};  ///< empty: one of its own for each model
     /// A pause this long after its last piece ends the script of an External Control node.
     std::chrono::milliseconds scriptSilence{150};
     Assumptions assumptions = {};  ///< how it behaves where it is not known how a real one does

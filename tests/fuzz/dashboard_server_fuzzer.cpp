@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary lines sent to the dashboard and to the gripper of a robot, with control periods in between; the same
-// bytes as a program file of the pendant. Every command gets one line, and nothing crashes.
+// Any lines said to the dashboard and to the gripper of one robot, which takes a control period now and then;
+// Every command gets one line, and nothing crashes.
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         options.fastTransitions = true;
         return options;
     }()};
-    static ProgramStore store{QString(), {}};
+    static ProgramStore store{QString(), [] { return pendant::PendantSource(); }};
     static DashboardCommands dashboard(plant, store);
     static Gripper gripper;
 

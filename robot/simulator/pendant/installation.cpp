@@ -90,8 +90,18 @@ void readPayloads(const XmlElement& root, Installation& to) {
     }
 }
 
-/// A properties file: `name=value`, with backslashes before special characters.
+/// XML in newer software, a properties file before: `name=value`, with backslashes before special characters.
 void readVariables(const QByteArray& content, Installation& to) {
+    if (isGzip(content) || content.trimmed().startsWith('<')) {
+        if (const Result<std::unique_ptr<XmlElement>> tree = readPendantFile(content)) {
+            for (const auto& variable : (*tree)->children) {
+                if (variable->has("name") && variable->has("value")) {
+                    to.variables.emplace_back(variable->attribute("name"), variable->attribute("value"));
+                }
+            }
+        }
+        return;
+    }
     for (const QByteArray& bytes : content.split('\n')) {
         const QString line = QString::fromUtf8(bytes).trimmed();
         QString text;

@@ -78,7 +78,7 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
     writeBeforeStart(*parts);
     writeThreads(*parts);
     writeRepeated(*main, QStringLiteral("Robot Program"));
-    writeSubPrograms();
+    writeSubPrograms(*parts);
 
     if (motion_.usesDirections()) {
         Motion::defineDirections(head_);
@@ -148,10 +148,10 @@ void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppr
                                             ? child->child("initializeExpression")
                                             : nullptr;
         if (value != nullptr && !value->children.empty() && child->has("name")) {
-            const bool wasRefused = t_.refusal().has_value();
+            const Translation::Reasons before = t_.reasons();
             const QString script = x_.of(*value).script;
-            if (off && !wasRefused && t_.refusal()) {
-                t_.forgive();  // what is switched off need not be understood
+            if (off && !before.refusal && t_.refusal()) {
+                t_.restore(before);  // what is switched off need not be understood
             } else {
                 statement(QStringLiteral("global %1 = %2").arg(identifier(child->attribute("name")), script));
             }
@@ -270,18 +270,52 @@ void ProgramTranslator::writeRepeated(const XmlElement& part, const QString& lab
     }
 }
 
-void ProgramTranslator::writeSubPrograms() {
+void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
     t_.out = &functions_;
-    // The list grows while the calls in them are written.
-    for (std::size_t i = 0; i < subPrograms_.size() && !t_.refusal(); ++i) {
-        const SubProgram sub = subPrograms_[i];
-        statement(QStringLiteral("def %1():").arg(sub.name));
-        t_.out->indent();
-        t_.label(*sub.node, sub.node->attribute("name"));
-        t_.out->outdent();
-        writeBlock(*sub.body);
-        statement(QStringLiteral("end"));
+    std::size_t written = 0;
+    const auto writeCalled = [&] {
+        // The list grows while the calls in them are written.
+        for (; written < subPrograms_.size() && !t_.refusal(); ++written) {
+            const SubProgram sub = subPrograms_[written];
+            statement(QStringLiteral("def %1():").arg(sub.name));
+            t_.out->indent();
+            t_.label(*sub.node, sub.node->attribute("name"));
+            t_.out->outdent();
+            writeBlock(*sub.body);
+            statement(QStringLiteral("end"));
+        }
+    };
+    writeCalled();
+    // Scripts may call the others; those that cannot be translated or are not finished are left out, and a call of them is an error.
+    for (const auto& part : parts.children) {
+        const XmlElement* const sub = part->is("SubProgram") ? part->resolved() : nullptr;
+        if (sub == nullptr || subProgramOf_.contains(sub) || t_.refusal()) {
+            continue;
+        }
+        const Translation::Reasons reasons = t_.reasons();
+        const ScriptText before = functions_;
+        addSubProgram(*sub);
+        writeCalled();
+        if (t_.refusal() || (t_.unfinishedNode() && !reasons.unfinished)) {
+            t_.restore(reasons);
+            functions_ = before;
+            written = subPrograms_.size();
+        }
     }
+}
+
+/// Its place in the list; none when it is refused.
+std::optional<std::size_t> ProgramTranslator::addSubProgram(const XmlElement& sub) {
+    auto place = subProgramOf_.find(&sub);
+    if (place == subProgramOf_.end()) {
+        const XmlElement* const body = bodyOf(sub);
+        if (body == nullptr) {
+            return std::nullopt;
+        }
+        place = subProgramOf_.emplace(&sub, subPrograms_.size()).first;
+        subPrograms_.push_back({t_.uniqueName(sub.attribute("name")), &sub, body});
+    }
+    return place->second;
 }
 
 /// A sub program is written out in the file, or is a program of its own beside it.
@@ -812,17 +846,12 @@ void ProgramTranslator::writeCall(const XmlElement& node) {
         t_.refuse(node, QStringLiteral("it leads to no sub program"));
         return;
     }
-    auto place = subProgramOf_.find(sub);
-    if (place == subProgramOf_.end()) {
-        const XmlElement* const body = bodyOf(*sub);
-        if (body == nullptr) {
-            return;
-        }
-        place = subProgramOf_.emplace(sub, subPrograms_.size()).first;
-        subPrograms_.push_back({t_.uniqueName(sub->attribute("name")), sub, body});
+    const std::optional<std::size_t> place = addSubProgram(*sub);
+    if (!place) {
+        return;
     }
     t_.label(node, QStringLiteral("Call %1").arg(sub->attribute("name")));
-    statement(subPrograms_[place->second].name + QStringLiteral("()"));
+    statement(subPrograms_[*place].name + QStringLiteral("()"));
 }
 
 void ProgramTranslator::writeUrcap(const XmlElement& node) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -53,7 +54,8 @@ private:
     void writeThreads(const XmlElement& parts);
     void writeEvent(const XmlElement& event);
     void writeRepeated(const XmlElement& part, const QString& label);
-    void writeSubPrograms();
+    void writeSubPrograms(const XmlElement& parts);
+    std::optional<std::size_t> addSubProgram(const XmlElement& sub);
     const XmlElement* bodyOf(const XmlElement& subProgram);
     const XmlElement* mainOfFile(const QString& name, const XmlElement& at);
 

@@ -40,8 +40,15 @@ public:
     void unfinished(const XmlElement& at, const QString& why) { keep(unfinished_, at, why); }
     const std::optional<Error>& refusal() const { return refusal_; }
     const std::optional<Error>& unfinishedNode() const { return unfinished_; }
-    /// Forgets a refusal: the node is switched off, and need not be understood.
-    void forgive() { refusal_.reset(); }
+    /// What was found so far; restore() forgets what came after, for a part of the program that does not count.
+    struct Reasons {
+        std::optional<Error> refusal, unfinished;
+    };
+    Reasons reasons() const { return {refusal_, unfinished_}; }
+    void restore(const Reasons& before) {
+        refusal_ = before.refusal;
+        unfinished_ = before.unfinished;
+    }
 
     /// A function, thread or waypoint name that nothing else has.
     QString uniqueName(const QString& text);

@@ -84,7 +84,7 @@ Result<pendant::PendantProgram> ProgramStore::programAt(const QString& path) con
     if (!urp) {
         return pendant::readUrpx(*content);
     }
-    pendant::PendantSource source = source_;
+    pendant::PendantSource source = source_();
     source.installation = installation_;
     // Names are relative to the program, or to the folder of all programs.
     source.files = [this, &file](const QString& name) {

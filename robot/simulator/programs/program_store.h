@@ -11,6 +11,7 @@
 
 #include <QString>
 #include <QTemporaryDir>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,8 +30,8 @@ inline constexpr qint64 kLargestProgram = 16 << 20;
 class ProgramStore {
 public:
     /// folder  empty: there are no programs, until one is uploaded
-    /// source  with what programs of the pendant are read; its files are those of the folder
-    ProgramStore(QString folder, pendant::PendantSource source)
+    /// source  returns what programs of the pendant are read with; its files are those of the folder
+    ProgramStore(QString folder, std::function<pendant::PendantSource()> source)
         : folder_(std::move(folder)), source_(std::move(source)) {}
 
     /// name  relative to the folder, or its full path; `/programs/` and `/ursim/programs/` mean the folder
@@ -74,7 +75,7 @@ private:
     Result<pendant::PendantProgram> programAt(const QString& path) const;
 
     QString folder_;
-    pendant::PendantSource source_;
+    std::function<pendant::PendantSource()> source_;
     QString installation_ = QStringLiteral("default.installation");
     std::unique_ptr<QTemporaryDir> own_;
     QString path_;

@@ -11,11 +11,20 @@ namespace tiller::simulator {
 
 namespace {
 
-pendant::PendantSource pendantSource(const SimulatorOptions& options) {
+/// What programs of the pendant are read with, now.
+pendant::PendantSource pendantSource(const Plant& plant) {
+    const Assumptions& assumptions = plant.assumptions();
     pendant::PendantSource source;
-    source.software = options.software;
+    source.software = plant.options().software;
     source.isReserved = [](const QString& name) { return urscript::isReservedName(name.toStdString()); };
-    source.eventNeedsEdge = options.assumptions.eventNode == Assumptions::EventNode::Edge;
+    source.eventNeedsEdge = assumptions.eventNode == Assumptions::EventNode::Edge;
+    source.unknownUrcap =
+        assumptions.unknownUrcap == Assumptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip
+        : assumptions.unknownUrcap == Assumptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
+                                                                     : pendant::UnknownUrcap::Refuse;
+    if (!plant.options().urcapsFolder.isEmpty()) {
+        (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // Simulator::start() has checked it
+    }
     return source;
 }
 
@@ -24,7 +33,7 @@ pendant::PendantSource pendantSource(const SimulatorOptions& options) {
 Services::Services(Plant& plant, FaultServer::Handler faults)
     : plant_(plant)
     , link_(plant.options().seed)
-    , store_(plant.options().programsFolder, pendantSource(plant.options()))
+    , store_(plant.options().programsFolder, [&plant] { return pendantSource(plant); })
     , dashboard_(plant, store_)
     , robotApi_(plant, store_)
     , primary_(plant, true, true)

@@ -124,6 +124,7 @@ constexpr BuiltinRow kProgramRows[] = {
     {"time(mode=0)", time, kPlain, {17, 0}},
     {"textmsg(s1, s2=\"\")", textmsg},
     {"popup(s, title=\"Popup\", warning=False, error=False, blocking=False)", popup},
+    {"varmsg(name, value)", setting},
     {"request_boolean_from_primary_client(text)", request<RequestedType::Boolean>, kPlain, kAfter2019},
     {"request_integer_from_primary_client(text)", request<RequestedType::Integer>, kPlain, kAfter2019},
     {"request_float_from_primary_client(text)", request<RequestedType::Float>, kPlain, kAfter2019},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs in the file format of the pendant: variables with references, sequences, branches, loops, threads,
-// waypoints given by a variable.
+// Programs of the pendant, as it saves them: variables that are told once and referred to, sequences,
+// branches, loops, threads, waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -14,7 +14,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// An expression in file format, character by character. `@path@` in it is a reference to a variable.
+/// An expression as it is saved, sign by sign. `@path@` in it stands for a variable told elsewhere.
 QString signs(const QString& text) {
     QString xml;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -54,10 +54,13 @@ QString program(const QString& parts) {
     return withChildren(QStringLiteral("URProgram name=\"p\" createdIn=\"5.11.0\""), parts);
 }
 
-/// A robot with one loaded program in its folder.
+/// A robot with one program in its folder, loaded.
 struct Loaded {
     /// beside  other files of the folder, by name
-    explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {}) {
+    /// assumption  NAME=VALUE; empty: all as by default
+    explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {},
+                    const QString& assumption = {})
+        : assumed(assumption) {
         write("p.urp", xml);
         for (auto file = beside.begin(); file != beside.end(); ++file) {
             write(file.key(), file.value());
@@ -77,10 +80,14 @@ struct Loaded {
     }
     quint64 outputs() const { return robot.controller.truth().digitalOutputs; }
 
+    QString assumed;
     QTemporaryDir folder;
     VirtualRobot robot{[this] {
         auto options = VirtualRobot::options();
-        options.programsFolder = folder.path();
+        options.programsFolder = options.urcapsFolder = folder.path();
+        if (!assumed.isEmpty() && !simulator::assume(options.assumptions, assumed)) {
+            qFatal("%s", qPrintable(assumed));
+        }
         return options;
     }()};
     RawDashboard dashboard = robot.dashboard();
@@ -93,8 +100,8 @@ class TestProgramFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The example of the vendor's RTDE client for its control loop: a thread reads set points into a variable
-    // defined before the start, the program moves there on command and reports its arrival.
+    // What the vendor's RTDE client comes with for its control loop: a thread reads set points into a
+    // variable told before the start, the program moves there on command and says when it is there.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -154,11 +161,11 @@ private Q_SLOTS:
                 values += bigEndian(v);
             }
             rtde.sendPackage('U', values);
-            QVERIFY(until(1, 0));  // the thread reads them
+            QVERIFY(until(1, 0));  // the thread takes them in
             QVERIFY(until(0, 1));
             QVERIFY(std::abs(doubleAt(state, 5 + 16) - z) < 1e-3);
         }
-        // Without the client the watchdog acts as configured.
+        // Without the client the watchdog acts as it was told to.
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Paused; }, 3));
     }
 
@@ -221,7 +228,8 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(1) << 6);
     }
 
-    // The nodes used by published programs of the pendant: each sets output 1 where expected, and no other.
+    // The nodes that published programs of the pendant use: each sets output 1 where it should, and none
+    // else.
     void theNodesOfThePendantRun_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<quint64>("outputs");
@@ -396,7 +404,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(cell.robot.controller.truth().q[0])));
     }
 
-    // Scripts and subprograms in separate files are loaded from the programs folder.
+    // Scripts and sub programs that are files of their own come from the programs folder.
     void whatAProgramRefersToIsReadFromTheFolder_data() {
         QTest::addColumn<QString>("node");
         const auto script = [](const char* file) {
@@ -695,6 +703,73 @@ private Q_SLOTS:
             labels << QByteArray::number(intAt(body, 0)) + ' ' + body.mid(4);
         }
         QCOMPARE(labels, (QByteArrayList{"1 Robot Program", "2 pick", "3 Wait: 0.1", "5 Halt"}));
+    }
+
+    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen_data() {
+        QTest::addColumn<QString>("nodeClass");
+        QTest::addColumn<QString>("assumption");
+        QTest::addColumn<QByteArray>("texts");
+        QTest::newRow("stand-in") << "com.example.WeldNode"
+                                  << "" << QByteArray("12.5bead|True|end");
+        QTest::newRow("skip") << "com.example.Other"
+                              << "unknown-urcap=skip"
+                              << QByteArray("Other (Example) is not simulated and was skipped|end");
+        QTest::newRow("ask") << "com.example.Other"
+                             << "unknown-urcap=ask" << QByteArray("end");
+    }
+    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen() {
+        QFETCH(QString, nodeClass);
+        QFETCH(QString, assumption);
+        QFETCH(QByteArray, texts);
+        const QString node = QStringLiteral(
+                                 "<Contributed strategyClass=\"%1\" strategyProgramNodeType=\"Other\" "
+                                 "strategyURCapName=\"Example\"><dataModel><data key=\"current\" "
+                                 "value=\"12.5\"/><data key=\"on\" value=\"true\"/></dataModel>"
+                                 "</Contributed>")
+                                 .arg(nodeClass);
+        const QString standIn =
+            "# class: WeldNode\n# default shape: bead\n# setup\ndef weld(a, b, c):\n  textmsg(a, b)\n  "
+            "textmsg(c)\nend\n# node\nweld({current}, {shape}, {on})\n";
+        Loaded cell(program(mainProgram(node + line("textmsg(\"end\")"))), {{"weld.script", standIn}},
+                    assumption);
+        QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        cell.robot.controller.stepSeconds(0.5);
+        QCOMPARE(cell.robot.programState() == RuntimeState::Stopped, !assumption.endsWith("ask"));
+        cell.dashboard.ask("close popup");
+        QVERIFY(cell.ends());
+        QCOMPARE(Heard(primary).texts.join('|'), texts);
+    }
+
+    // "Level" is the default: the event runs again while its condition stays true.
+    void anEventRunsOnceWhenItNeedsAnEdge_data() {
+        QTest::addColumn<QString>("assumption");
+        QTest::addColumn<bool>("again");
+        QTest::newRow("level") << "event-node=level" << true;
+        QTest::newRow("edge") << "event-node=edge" << false;
+    }
+    void anEventRunsOnceWhenItNeedsAnEdge() {
+        QFETCH(QString, assumption);
+        QFETCH(bool, again);
+        Loaded cell(program(mainProgram("<Wait type=\"Sleep\"><waitTime>0.5</waitTime></Wait>") +
+                            "<Event><expression><ExpressionToken token=\" True \"/></expression><children>" +
+                            line("textmsg(1)") +
+                            "<Wait type=\"Sleep\"><waitTime>0.1</waitTime></Wait></children></Event>"),
+                    {}, assumption);
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QCOMPARE(Heard(primary).texts.size() > 1, again);
+    }
+
+    // Sub programs that only a script calls belong to the program as well.
+    void aScriptMayCallASubProgram() {
+        Loaded cell(program(mainProgram(line("Sub_1()")) +
+                            withChildren("SubProgram name=\"Sub 1\"", line("set_digital_out(3, True)"))));
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        QCOMPARE(cell.outputs(), quint64(0b1000));
     }
 
     // A program may break between load and play.

@@ -376,6 +376,29 @@ private Q_SLOTS:
         Plant missing(with((name + "=missing").constData()));
         QVERIFY(!missing.programs().submitText(text.toStdString()));
     }
+
+    // A camera that is switched on later need not end the program that names it.
+    void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
+        QTest::addColumn<QByteArray>("assumption");
+        QTest::addColumn<bool>("goesOn");
+        QTest::newRow("connects") << QByteArray("rpc-factory=connects") << false;
+        QTest::newRow("defers") << QByteArray("rpc-factory=defers") << true;
+    }
+    void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall() {
+        QFETCH(QByteArray, assumption);
+        QFETCH(bool, goesOn);
+        Plant plant(with(assumption.constData()));
+        submit(plant,
+               "def p():\n  cam = rpc_factory(\"xmlrpc\", \"http://127.0.0.1:1/RPC2\")\n"
+               "  write_output_integer_register(0, 7)\n  cam.trigger()\n"
+               "  write_output_integer_register(0, 8)\nend\n");
+        for (int i = 0; i < 2000 && (i < 3 || plant.programs().isActive()); ++i) {
+            QCoreApplication::processEvents();
+            plant.step();
+        }
+        QVERIFY(!plant.programs().isActive());
+        QCOMPARE(plant.telemetry().registers->output.ints[0], goesOn ? 7 : 0);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestAssumptions)
