@@ -67,7 +67,7 @@ private Q_SLOTS:
         applyNotation(*qApp, {});
     }
 
-    void everyChoiceHoldsAtOnceAndIsRemembered() {
+    void everyChoiceAppliesAtOnceAndIsSaved() {
         Bench bench;
         app::SettingsPage* page = bench.open();
         QVERIFY(page != nullptr);
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().speedCap, Preferences::kOrdinaryCap);
     }
 
-    void aLoweredCapStopsTheJogAndHoldsForTheNextPress() {
+    void loweredCapStopsTheJogAndAppliesToTheNext() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
@@ -152,7 +152,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
     }
 
-    void theLongestHoldIsChosenAndHoldsAtOnce() {
+    void longestHoldAppliesAtOnce() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(window.session().limits().tcpSpeed, 0.1);
     }
 
-    void whateverTheFileSaysTheValuesAreSane_data() {
+    void invalidValuesInTheFileAreCorrected_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("value");
         QTest::newRow("cap raised") << "motion/speedCap"
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QTest::newRow("rotations") << "look/rotations"
                                    << "17";
     }
-    void whateverTheFileSaysTheValuesAreSane() {
+    void invalidValuesInTheFileAreCorrected() {
         QFETCH(QString, key);
         QFETCH(QString, value);
         QTemporaryDir folder;

@@ -287,7 +287,7 @@ private Q_SLOTS:
         QCOMPARE(robot.truth().runtimeState, RuntimeState::Stopped);
     }
 
-    void aRobotInLocalSaysSo() {
+    void localControlIsReported() {
         simulator::SimulatorOptions options = robotOptions();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -298,7 +298,7 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::RemoteControlRequired, qPrintable(error.toString()));
     }
 
-    void aRefusedPortNamesIt() {
+    void refusedPortIsNamed() {
         RawPeer primary([](RawPeer::Link& link) { link.beMute(); });
         const int dead = RawPeer::deadPort();
         Controller noRtde(to(primary.port(), dead));
@@ -326,7 +326,7 @@ private Q_SLOTS:
                  ErrorCode::Timeout);
     }
 
-    void aCompileErrorIsToldWithItsPlace() {
+    void compileErrorIsReportedWithItsPosition() {
         RtdePeer peer;
         makeRunning(peer);
         RawPeer primary([](RawPeer::Link& link) {

@@ -57,15 +57,15 @@ private Q_SLOTS:
     void beforeTheFirstPackageThereIsNothing();
     void namesThatDoNotExistAreRefused();
     void waitsForData();
-    void waitingForDataSaysWhyNoneCame();
+    void waitingForDataReportsWhyNoneArrived();
     void waitingForDataWantsFreshOnes();
-    void subscribersWaitForTheNextOne();
+    void subscribersWaitForTheNextSample();
     void waitingEndsWithTheReceiver();
     void samplesCarryTheClocksTime();
-    void whatLayInABacklogIsNotFresh();
+    void backlogSamplesAreNotFresh();
     void dataComeBackWithinTwoSeconds();
-    void countsWhatTheControllerSkipped();
-    void countsWhatCameLate();
+    void countsSkippedPackages();
+    void countsLatePackages();
     void fieldsTheRobotLacksAreAbsent();
     void addsTheTimestamp();
     void worksWithCb3();
@@ -164,7 +164,7 @@ void TestReceiver::waitsForData() {
     QCOMPARE(RobotState(*sample).q()[5], 6.0);
 }
 
-void TestReceiver::waitingForDataSaysWhyNoneCame() {
+void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
@@ -205,7 +205,7 @@ void TestReceiver::waitingForDataWantsFreshOnes() {
     QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
 }
 
-void TestReceiver::subscribersWaitForTheNextOne() {
+void TestReceiver::subscribersWaitForTheNextSample() {
     constexpr int kPackages = 200;
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
@@ -263,7 +263,7 @@ void TestReceiver::samplesCarryTheClocksTime() {
 }
 
 // After the host was suspended or the path was blocked, the age of the samples counts from their arrival.
-void TestReceiver::whatLayInABacklogIsNotFresh() {
+void TestReceiver::backlogSamplesAreNotFresh() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
@@ -299,7 +299,7 @@ void TestReceiver::dataComeBackWithinTwoSeconds() {
     QVERIFY(options.connectTimeout + longest < 2s);
 }
 
-void TestReceiver::countsWhatTheControllerSkipped() {
+void TestReceiver::countsSkippedPackages() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     Subscription subscription = receiver.subscribe();
@@ -317,7 +317,7 @@ void TestReceiver::countsWhatTheControllerSkipped() {
     }
 }
 
-void TestReceiver::countsWhatCameLate() {
+void TestReceiver::countsLatePackages() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());

@@ -53,7 +53,7 @@ class TestJogColumnDisplay : public QObject {
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
-    void theKeysSayWhatIsLeftTheirWay() {
+    void keysShowTheRemainingTravel() {
         JogScene s;
         for (int i = 0; i < 12; ++i) {
             s.column.travel().look();
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QTRY_VERIFY(joints->isVisible() && pose->isVisible());
     }
 
-    void nothingLiesOutsideTheColumn_data() {
+    void allContentIsInsideTheColumn_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1920x1080") << QSize(390, 948);
         QTest::newRow("1600x900") << QSize(360, 765);
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QTest::newRow("1280x720") << QSize(360, 588);
         QTest::newRow("least") << QSize(352, 560);
     }
-    void nothingLiesOutsideTheColumn() {
+    void allContentIsInsideTheColumn() {
         QFETCH(QSize, size);
         JogScene s(size);
         QCOMPARE(s.column.size(), size);

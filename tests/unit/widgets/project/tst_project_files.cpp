@@ -109,7 +109,7 @@ private Q_SLOTS:
         QVERIFY2(!QFile::exists(path_ + ".damaged-1"), "the old file was whole");
     }
 
-    void anotherFileBehindTheProjectIsTold() {
+    void replacedProjectFileIsReported() {
         QSignalSpy other(&files_->store(), &ProjectStore::pathChanged);
         files_->open(path_);
         QCOMPARE(other.count(), 1);
@@ -139,7 +139,7 @@ private Q_SLOTS:
     }
 
     // The notice stands while a sample is opened and changed.
-    void whatIsReadOfADamagedFileTakesNoChangedCopyAway() {
+    void readingADamagedFileKeepsUnsavedCopies() {
         document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
         const QString sample = directory_->filePath("sample.tiller");
         files_->saveAs(sample);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    void aFileThatIsNoProjectOffersNothing() {
+    void nonProjectFileOffersNoRecovery() {
         QFile file(path_);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("hello");

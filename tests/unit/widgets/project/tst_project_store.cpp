@@ -44,7 +44,7 @@ private Q_SLOTS:
         document_.reset();
     }
 
-    void changesAreSavedByThemselves() {
+    void changesAreSavedAutomatically() {
         QVERIFY(store_->openOrStart(path_).ok());
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
         QVERIFY(!QFile::exists(path_));
@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(store_->copyName(), QString("Sample"));
     }
 
-    void whatIsNotSavedYetIsSavedAtTheEnd() {
+    void unsavedChangesAreSavedAtExit() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("home")}, "Teach");
         store_.reset();
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
     }
 
-    void failedSaveIsSaidAndTriedAgain() {
+    void failedSaveIsReportedAndRepeated() {
         const QString folder = directory_->filePath("gone");
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
@@ -273,7 +273,7 @@ private Q_SLOTS:
         QVERIFY(store_->isSaved());
     }
 
-    void ourOwnSavesAreNoForeignChange() {
+    void ownSavesAreNotReportedAsForeignChanges() {
         QVERIFY(store_->openOrStart(path_).ok());
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         for (int i = 0; i < 5; ++i) {
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.at(0).name, QString("home"));
     }
 
-    void openingTheOpenFileAgainLosesNothing() {
+    void reopeningTheOpenFileLosesNoChanges() {
         const QString folder = directory_->filePath("Unsaved");
         store_->setCopyFolder(folder);
         QVERIFY(store_->openOrStart(path_).ok());

@@ -81,7 +81,7 @@ private Q_SLOTS:
     }
 
     // What seems to pass in the picture must not be told to collide, nor the other way round.
-    void whatIsDrawnIsInsideWhatIsChecked() {
+    void drawnShapesAreInsideTheCheckedShapes() {
         for (const RobotModel& model : robotModels()) {
             const ArmMesh mesh = armMesh(model);
             const auto rods = collision::armCapsules(model);

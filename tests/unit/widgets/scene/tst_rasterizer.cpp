@@ -68,7 +68,7 @@ private Q_SLOTS:
         }
     }
 
-    void glassLetsWhatIsBehindShineThrough() {
+    void transparentFacesShowTheBackground() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         const auto middle = [&](double glassNearer) {
@@ -131,7 +131,7 @@ private Q_SLOTS:
         QVERIFY(raster.render(QRect(97, 0, 203, 200)) == whole);
     }
 
-    void whatReachesBehindTheEyeIsCutOff() {
+    void facesAreClippedAtTheCamera() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         raster.begin(kSize, eye);

@@ -179,7 +179,7 @@ private Q_SLOTS:
         QVERIFY2(R.col(0).x() > 0.5, "base X goes to the right at first");
     }
 
-    void whatIsBehindTheEyeIsNotDrawn() {
+    void pointsBehindTheCameraAreNotDrawn() {
         Camera camera;
         camera.reset(1.08);
         const Eigen::Vector3d behind = 100 * camera.viewRotation().col(2);
@@ -218,7 +218,7 @@ private Q_SLOTS:
         QVERIFY(!hasColorNear(image, view.camera().project(off).point, Theme::light().axis(2), 1));
     }
 
-    void ghostIsShownWithItsFigures() {
+    void ghostIsShownWithItsValues() {
         SceneView view;
         view.resize(930, 520);
         view.setState(live(kStance));
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QVERIFY(view.ghostText().isEmpty());
     }
 
-    void staleDataAreGreyAndSaySo() {
+    void staleDataAreGreyAndLabelled() {
         SceneView view;
         view.resize(930, 520);
         view.setState(live(kStance));
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(arm.center().y() - inner(view, 8).center().y()) < 0.12 * size.height());
     }
 
-    void whatLiesOverTheLowerEdgeHidesNothing() {
+    void bottomOverlayDoesNotHideTheTcp() {
         ShownView view({340, 330});
         view.setCoveredBelow(48);
         picture(view);
@@ -366,7 +366,7 @@ private Q_SLOTS:
     }
 
     // Whoever comes nearer or moves the picture wants to see that place, until everything is asked for.
-    void whatTheOperatorChoseIsLeftAlone() {
+    void viewChosenByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
@@ -484,7 +484,7 @@ private Q_SLOTS:
         QVERIFY(view.hiddenLabels() < hidden);
     }
 
-    void theEyeNeverGoesUnderTheGround() {
+    void cameraStaysAboveTheGround() {
         Camera camera;
         camera.reset(1.08);
         camera.orbit(0, -10);
@@ -495,7 +495,7 @@ private Q_SLOTS:
         QVERIFY(camera.distance() > 0.1);
     }
 
-    void theViewHasNoWayToMoveTheRobot() {
+    void viewCannotMoveTheRobot() {
         // It cannot even name the session; only the dock does, and listens.
         for (const char* file : {"scene_view.h", "scene_view.cpp", "scene_painter.cpp", "scene_dock.cpp"}) {
             const QString folder = qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/";
@@ -539,7 +539,7 @@ private Q_SLOTS:
 
     // The TCP goes up by a twentieth of a pixel each time: most of these states are not worth a picture, and all
     // of them together are.
-    void whatNobodySeesIsNotDrawn() {
+    void hiddenViewsAreNotDrawn() {
         ShownView view;
         PaintCounter counter(view);
         counter.waitForQuiet();

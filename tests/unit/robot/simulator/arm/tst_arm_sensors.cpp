@@ -21,7 +21,7 @@ private Q_SLOTS:
     void gravityTorquesMatchTheRecordedRobot();
     void currentsMatchTheRecordedRobot();
     void massMatrixGivesTheTorquesOfAcceleration();
-    void whatPushesTheFlangeIsCarriedByTheJoints();
+    void forceOnTheFlangeLoadsTheJoints();
     void payloadAddsItsTorque();
     void zeroingBehindAPayloadTakesTheNewPayload();
     void configuredPayloadIsNotFelt();
@@ -33,7 +33,7 @@ private Q_SLOTS:
     void accelerometerFeelsGravityInTheToolFrame();
     void mountingChangesTheTorques();
     void noiseIsSmallSeededAndStandstillIsVisible();
-    void aSteadyAccelerationIsTheSameFigure();
+    void constantAccelerationHasConstantReadings();
     void actualFollowsWithALittleLag();
     void temperaturesRiseSlowly();
     void supplyFollowsThePower();
@@ -83,7 +83,7 @@ void TestArmSensors::massMatrixGivesTheTorquesOfAcceleration() {
     QVERIFY((dynamics.massMatrix(q) - dynamics.massMatrix(q).transpose()).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-void TestArmSensors::whatPushesTheFlangeIsCarriedByTheJoints() {
+void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
     const RobotModel& model = robotModel(RobotModelId::UR5e);
     Dynamics dynamics(model);
     ArmGeometry geometry(model);
@@ -262,7 +262,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
 
 // A script at a quarter of the frame rate gives a new acceleration every fourth period; the values in between must
 // be constant for clients, including the last digit.
-void TestArmSensors::aSteadyAccelerationIsTheSameFigure() {
+void TestArmSensors::constantAccelerationHasConstantReadings() {
     WatchedArm arm;
     arm->setSpeedFraction(0.25);
     arm.run(1);
