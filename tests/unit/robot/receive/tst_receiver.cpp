@@ -440,7 +440,7 @@ void TestReceiver::givesUpASilentConnection() {
     QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
-    // While the clock stands still no connection times out, however long the test takes.
+    // While the clock is stopped, no connection times out, however long the test takes.
     clock.advanceNs(2400 * kNsPerMs);
     QTest::qWait(120);
     QCOMPARE(peer.connections(), 1);

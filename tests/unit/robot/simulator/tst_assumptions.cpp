@@ -44,7 +44,7 @@ const char* const kTurning =
     "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\n  stopj(4)\n"
     "  write_output_integer_register(0, 1)\n  while True:\n    sync()\n  end\nend\n";
 
-/// Periods from the first stop command until the joints stand still.
+/// Periods from the first stop command until the joints are at standstill.
 int brakingPeriods(const char* assumption, double slider) {
     Plant plant(with(assumption));
     plant.setSpeedSlider(slider);

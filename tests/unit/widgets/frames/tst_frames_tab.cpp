@@ -254,7 +254,7 @@ private Q_SLOTS:
         QSignalSpy messages(tab_.get(), &FramesTab::message);
         type("y", "-450,5");
         QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoints moved"));
-        QVERIFY(box("y")->isVisible());  // the hand continues with the next figure
+        QVERIFY(box("y")->isVisible());  // the operator continues with the next field
         QVERIFY(std::abs(frame(0).T_base_frame.position.y() + 0.4505) < 1e-12);
         QCOMPARE(frame(0).T_base_frame.position.x(), tcp.position.x());
         QVERIFY(frame(0).T_base_frame.rotation == tcp.rotation);

@@ -134,7 +134,7 @@ private Q_SLOTS:
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
     }
 
-    // The analog values belong to the sample of the bits beside them, never to a newer one.
+    // The analog values belong to the same sample as the bits, never to a newer one.
     void analogValuesAreOfTheSampleShown() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);

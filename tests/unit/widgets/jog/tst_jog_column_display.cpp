@@ -229,7 +229,7 @@ private Q_SLOTS:
         auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
         QVERIFY(pose->isVisible() && row->isVisible());
-        const auto settle = [] { QTest::qWait(250); };  // two update periods of the figures
+        const auto settle = [] { QTest::qWait(250); };  // two update periods of the values
         settle();
         PaintCount paints;
         for (int i = 1; i <= 20; ++i) {
@@ -290,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // A screen of 1600 x 900 has room for both.
+    // Both fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
@@ -354,7 +354,7 @@ private Q_SLOTS:
             s.state.tcpPose.position.x() += 0.0124;
             s.state.q[2] = -351 * std::numbers::pi / 180;
             s.column.applyState(s.state);
-            QTest::qWait(150);  // the figures update ten times a second
+            QTest::qWait(150);  // the values update ten times a second
             QVERIFY(!s.column.grab().isNull());
             keepPicture(s.column, QStringLiteral("jog-") + scheme);
             s.release("jog.X+");

@@ -56,7 +56,7 @@ using namespace tiller;
 
 namespace {
 
-/// 500 Hz, Fz = time in newtons, so that every figure can be checked by mental arithmetic.
+/// 500 Hz, Fz = time in newtons, so that every value can be checked by mental arithmetic.
 struct Bench {
     RobotSession session;
     PlotDock dock{session};
@@ -786,7 +786,7 @@ private Q_SLOTS:
         QVERIFY2(analysis->title().contains("1000"), qPrintable(analysis->title()));
     }
 
-    /// Hours of recording: the figures beside the plots are calculated in the background, and the panel stays
+    /// Hours of recording: the values next to the plots are calculated in the background, and the panel stays
     /// responsive.
     void aLongRecordingIsMeasuredAsAWhole() {
         const test::Long recorded;
@@ -1148,7 +1148,7 @@ private Q_SLOTS:
         QTRY_COMPARE(b.dock.minimumSizeHint().height(), before);
     }
 
-    // ---- figures, notes, alarms
+    // ---- values, notes, alarms
     void tableShowsStatisticsBetweenTheCursors() {
         Bench b;
         b.view().pause();
@@ -1298,7 +1298,7 @@ private Q_SLOTS:
         QVERIFY(near(store.valueAt(force, end).value(), 49.99, 1e-3));
         QVERIFY2(!store.valueAt(force, end - 3).has_value(), "a gap of two seconds");
         QVERIFY(!b.curve(force).range().isEmpty());
-        // Live data beside it on the same axes, and its bits as lanes.
+        // Live data next to it on the same axes, and its bits as lanes.
         b.drop(b.view().panes()[0]->area().center(),
                {"actual_TCP_force_2", "yesterday.csv/actual_digital_input_bits.3", "yesterday.csv/mine"});
         QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));

@@ -47,7 +47,7 @@ private Q_SLOTS:
         }
     }
 
-    // Forth and back on one line: the end where it turned must stay.
+    // Back and forth on one line: the turning point must remain.
     void aTurnBackIsACorner() {
         SceneTrace trace;
         double time = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Shows every mode of every enumeration on one sheet as in the header bar, and checks that people with red-green
-// colour blindness can distinguish them. The sheet is written beside the test program or to TILLER_SCREENSHOTS.
+// colour blindness can distinguish them. The sheet is written next to the test program or to TILLER_SCREENSHOTS.
 
 #include <QApplication>
 #include <QDir>
@@ -241,7 +241,7 @@ private Q_SLOTS:
     }
 
     void modesThatNeedActionDifferInColourToo() {
-        // Colour is never the only sign, but where it is used everybody must be able to see it.
+        // Colour is never the only sign, but where it is used it must be visible to all.
         for (const Theme& theme : {Theme::light(), Theme::dark()}) {
             for (const QColor& fill : {theme.stop, theme.operatorNeeded, theme.moving}) {
                 for (const Vision vision : kVisions) {

@@ -468,7 +468,7 @@ private Q_SLOTS:
 private:
     void feed(const SessionState& state) {
         Q_EMIT session_->stateChanged(state);
-        // The figures update ten times a second.
+        // The values update ten times a second.
         tab_->tcps().setState(state);
         tab_->positions().setState(state);
     }

@@ -507,7 +507,7 @@ private Q_SLOTS:
                                     .arg(rpy.x())
                                     .arg(rpy.y())
                                     .arg(rpy.z());
-        // Six figures from a spreadsheet without a header line.
+        // Six numbers from a spreadsheet without a header line.
         paste(figures);
         QCOMPARE(document_->waypoints().size(), 2);
         project::Waypoint pasted = document_->waypoints().at(1);
