@@ -15,8 +15,8 @@ ControlBox::ControlBox(const SimulatorOptions& options)
 
 void ControlBox::service() {
     // Accepts connections and moves the sockets of scripts on: nothing else in this thread has events.
-    const bool isKnocking = services.link().doorbell().look();
-    if (isKnocking || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
+    const bool hasClient = services.link().poller().poll();
+    if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }

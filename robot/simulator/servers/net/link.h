@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "robot/core/native_socket.h"
-#include "robot/simulator/servers/net/doorbell.h"
+#include "robot/simulator/servers/net/socket_poller.h"
 
 namespace tiller::simulator {
 
@@ -40,7 +40,7 @@ public:
     double now() const { return now_; }
 
     /// What arrives at the controller's end.
-    Doorbell& doorbell() { return doorbell_; }
+    SocketPoller& poller() { return poller_; }
     /// Bytes pass as they are.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
@@ -61,7 +61,7 @@ public:
     std::size_t buried() const { return buried_.size(); }
 
 private:
-    Doorbell doorbell_;
+    SocketPoller poller_;
     LinkConditions conditions_;
     double now_ = 0;
     bool plain_ = true;

@@ -30,7 +30,7 @@ Peer::~Peer() {
 
 void Peer::attach(Link* link) {
     link_ = link;
-    isWatched_ = link_ != nullptr && open_ && link_->doorbell().add(descriptor_, &hasArrived_);
+    isWatched_ = link_ != nullptr && open_ && link_->poller().add(descriptor_, &hasArrived_);
 }
 
 bool Peer::isPlain() const {
@@ -41,7 +41,7 @@ void Peer::close() {
     if (open_) {
         open_ = false;
         if (isWatched_) {
-            link_->doorbell().remove(descriptor_);
+            link_->poller().remove(descriptor_);
         }
         if (link_ == nullptr || !link_->bury(descriptor_)) {
             native_socket::close(descriptor_);

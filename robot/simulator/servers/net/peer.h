@@ -69,7 +69,7 @@ private:
     std::deque<Segment> held_;      ///< on their way to the client
     std::deque<Segment> arriving_;  ///< on their way from it
     std::size_t heldBytes_ = 0;
-    bool isWatched_ = false;  ///< by the link's doorbell, which sets:
+    bool isWatched_ = false;  ///< by the poller of the link, which sets:
     bool hasArrived_ = true;  ///< there may be something to read
     bool open_ = true;
     bool closing_ = false;

@@ -23,11 +23,12 @@ public:
 
     /// The cable its clients are connected by.
     void setLink(Link* link) { link_ = link; }
-    /// doorbell  is told of the port; outlives this object
-    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name, Doorbell& doorbell) {
+    /// poller  watches the port; must outlive this object
+    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name,
+                      SocketPoller& poller) {
         auto opened = listener_.open(address, port, name);
         if (opened) {
-            doorbell.addPort(listener_.socketDescriptor());
+            poller.addPort(listener_.socketDescriptor());
         }
         return opened;
     }

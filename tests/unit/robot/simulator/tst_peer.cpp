@@ -47,7 +47,7 @@ struct Connected {
     std::string read() {
         std::array<std::uint8_t, 512> bytes;
         std::string all;
-        link.doorbell().look();
+        link.poller().poll();
         while (const std::size_t got = peer->receive(bytes)) {
             all.append(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(got));
         }
