@@ -50,7 +50,7 @@ public:
     Compliance& compliance();  ///< force mode, freedrive
     /// Path offset and conveyor tracking. To be begun only while neither force mode nor freedrive is active.
     Superposition& superposition();
-    Environment& environment();  ///< what is really there: load, hand, planes
+    Environment& environment();  ///< the actual surroundings: load, hand, planes
 
     // power and program time
     /// Leaving Running stops the motion at once (brakes) and drops every command.
@@ -58,7 +58,7 @@ public:
     DriveState driveState() const;
     /// Speed slider, 0..1 (clamped). Ramped inside, so that it may jump.
     void setSpeedFraction(double fraction);
-    /// Pause: decelerates on the path and freezes program time. resume() goes on from there.
+    /// Pause: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
     void resume();
     bool isHeld() const;
@@ -76,10 +76,10 @@ public:
     /// Stops as if the arm had found `reason` itself.
     void raiseProtectiveStop(StopReason reason);
 
-    /// The stop the arm made by itself, until cleared.
+    /// The stop that the arm has triggered, until it is cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
-    /// Next warning, once each; nothing if there is none.
+    /// Returns each warning once; nothing if there is none.
     std::optional<MotionWarning> takeWarning();
 
     // tool and mounting
@@ -95,7 +95,7 @@ public:
     /// What an external sensor measures (base axes at the TCP); nothing: the arm's own sensor counts. Force
     /// mode follows it.
     void setExternalForce(const std::optional<Wrench>& wrench);
-    /// What pushes on the tool besides what the controller knows of [N]: hand, contact, unknown weight.
+    /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
     double unexplainedForce() const;
     /// zero_ftsensor(): the present reading becomes zero.
     void zeroForceSensor();

@@ -37,7 +37,7 @@ public:
     void place(const JointPositions& q);
     /// One control period with this target.
     void step(const JointPositions& q, const JointVelocities& qd);
-    /// What is measured after the last step; nothing touches the arm.
+    /// Measured state after the last step, without contact.
     const ArmState& state() const;
 
 private:

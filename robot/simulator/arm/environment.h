@@ -40,7 +40,7 @@ public:
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
     const std::optional<Payload>& load() const { return load_; }  ///< Really carried.
 
-    /// What a hand exerts at the TCP, base axes [N, Nm]; stays until changed.
+    /// Force and torque of a hand at the TCP, base axes [N, Nm]; constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
     const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 
@@ -50,7 +50,7 @@ public:
     bool addBox(const ContactBox& box);
     void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Planes and boxes go.
 
-    /// Runs a conveyor: what its encoder (0 or 1) counts [ticks/s]. Not a number is ignored.
+    /// Moves a conveyor: ticks that its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the joints may do, whatever is asked of them.
+// Limits of the joints for any requested motion.
 
 #include "robot/core/joints.h"
 #include "robot/core/robot_model.h"

@@ -52,7 +52,7 @@ public:
     void abort(double deceleration);
     /// Puts the arm elsewhere: at rest (`state.qd` zero), or with a velocity that is then braked.
     void relocate(const JointTarget& state);
-    /// The target is moved by somebody else (force mode, freedrive); speed commands go on from there.
+    /// Force mode or freedrive moves the target; speed commands continue from there.
     void rebase(const JointTarget& state);
     /// Speed commands turn about the new TCP at once; a tool path under way is finished with the old one.
     void setTcp(const Pose& T_flange_tcp);
@@ -126,7 +126,7 @@ protected:
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
-    double pathScale_ = 1;     // the same, and what the limits leave of it
+    double pathScale_ = 1;     // the requested scale, and the part that the limits permit
     double pauseScale_ = 1;    // pause alone, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;

@@ -14,9 +14,9 @@ namespace tiller::simulator::arm {
 struct PathCandidate {
     Vector6 q = Vector6::Zero();
     Vector6 rateProgram = Vector6::Zero();  ///< dq by program time
-    Vector6 rateReal = Vector6::Zero();     ///< dq by real time: what runs out regardless of program time
-    bool reached = true;                    ///< false: the tool path cannot be followed here
-    Vector6 currentQ = Vector6::Zero();     ///< of the two summands, each by itself
+    Vector6 rateReal = Vector6::Zero();  ///< dq by real time: the part that decays regardless of program time
+    bool reached = true;                 ///< false: the tool path cannot be followed here
+    Vector6 currentQ = Vector6::Zero();  ///< of each of the two summands
     Vector6 tailQ = Vector6::Zero();
 };
 
@@ -53,7 +53,7 @@ public:
         return active_ && (current_.inToolSpace || (tailActive_ && tail_.inToolSpace) ||
                            (nextWaiting_ && next_.inToolSpace));
     }
-    /// A joint move or joint stop by itself: every joint stays between where it was and where it goes.
+    /// Returns true for a single joint move or stop: every joint stays between its start and its target.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
     /// To be called before a step: lets the next move set in when its time has come.

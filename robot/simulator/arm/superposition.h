@@ -30,7 +30,7 @@ public:
     void enableOffset();
     /// offset  position [m] and rotation vector [rad] in the axes of `frame`; held to the limits
     void setOffset(const Pose& offset, OffsetFrame frame);
-    /// What is applied now, in the axes of `frame`.
+    /// The present offset, in the axes of `frame`.
     Pose offset(OffsetFrame frame) const;
     /// Per control period the applied offset goes this part of the way (0..1) to the one set.
     void setFilter(double alpha);
@@ -42,12 +42,12 @@ public:
     void trackLinear(const Eigen::Vector3d& perTick);
     /// centre  turns about its z axis by `perTick` [rad]; the tool turns along or keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
-    /// What the encoder has counted; where it stands when a tracking begins does not matter.
+    /// Count of the encoder; its value at the start of tracking does not matter.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 
     bool active() const { return offsetOn_ || tracksConveyor(); }
-    /// The program goes on from where the arm is: what was laid over it until now is part of it.
+    /// The present offset becomes part of the program, which continues from the position of the arm.
     void endOffset();
     void endTracking();
     void drop();

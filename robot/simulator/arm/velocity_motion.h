@@ -32,10 +32,10 @@ public:
 
     /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
     void expire();
-    /// Ends; the next command begins anew from the velocity the arm then has.
+    /// Ends; the next command starts from the velocity that the arm then has.
     void drop() { running_ = false; }
     bool running() const { return running_; }
-    /// Somebody else moved the arm to q.
+    /// The arm was moved to q by another motion.
     void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
     /// The TCP offset changed while the arm moves.
     void toolChanged(const JointTarget& now, double timeScale);

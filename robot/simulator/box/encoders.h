@@ -23,7 +23,7 @@ public:
     /// What has been counted since the start, without the jumps of a count that wraps; a count set by hand
     /// while pulses are decoded moves nothing.
     double travel(int encoder) const { return at(encoder).travel; }
-    /// The count as RTDE tells it.
+    /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;
 
     /// One control period. conveyorSpeeds  what else the decoders see in that time [ticks/s]
@@ -36,7 +36,7 @@ private:
         int inputB = 1;
         unsigned lines = 0;    ///< A and B as last seen
         bool counted = false;  ///< the program sets the count
-        double wrap = 0;       ///< after so many ticks it begins anew
+        double wrap = 0;       ///< the count wraps around after this number of ticks
         double least = 0;
         double ticks = 0;
         double travel = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Who a simulated controller says it is: software release and serial number, told alike on every interface.
+// Identity of a simulated controller: software release and serial number, the same on every interface.
 
 #include <QString>
 #include <optional>
@@ -17,7 +17,7 @@ namespace tiller::simulator {
 /// from the release that is known best, if there is one of that series.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
-/// The release a model comes with when none is asked for.
+/// The default release of a model.
 SoftwareVersion defaultSoftware(RobotModelId model);
 /// Whether this arm runs that software.
 /// Errors  InvalidArgument, with the reason

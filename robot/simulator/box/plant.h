@@ -81,7 +81,7 @@ public:
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
-    /// What an external sensor measures, from RTDE [N, Nm].
+    /// Reading of an external sensor, from RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
     /// The pendant's switch; leaving Remote ends the script connections.
@@ -108,7 +108,7 @@ public:
     void shutDown() { shutDown_ = true; }
     bool isShutDown() const { return shutDown_; }
 
-    /// Shows a popup and tells primary clients. Returns its id.
+    /// Shows a popup, reports it to primary clients and returns its id.
     int showPopup(const std::string& text, bool blocking);
     /// What the pendant's log would show and whoever started this program should know: to primary clients as
     /// a text message, and to the error output.
@@ -129,7 +129,7 @@ private:
     SimulatorOptions options_;
     RobotModel model_;  ///< with the arm's own calibration
     arm::Arm arm_;
-    RobotModel reported_;  ///< the model as told to clients
+    RobotModel reported_;  ///< the model reported to clients
     Registers registers_;
     Registers shown_;          ///< as clients see them, where that is a period later
     RegisterBank lastOutput_;  ///< as the period before left them
@@ -147,10 +147,10 @@ private:
     std::uint64_t startTick_ = 0;  ///< when the controller started
     double startTime_ = 0;         ///< timestamp then [s]
     std::uint64_t controlEpoch_ = 0;
-    std::uint64_t identity_ = 0;  ///< counts changes of what primary clients are told once
+    std::uint64_t identity_ = 0;  ///< counts changes of the values that primary clients receive once
     bool disconnected_ = false;
     std::array<std::deque<double>, kJointCount> jointStops_;  ///< when each joint was stopped [s]
-    std::uint64_t boots_ = 0;                                 ///< how often the services came up anew
+    std::uint64_t boots_ = 0;                                 ///< number of starts of the services
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
     double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power

@@ -24,7 +24,7 @@ struct Telemetry {
     const Pins* pins = nullptr;
     const RobotModel* model = nullptr;  ///< as the controller reports it
     std::uint64_t identity = 0;         ///< changes when `model` does
-    std::uint64_t boots = 0;            ///< changes when the services came up anew
+    std::uint64_t boots = 0;            ///< changes when the services have restarted
     SoftwareVersion software;
     bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
 

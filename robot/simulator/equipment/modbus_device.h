@@ -24,7 +24,7 @@ class ModbusDevice {
 public:
     using Kind = urscript::ModbusSignal::Kind;
 
-    // What programs do, see urscript::ModbusHost.
+    // Actions of programs, see urscript::ModbusHost.
     Result<void> add(const urscript::ModbusSignal& signal);
     void remove(std::string_view name);
     Result<urscript::ModbusStatus> status(std::string_view name) const;
@@ -38,10 +38,10 @@ public:
     void command(int function, std::span<const std::uint8_t> data);
     bool isConnected() const { return connected_; }
 
-    // What happens to the device.
+    // Faults of the device.
     /// Values from that address on; those beyond 65535 are not there.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
-    /// What a signal reads, by its name.
+    /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
     /// The device's answer to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3
     /// illegal value, 4 failure, 6 busy...
@@ -59,9 +59,9 @@ private:
         urscript::ModbusSignal what;
         std::vector<std::int32_t> values;  ///< last read
         std::vector<std::int32_t> wanted;  ///< not yet written; empty: nothing
-        double period = 0.1;               ///< [s]; 0: when somebody asks
+        double period = 0.1;               ///< [s]; 0: read on request
         double untilUpdate = 0;            ///< [s]
-        double invalidFor = 0;             ///< [s] since it was last answered
+        double invalidFor = 0;             ///< [s] since the last answer
         double watchdog = 2;               ///< [s]
         int deviceError = 0;
         bool freedrive = false;
@@ -75,7 +75,7 @@ private:
     void update(Signal& signal);
     std::int32_t read(Kind kind, int address) const;
 
-    std::array<std::map<int, std::int32_t>, 4> memory_;  ///< by kind and address; what is not there is 0
+    std::array<std::map<int, std::int32_t>, 4> memory_;  ///< by type and address; missing values are 0
     std::map<std::string, Signal, std::less<>> signals_;
     bool connected_ = true;
 };

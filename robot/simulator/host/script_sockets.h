@@ -22,7 +22,7 @@ namespace tiller::simulator {
 /// Threads  the simulator's, which processes events between control periods. Blocks: never.
 class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    /// What a program finds at 127.0.0.1, for it the controller itself, by the port it knows.
+    /// Local services that a program reaches at 127.0.0.1, by their known ports.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
     bool openSocket(std::string_view name, std::string_view address, int port) override;
@@ -34,7 +34,7 @@ public:
     void closeAllSockets() { sockets_.clear(); }
     bool hasSockets() const { return !sockets_.empty(); }  ///< They need events to be processed.
 
-    /// Takes in what has arrived.
+    /// Reads received data.
     void serviceSockets();
 
 private:

@@ -68,11 +68,11 @@ public:
     /// The main program came from a program file, not over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
-    /// The main program; null when none runs.
+    /// The main program; null if none runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
     /// Main programs started so far.
     std::uint64_t starts() const { return starts_; }
-    /// Of the main program; null when none runs.
+    /// Interpreter mode of the main program; null if none runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
@@ -120,7 +120,7 @@ private:
     double begun_ = 0;     ///< when the main program started [s]
     std::uint64_t starts_ = 0;
     bool fromFile_ = false;
-    bool ended_ = false;  ///< the main body ended; told in a later period
+    bool ended_ = false;  ///< the main body has ended; reported in a later period
     bool runningSecondary_ = false;
 };
 

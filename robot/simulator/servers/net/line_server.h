@@ -19,7 +19,7 @@ public:
 
 protected:
     struct LineAnswer {
-        std::string text;  ///< with its newline, where there is one
+        std::string text;  ///< including the newline, if there is one
         bool closes = false;
     };
     /// tag  a number of the service's choice, given to each connection when it is made

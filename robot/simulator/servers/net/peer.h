@@ -37,9 +37,9 @@ public:
     /// backlog has no room for it: this peer does not read.
     bool send(std::span<const std::uint8_t> bytes);
     bool send(std::string_view text);
-    /// Sends what is due and what the socket takes now.
+    /// Sends due data as far as the socket accepts them.
     void flush();
-    /// Bytes the socket did not take yet; what is under way on a slow cable does not count.
+    /// Bytes not yet accepted by the socket; data delayed by a slow link do not count.
     std::size_t pending() const { return out_.size() - sent_; }
 
     /// Closes once everything has gone out.
@@ -74,7 +74,7 @@ private:
     bool open_ = true;
     bool closing_ = false;
     bool isMute_ = false;  ///< nothing reaches the client any more
-    bool ended_ = false;   ///< the client has ended the connection; what arrives is from before
+    bool ended_ = false;   ///< the client has closed the connection; remaining data were sent before
 };
 
 }  // namespace tiller::simulator

@@ -40,7 +40,7 @@ public:
 
     /// Takes new clients, reads all and answers.
     virtual void service() = 0;
-    /// Sends what a control period brought.
+    /// Sends the data of a control period.
     virtual void publish() {}
     virtual void closeClients() = 0;
 
@@ -54,7 +54,7 @@ private:
     Listener listener_;
 };
 
-/// Removes the clients whose connection is over. leaving  is told each of them first.
+/// Removes clients whose connection has ended. leaving  is called for each of them first.
 template <class Client, class Leaving>
 void removeClosed(std::vector<std::unique_ptr<Client>>& clients, Leaving leaving) {
     std::erase_if(clients, [&leaving](const std::unique_ptr<Client>& client) {

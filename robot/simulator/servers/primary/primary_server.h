@@ -34,7 +34,7 @@ private:
             : peer(descriptor, 64 * 1024), intake(mayWrite) {}
         Peer peer;
         ScriptIntake intake;
-        std::uint64_t program = 0;  ///< whose variables it has been told
+        std::uint64_t program = 0;  ///< program whose variables it has received
         std::uint64_t knows = 0;    ///< the identity whose KinematicsInfo and ConfigurationData it has had
         bool hasState = false;      ///< the state of this control period was sent to it
     };

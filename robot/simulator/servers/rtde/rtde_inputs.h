@@ -37,7 +37,7 @@ public:
     };
     /// Takes ownership of all names, or of none. protocol: the client's, on which some types depend
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees what the client owned; whether the values stay is an assumption.
+    /// Frees the inputs of the client; whether the values are kept is an assumption.
     void release(ClientId client);
 
     /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
@@ -67,7 +67,7 @@ private:
 
     Plant& plant_;
     SoftwareVersion software_;
-    std::vector<ClientId> owners_;  ///< by field; 0: nobody
+    std::vector<ClientId> owners_;  ///< by field; 0: none
     std::vector<double> values_;    ///< scratch of apply()
     std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;

@@ -29,7 +29,7 @@ std::optional<FieldSource> fieldSource(const rtde::Field& field);
 /// The fields of one output recipe.
 class OutputRecipe {
 public:
-    /// Of fields that exist on this software; answers() tells which of the names do.
+    /// Fields that exist on this software; answers() lists them.
     OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software);
 
     /// In the order of the names.
