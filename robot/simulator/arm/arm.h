@@ -67,8 +67,8 @@ public:
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
     void abort(double deceleration = 10.0);
 
-    /// Ends path offset or conveyor tracking and brakes all joints; `deceleration` [rad/s2] of the leading
-    /// axis. The program goes on from where the arm then is.
+    /// Ends path offset or conveyor tracking and brakes all joints with `deceleration` [rad/s2] of the leading
+    /// axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
     /// Highest TCP speed [m/s] of programmed motion, as in reduced mode; nothing: no limit but the joints'.
@@ -85,15 +85,15 @@ public:
     // tool and mounting
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
-    /// Payload as configured. Unless environment().setLoad() said otherwise the arm carries exactly this.
-    /// transition [s]  the configured payload changes evenly to the new one in that time
+    /// Payload as configured. The arm carries exactly this payload unless environment().setLoad() set another one.
+    /// transition [s]  time in which the configured payload changes linearly to the new one
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// What an external sensor measures (base axes at the TCP); nothing: the arm's own sensor counts. Force
-    /// mode follows it.
+    /// Reading of an external sensor (base axes at the TCP), which force mode uses; nothing: uses the internal
+    /// sensor.
     void setExternalForce(const std::optional<Wrench>& wrench);
     /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
     double unexplainedForce() const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the simulated arm shows after each control period: the figures RTDE and the primary interface report.
-// Plain data in SI units, vectors in the base frame unless a name says otherwise. `target` is what the
-// motion generator asks for, `actual` what the simulated drives and sensors answer.
+// State of the simulated arm after each control period: the values that RTDE and the primary interface report.
+// Plain data in SI units, vectors in the base frame unless a name states otherwise. `target` values are set by the
+// motion generator, `actual` values are measured by the simulated drives and sensors.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tiller::simulator::arm {
 
-/// Payload as the controller knows it: mass [kg], centre of gravity in the flange frame [m], inertia about
-/// the centre of gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
+/// Payload set on the controller: mass [kg], centre of gravity in the flange frame [m], inertia about the centre of
+/// gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
 struct Payload {
     double mass = 0;
     Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the arm meets that the controller does not know: the load it really carries, a hand that pushes it,
-// surfaces and boxes the tool can touch, conveyors that run.
+// Surroundings of the arm that the controller does not know: the actual load, a hand that pushes the arm, surfaces
+// and boxes that the tool can touch, moving conveyors.
 
 #include <Eigen/Core>
 #include <array>
@@ -57,8 +57,7 @@ public:
     /// Force above which contact is a protective stop [N].
     static constexpr double kForceLimit = 250;
 
-    /// What surfaces and boxes exert at a TCP at `position` with `velocity`, base axes [N]; no torque about
-    /// the TCP.
+    /// Force of surfaces and boxes on a TCP at `position` with `velocity`, base axes [N]; no torque about the TCP.
     Eigen::Vector3d contactForce(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const;
 
     static constexpr int kMaxPlanes = 8;

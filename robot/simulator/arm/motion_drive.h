@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What drives the arm, a control period at a time: a path, a speed or torques. It keeps program time and has the last
-// word on what is asked of the joints. What commands become is MotionGenerator's.
+// Moves the arm along a path, at a speed or with torques, one control period at a time. Keeps program time and
+// applies the final joint limits. MotionGenerator converts the commands.
 
 #include <array>
 #include <limits>

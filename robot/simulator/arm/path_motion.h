@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs planned moves: one after the other, blended into each other, or set in while the arm still runs out
-// from something else. All three are the sum of two motions: what is left of the old one (which by itself
-// would come to rest at the corner) and the new one (which by itself would start there). Position and
-// velocity are continuous by construction, and the sum stays inside the blend zone.
+// Runs planned moves: in sequence, blended, or started while an earlier motion still runs out. In all cases the
+// result is the sum of two motions: the rest of the old one (which alone would come to rest at the corner) and the
+// new one (which alone would start there). Position and velocity are continuous by construction, and the sum stays
+// inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
@@ -27,8 +27,8 @@ public:
     bool active() const { return active_; }
     void drop() { active_ = tailActive_ = nextWaiting_ = false; }
 
-    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, where `segment`
-    /// starts.
+    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, at the start of
+    /// `segment`.
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the drives and sensors of the arm answer to a target: encoders with a little lag and noise, motor
-// currents, the force/torque sensor at the flange, temperatures, supply.
+// Response of the drives and sensors of the arm to a target: encoders with a small lag and noise, motor currents,
+// the force/torque sensor at the flange, temperatures, supply.
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is laid over the programmed path: a Cartesian offset, and a conveyor that carries the path along. The
-// program goes on as if neither were there; the tool goes where program, offset and conveyor say together. A
-// jump of either is caught up with smoothly; the path itself is never delayed by it.
+// Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The program is
+// not affected; the tool moves to the sum of program, offset and conveyor. Jumps of either are caught up smoothly
+// and never delay the path.
 // Source: URScript path_offset_*, track_conveyor_*.
 
 #include "robot/core/spatial.h"
@@ -52,9 +52,9 @@ public:
     void endTracking();
     void drop();
 
-    /// One control period: where the joints go when the program asks for `program`. `frozen`: neither offset
-    /// nor conveyor moves on (the program is paused).
-    /// Returns  why it cannot be, or nothing; `state` is then what to command
+    /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`: neither
+    /// offset nor conveyor moves (the program is paused).
+    /// Returns  the reason if it is impossible; `state` is then the state to command
     std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
 
 private:

@@ -13,8 +13,8 @@
 
 namespace tiller::simulator {
 
-/// A release by its number as people write it: "5.22", "3.15.8", "10.12.0.123". What is left out is taken
-/// from the release that is known best, if there is one of that series.
+/// Returns a release by its number: "5.22", "3.15.8", "10.12.0.123". Missing parts are taken from the best known
+/// release of that series, if any.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
 /// The default release of a model.

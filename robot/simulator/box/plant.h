@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The robot behind the sockets: arm, power, safety, terminals, registers and programs, stepped one control
-// period at a time. It knows no clients; what it has to say to them it leaves in outbox(), and what it is
-// asked to do arrives through its methods. The order within a period is that of a controller: safety, power,
-// watchdogs, script frame, arm.
+// The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by one
+// control period at a time. It does not know clients: messages to them are placed in outbox(), requests arrive
+// through its methods. The order within a period is that of a controller: safety, power, watchdogs, script frame,
+// arm.
 
 #include <array>
 #include <cstdint>
@@ -74,8 +74,8 @@ public:
     void releaseBrakes();
     /// Clears violations and faults; the arm is off afterwards.
     void restartSafety();
-    /// Stops at once, with the message that says why. The fiftieth of one joint within eight hours is a fault
-    /// (C163); the joint is the cause's argument, from 1.
+    /// Stops at once, with the message of the cause. The fiftieth stop of one joint within eight hours is a fault
+    /// (C163); the joint is the argument of the cause, from 1.
     void protectiveStop(const primary::ErrorCode& cause);
     /// fraction  held to 0..1; not a number is ignored
     void setSpeedSlider(double fraction);
@@ -101,8 +101,8 @@ public:
     void setBackdrive(bool active);
     /// Ends the running program with a runtime exception.
     void failProgram(const std::string& why);
-    /// What the controller reports as its kinematics differs from the arm's by so much: 0 not at all, 1 up to
-    /// 1 mm and 1 mrad. Primary clients are told anew.
+    /// Makes the reported kinematics deviate from those of the arm: 0 not at all, 1 up to 1 mm and 1 mrad. Reports
+    /// it to primary clients again.
     void setCalibrationError(double size);
     /// The controller goes off: nothing answers any more.
     void shutDown() { shutDown_ = true; }
@@ -110,8 +110,8 @@ public:
 
     /// Shows a popup, reports it to primary clients and returns its id.
     int showPopup(const std::string& text, bool blocking);
-    /// What the pendant's log would show and whoever started this program should know: to primary clients as
-    /// a text message, and to the error output.
+    /// Messages of the pendant log that are of interest to the sender of the program: sent to primary clients as
+    /// text messages and to the error output.
     void tellLog(const std::string& text);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }

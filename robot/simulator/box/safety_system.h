@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The safety states of a controller and how they end. It knows causes and time, not what the arm or the
-// program make of them: the plant looks at mode() after each step and reacts to a change.
+// The safety states of a controller and their transitions. It knows causes and time, but not the reaction of the
+// arm or the program: the plant reads mode() after each step and reacts to changes.
 // Source: UR manual (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
 
 #include <cstdint>

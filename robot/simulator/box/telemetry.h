@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything a client can be told about the robot, as of the end of one control period: what the RTDE,
-// primary and realtime encoders read from. Refers to the plant's own data; valid until its next step.
+// All values of the robot that clients can receive, at the end of one control period: the source of the RTDE,
+// primary and realtime encoders. Refers to data of the plant; valid until its next step.
 
 #include <array>
 #include <cstdint>

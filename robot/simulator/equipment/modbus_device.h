@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the controller's signals of it. One small device answers at every address: discrete
-// inputs, coils, input registers and registers, all 0 at first; inputs change when somebody injects a fault.
-// Signals are updated as often as their frequency says; one that is not answered for longer than its watchdog
-// is an error to the program that asks for it. Source: URScript manual, modbus functions.
+// A Modbus device and the signals of the controller for it. The same small device answers at every address:
+// discrete inputs, coils, input registers and registers, all 0 at first; inputs are changed by fault injection.
+// Signals are updated at their frequency; a signal without an answer for longer than its watchdog is an error for
+// the program that reads it. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>
@@ -43,8 +43,8 @@ public:
     void write(Kind kind, int address, std::span<const std::int32_t> values);
     /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
-    /// The device's answer to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3
-    /// illegal value, 4 failure, 6 busy...
+    /// Answer of the device to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3 illegal
+    /// value, 4 failure, 6 busy...
     Result<void> setDeviceError(std::string_view name, int code);
     void setConnected(bool connected) { connected_ = connected; }
 

@@ -17,8 +17,8 @@ class ScriptMessages : public virtual urscript::MessageHost {
 public:
     explicit ScriptMessages(Plant& plant) : plant_(plant) {}
 
-    /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
-    /// something of another type.
+    /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
+    /// type.
     bool answerRequest(const urscript::RequestAnswer& answer);
     /// Type of value that the oldest request expects; nothing if none is open.
     std::optional<urscript::RequestedType> asked() const;

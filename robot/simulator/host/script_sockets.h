@@ -3,9 +3,9 @@
 
 // TCP client sockets of a running program, by name.
 //
-// Little is kept of what a program has not read: about what it reads in a period or two. A client that writes
-// faster than the program reads is held up by TCP then, and its newest command is not far behind. Only when
-// the program waits for the rest of something long is more of it kept.
+// Only a small amount of unread data is buffered, about as much as the program reads in one or two periods. A
+// client that writes faster than the program reads is then blocked by TCP, and its newest command is not far
+// behind. More is buffered only when the program waits for the rest of a long message.
 
 #include <QByteArray>
 #include <QString>

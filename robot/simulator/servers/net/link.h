@@ -22,8 +22,9 @@ struct LinkConditions {
         0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
     double coalesce = 0;  ///< [s] data sent within this time are delivered together
     double drop = 0;      ///< share of the RTDE data packages that a controller which is too busy never sends
-    bool lost = false;    ///< the cable is out: nothing passes, no connection notices; put back in, what the
-                          ///< two ends still hold goes through
+    /// the cable is unplugged: no data pass and connections do not notice; when it is plugged in again, buffered
+    /// data are delivered
+    bool lost = false;
 };
 
 /// Threads  the simulator's.
@@ -52,8 +53,8 @@ public:
     /// The same for data of the controller, which may be delayed to be sent together.
     double departure();
 
-    /// Connections that the controller closes now do not tell the other end: they stay half open until the
-    /// cable has been put back in, or unbury().
+    /// Connections that the controller closes now do not notify the other end: they stay half open until the cable
+    /// is plugged in again, or until unbury().
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
     /// Takes a descriptor that the controller is done with, if the other end shall not notice.
     bool bury(native_socket::Descriptor descriptor);

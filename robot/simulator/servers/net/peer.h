@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One accepted connection: reads what has come, sends what fits, keeps a bounded rest. Never blocks. What the
-// cable does to the bytes (see Link) is done here, so that no service needs to know.
+// One accepted connection: reads received data, sends as much as possible, buffers a limited rest. Never blocks.
+// The link conditions (see Link) are applied here, so that services do not need to know them.
 
 #include <cstdint>
 #include <deque>
@@ -33,8 +33,8 @@ public:
     /// Receives once. Returns how many bytes came; closes when the peer has ended the connection.
     std::size_t receive(std::span<std::uint8_t> into);
 
-    /// Sends, or keeps for later what the socket does not take now. False, with nothing taken, when the
-    /// backlog has no room for it: this peer does not read.
+    /// Sends data, or buffers the part that the socket does not accept now. Returns false and takes nothing when
+    /// the buffer is full, because the peer does not read.
     bool send(std::span<const std::uint8_t> bytes);
     bool send(std::string_view text);
     /// Sends due data as far as the socket accepts them.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What every service of the controller has in common: one port, any number of clients, and two moments: being
-// read, whenever the loop comes round, and being written to after a control period.
+// Common part of all services of the controller: one port, any number of clients, and two steps: reading in each
+// cycle of the loop, and writing after each control period.
 
 #include <QHostAddress>
 #include <cstdint>

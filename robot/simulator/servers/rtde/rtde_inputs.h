@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs RTDE clients write: who owns which, what they hold, and what they do to the robot. A value stays
-// until its owner changes it; a mask selects what a package applies. Source: RTDE guide.
+// The inputs written by RTDE clients: their owners, their values, and their effects on the robot. A value is kept
+// until its owner changes it; a mask selects the values that a package applies. Source: RTDE guide.
 
 #include <cstdint>
 #include <optional>
@@ -43,8 +43,8 @@ public:
     /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
-    /// Once a control period, before anything is read: applies what packages of the period before left over,
-    /// where they are not applied whole.
+    /// Runs once per control period before reading: applies the rest of packages of the previous period that were
+    /// applied only in part.
     void applyRest();
 
     /// Packages applied so far.
