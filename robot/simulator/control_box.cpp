@@ -21,7 +21,7 @@ void ControlBox::service() {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }
     }
-    services.faults().service();  // also of a mute controller, or nobody could end its silence
+    services.faults().service();  // also on a mute controller, otherwise its silence could not be ended
     if (!silent) {
         services.service();
     }

@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// What a line gave beside its verb. A wrong one is remembered; the reader asks once, at the end.
+/// Arguments of a line. A wrong one is remembered and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
