@@ -55,7 +55,7 @@ struct TickTiming {
     std::uint64_t lost = 0;        ///< periods dropped for good: the robot's time stood still for them
     realtime::Histogram lateness;  ///< from when a period was due to when its work began
     realtime::Histogram work;      ///< what the work of a period took
-    double threadSeconds = 0;      ///< processor time of the thread [s]; 0 where the system cannot tell
+    double threadSeconds = 0;      ///< processor time of the thread [s]; 0 if the system does not report it
     double seconds = 0;            ///< time passed [s]
     bool priorityGranted = false;
 };

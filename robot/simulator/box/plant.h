@@ -95,7 +95,7 @@ public:
     std::uint64_t controlEpoch() const { return controlEpoch_; }
     /// Power of the arm lost without a word, as when its supply fails.
     void losePower();
-    /// The controller starts anew; timestamp begins at 0.  seconds  until POWER_OFF
+    /// Restarts the controller; timestamp begins at 0.  seconds  until POWER_OFF
     void restart(double seconds, bool safetyUnconfirmed);
     /// Moves joints by hand, brakes overridden.
     void setBackdrive(bool active);

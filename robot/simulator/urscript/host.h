@@ -425,7 +425,7 @@ public:
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
     virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the controller started
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Safety is told at once. The program runs on to the end of its frame; call Interpreter::pause().
+    /// Safety is informed at once. The program continues to the end of its frame; call Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
