@@ -34,9 +34,7 @@ public:
 
     /// Throws ResultError on a failed result.
     const T& value() const& { return checked(), std::get<0>(content_); }
-    T& value() & {
-        return checked(), std::get<0>(content_);
-    }  ///< Errors   ResultError on a failed result
+    T& value() & { return checked(), std::get<0>(content_); }  ///< Errors   ResultError on a failed result
     /// Errors   ResultError on a failed result. Moves the value out.
     T&& value() && { return checked(), std::get<0>(std::move(content_)); }
     const T& operator*() const& { return value(); }

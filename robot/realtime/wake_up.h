@@ -23,9 +23,9 @@ public:
         if (sleepers_.fetch_add(0, std::memory_order_acq_rel) == 0) {
             return;
         }
-        for (Bed& bed : beds_) {
-            if (bed.asleep.exchange(false, std::memory_order_acq_rel)) {
-                bed.bell.release();
+        for (Waiter& waiter : waiters_) {
+            if (waiter.asleep.exchange(false, std::memory_order_acq_rel)) {
+                waiter.semaphore.release();
             }
         }
     }
@@ -33,38 +33,38 @@ public:
     /// Waits for the next wake() or the end of the time, unless `happened` returns true.
     template <class Happened>
     void wait(std::chrono::milliseconds atMost, Happened happened) {
-        Bed* bed = freeBed();
-        if (bed == nullptr) {  // All semaphores are in use: poll every millisecond.
+        Waiter* waiter = freeWaiter();
+        if (waiter == nullptr) {  // All semaphores are in use: poll every millisecond.
             std::this_thread::sleep_for(std::min(atMost, std::chrono::milliseconds(1)));
             return;
         }
-        bed->asleep.store(true, std::memory_order_release);
+        waiter->asleep.store(true, std::memory_order_release);
         sleepers_.fetch_add(1, std::memory_order_acq_rel);
-        const bool woken = !happened() && bed->bell.try_acquire_for(atMost);
-        if (!woken && !bed->asleep.exchange(false, std::memory_order_acq_rel)) {
-            bed->bell.acquire();  // wake() was called meanwhile
+        const bool woken = !happened() && waiter->semaphore.try_acquire_for(atMost);
+        if (!woken && !waiter->asleep.exchange(false, std::memory_order_acq_rel)) {
+            waiter->semaphore.acquire();  // wake() was called meanwhile
         }
         sleepers_.fetch_sub(1, std::memory_order_relaxed);
-        bed->taken.store(false, std::memory_order_release);
+        waiter->taken.store(false, std::memory_order_release);
     }
 
 private:
-    struct Bed {
+    struct Waiter {
         std::atomic<bool> taken{false};
         std::atomic<bool> asleep{false};
-        std::binary_semaphore bell{0};
+        std::binary_semaphore semaphore{0};
     };
 
-    Bed* freeBed() {
-        for (Bed& bed : beds_) {
-            if (!bed.taken.exchange(true, std::memory_order_acq_rel)) {
-                return &bed;
+    Waiter* freeWaiter() {
+        for (Waiter& waiter : waiters_) {
+            if (!waiter.taken.exchange(true, std::memory_order_acq_rel)) {
+                return &waiter;
             }
         }
         return nullptr;
     }
 
-    std::array<Bed, 16> beds_;
+    std::array<Waiter, 16> waiters_;
     std::atomic<int> sleepers_{0};
 };
 

@@ -101,8 +101,8 @@ void writeReadPropertiesReply(Bytes& out, std::string_view types, ByteView value
 Result<std::uint16_t> readProtocolRequest(ByteView payload);  ///< Returns  the requested protocol version
 /// Returns  the requested frequency and field names
 Result<SetupOutputsRequest> readSetupOutputsRequest(ByteView payload, ProtocolVersion version);
-Result<std::vector<std::string>> readSetupInputsRequest(
-    ByteView payload);                                 ///< Returns  the requested field names
+/// Returns  the requested field names
+Result<std::vector<std::string>> readSetupInputsRequest(ByteView payload);
 Result<TextMessage> readClientText(ByteView payload);  ///< Package type 77.
 /// Returns  the names of the requested properties
 std::vector<std::string> readPropertiesRequest(ByteView payload);

@@ -87,8 +87,8 @@ public:
     /// Errors   Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError
     /// Blocks: until the deadline
     Result<void> start(const Deadline& deadline);
-    Result<void> pause(
-        const Deadline& deadline);  ///< Stops the data packages until start(). Errors as start().
+    /// Stops the data packages until start(). Errors as start().
+    Result<void> pause(const Deadline& deadline);
 
     /// Closes the socket. Later reads and sends fail. Blocks: never
     void close();

@@ -15,13 +15,13 @@ ControlBox::ControlBox(const SimulatorOptions& options)
 
 void ControlBox::service() {
     // Accepts connections and moves the sockets of scripts on: nothing else in this thread has events.
-    const bool isKnocking = services.link().doorbell().look();
-    if (isKnocking || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
+    const bool hasClient = services.link().poller().poll();
+    if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }
     }
-    services.faults().service();  // also of a mute controller, or nobody could end its silence
+    services.faults().service();  // also on a mute controller, otherwise its silence could not be ended
     if (!silent) {
         services.service();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the simulator's thread owns: the robot, its services and how they come round.
+// Objects owned by the thread of the simulator: the robot, its services and their cycle.
 
 #include "robot/simulator/box/plant.h"
 #include "robot/simulator/servers/services.h"

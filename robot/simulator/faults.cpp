@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// What a line gave beside its verb. A wrong one is remembered; the reader asks once, at the end.
+/// Arguments of a line. A wrong one is remembered and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -346,16 +346,16 @@ const Verb kVerbs[] = {
     {"system-emergency-stop", "on|off", "the external emergency stop input", &safetyInput<Input::SystemEmergencyStop>},
     {"safeguard", "on|off", "on: the safeguard input is open", &safetyInput<Input::Safeguard>},
     {"automatic-safeguard", "on|off", "the same, in operational mode AUTOMATIC only", &safetyInput<Input::AutomaticModeSafeguard>},
-    {"enabling-device", "off|on", "on: the three-position device is let go, which stops in MANUAL", &safetyInput<Input::ThreePositionEnabling>},
+    {"enabling-device", "off|on", "on: the three-position device is released, which stops the arm in MANUAL", &safetyInput<Input::ThreePositionEnabling>},
     {"reduced", "on|off", "the reduced-mode input", &safetyInput<Input::Reduced>},
     {"recovery", "on|off", "a joint outside its safety limits", &safetyInput<Input::Recovery>},
-    {"violation", "", "a safety limit is violated: power off, restart safety needed",
+    {"violation", "", "a safety limit is violated: power off, requires a restart of the safety system",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
-    {"fault", "", "the safety system finds a fault: power off, restart safety needed",
+    {"fault", "", "the safety system finds a fault: power off, requires a restart of the safety system",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
     {"power-loss", "", "the arm's supply fails",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
-    {"restart", "[SECONDS] [unconfirmed]", "the controller starts anew, slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
+    {"restart", "[SECONDS] [unconfirmed]", "the controller restarts slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
      [](ControlBox& m, Words& w) {
          const double seconds = w.numberOr(20, 0, 3600);
          const bool unconfirmed = w.has() && w.choice("unconfirmed", "confirmed");
@@ -363,7 +363,7 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"confirm-safety", "", "the operator confirms the safety configuration",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
-    {"backdrive", "on|off", "joints moved by hand with the brakes overridden, from IDLE",
+    {"backdrive", "on|off", "moves joints by hand with the brakes overridden, from IDLE",
      [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
     {"script-error", "[TEXT]", "the running program fails with a runtime exception",
      [](ControlBox& m, Words& w) {
@@ -377,27 +377,27 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"close-popup", "", "the button of the newest popup is pressed",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
-    {"answer", "VALUE", "a person answers what a program asks primary clients for: true|false, a number, a text", &answer},
-    {"hold-registers", "lower|upper|NAME,NAME...", "RTDE inputs owned by somebody else", &holdRegisters},
-    {"release-registers", "", "and free again",
+    {"answer", "VALUE", "answers a request of a program to primary clients: true|false, a number, a text", &answer},
+    {"hold-registers", "lower|upper|NAME,NAME...", "another client owns these RTDE inputs", &holdRegisters},
+    {"release-registers", "", "frees them again",
      [](ControlBox& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
-    {"link", "lost|back", "the cable out, or in again: nothing passes, connections stay",
+    {"link", "lost|back", "unplugs the cable, or plugs it in again: no data pass, connections stay",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
-    {"silence", "on|off", "a mute controller: time goes on, nothing is read or sent",
+    {"silence", "on|off", "a mute controller: time continues, nothing is read or sent",
      [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
-    {"delay", "MS [JITTER]", "each way, with so much more at random; 0: none",
+    {"delay", "MS [JITTER]", "delay in each direction, plus a random jitter; 0: none",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
-    {"split", "BYTES", "what is sent arrives in two pieces, the first of so many bytes; 0: whole",
+    {"split", "BYTES", "sent data arrive in two pieces, the first with this number of bytes; 0: unsplit",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
-    {"coalesce", "MS", "what is sent within so much time arrives together; 0: as sent",
+    {"coalesce", "MS", "data sent within this time arrive together; 0: as sent",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
-    {"drop", "PERCENT", "so many of the RTDE data packages are never sent, as by a controller that is too busy; 0: none",
+    {"drop", "PERCENT", "this percentage of the RTDE data packages is not sent, as by an overloaded controller; 0: none",
      [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.drop = r.number(0, 100) / kPercent; }); }},
-    {"half-open", "", "the controller forgets all connections and tells no client",
+    {"half-open", "", "the controller drops all connections without notifying the clients",
      [](ControlBox& m, Words& w) {
          if (w.good()) {
              m.services.link().setForgetting(true);
@@ -405,10 +405,10 @@ const Verb kVerbs[] = {
              m.services.link().setForgetting(false);
          }
          return QString(); }},
-    {"close-clients", "", "all connections end in good order",
+    {"close-clients", "", "closes all connections in order",
      [](ControlBox& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
-    {"joint-near-limit", "JOINT [DEGREES]", "joint 1 to 6 stands so far from the end of its range (default 1); below 0: beyond, RECOVERY", &jointNearLimit},
-    {"calibration", "SIZE", "the reported kinematics differ from the arm's by up to SIZE mm and mrad; 0: not",
+    {"joint-near-limit", "JOINT [DEGREES]", "moves joint 1 to 6 to this distance from the end of its range (default 1); below 0: beyond it, RECOVERY", &jointNearLimit},
+    {"calibration", "SIZE", "the reported kinematics deviate from the arm by up to SIZE mm and mrad; 0: no deviation",
      [](ControlBox& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
     {"remote", "on|off", "the pendant's Local/Remote switch",
      [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
@@ -423,14 +423,14 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"speed", "FRACTION", "the speed slider, 0 to 1",
      [](ControlBox& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
-    {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros let go", &hand},
+    {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros release it", &hand},
     {"plane", "HEIGHT", "a horizontal surface at that height [m], base frame", &plane},
-    {"box", "X Y Z SX SY SZ", "a box about that point [m], base frame, with these edges", &box},
-    {"no-surfaces", "", "neither planes nor boxes",
+    {"box", "X Y Z SX SY SZ", "a box centred at that point [m], base frame, with these edge lengths", &box},
+    {"no-surfaces", "", "removes all planes and boxes",
      [](ControlBox& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
-    {"load", "KG [X Y Z]|none", "what the tool really carries, and its centre [m], flange frame; none: what the controller was told", &load},
-    {"conveyor", "0|1 TICKS", "what that encoder counts in a second", &conveyor},
-    {"gripper-object", "POSITION|none", "something between the gripper's fingers stops them at 0 to 255",
+    {"load", "KG [X Y Z]|none", "actual load of the tool and its centre [m], flange frame; none: the payload of the controller", &load},
+    {"conveyor", "0|1 TICKS", "ticks per second of that encoder", &conveyor},
+    {"gripper-object", "POSITION|none", "an object between the gripper fingers stops them at 0 to 255",
      [](ControlBox& m, Words& w) {
          const QString given = w.word();
          bool ok = false;
@@ -439,19 +439,19 @@ const Verb kVerbs[] = {
              w.complain(QStringLiteral("'%1' is neither none nor a position from 0 to 255").arg(given)); }
          if (w.good()) { m.services.gripper().setObject(ok ? std::optional(position) : std::nullopt); }
          return QString(); }},
-    {"modbus-signal", "NAME VALUE...", "what that signal of the simulated Modbus device reads, as a program added it: 0 to 65535, on, off", &modbusSignal},
-    {"modbus-memory", "KIND ADDRESS VALUE...", "the same by its address; KIND input, coil, input-register or register", &modbusMemory},
-    {"modbus-error", "NAME CODE", "the device's answer to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
+    {"modbus-signal", "NAME VALUE...", "value of a signal that a program added to the simulated Modbus device: 0 to 65535, on, off", &modbusSignal},
+    {"modbus-memory", "KIND ADDRESS VALUE...", "the same by address; KIND: input, coil, input-register or register", &modbusMemory},
+    {"modbus-error", "NAME CODE", "answer of the device to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
      [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
-    {"assume", "NAME=VALUE", "the controller behaves so from now on; see 'tiller-cli simulate --assume help'",
+    {"assume", "NAME=VALUE", "changes an assumption from now on; see 'tiller-cli simulate --assume help'",
      [](ControlBox& m, Words& w) {
          const QString words = w.word();
          if (w.good()) {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
          return QString(); }},
-    {"status", "", "modes and faults now", &status},
-    {"clear", "", "no silence, a plain link, no held registers, the right calibration", &clear},
+    {"status", "", "shows the present modes and faults", &status},
+    {"clear", "", "ends silence, link conditions, held registers and calibration errors", &clear},
 };
 // clang-format on
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything that can go wrong, or that a hand can do, on demand: one line of words each. The same words are
-// taken by Simulator::inject(), by the fault port and by `tiller-cli simulate --fault`.
+// Faults and manual actions on request, one line of words each. The same words are accepted by Simulator::inject(),
+// the fault port and `tiller-cli simulate --fault`.
 //
 //     protective-stop          safeguard on          link lost          delay 20 5
 //
-// A line is answered with `ok`, with `ok` and what was asked for, or with `error: ` and the reason.
+// A line is answered with `ok`, with `ok` and the requested value, or with `error: ` and the reason.
 
 #include <QString>
 #include <string>
@@ -18,8 +18,8 @@ namespace tiller::simulator {
 
 struct ControlBox;
 
-/// Does what a line says.
-/// Returns  what was asked for, usually nothing
+/// Executes a line.
+/// Returns  the requested value, usually empty
 /// Errors   InvalidArgument, with the reason
 /// Threads  the simulator's
 Result<QString> injectFault(ControlBox& controlBox, const QString& line);

@@ -26,9 +26,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Periods made up for after the machine was busy; more are dropped, time stands still for them.
+/// Periods caught up after the machine was busy; further ones are dropped, and robot time is stopped for them.
 constexpr std::uint64_t kMostCatchUp = 25;
-/// How soon a request is answered while virtual time stands still.
+/// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;
 
 }  // namespace
@@ -191,7 +191,7 @@ private:
             accepting = false;
             rtde = nullptr;
         }
-        work(controlBox);  // nobody shall wait for what came last
+        work(controlBox);  // answers the last requests
         controlBox.services.close();
     }
 
@@ -243,7 +243,7 @@ private:
 
 namespace {
 
-/// Without one no notifier of a socket is ever called: the ports accept, and nobody is served.
+/// Without one no socket notifier is called: the ports accept connections, but no client is served.
 void makeApplication() {
     if (QCoreApplication::instance() == nullptr) {
         static int count = 1;

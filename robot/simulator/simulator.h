@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A controller with a simulated arm, which speaks to the world as a real one does: RTDE, primary, secondary,
-// realtime and dashboard over TCP, and URScript that is really executed. Clients need not know.
+// A controller with a simulated arm that behaves like a real one on the network: RTDE, primary, secondary, realtime
+// and dashboard interfaces over TCP, and executed URScript. Clients need no changes.
 //
-// In real time it steps every control period on an absolute schedule. In virtual time its sockets are served
-// all the time (so that a client may connect and shake hands whenever it likes), but the robot stands still
-// in time until step() is called; together with waitForInputPackages() a test moves robot and client on in
-// lock-step, however slow the machine is.
+// In real time it runs every control period on an absolute schedule. In virtual time its sockets are served all the
+// time (so that a client can connect at any time), but robot time advances only with step(); together with
+// waitForInputPackages() a test advances robot and client in lock-step, however slow the machine is.
 //
-// Besides the sockets there are only the hooks below: what on a real robot is a hand, a button or a cable.
+// Apart from the sockets there are only the functions below, which correspond to actions of persons, buttons and
+// cables on a real robot.
 
 #include <QString>
 #include <chrono>
@@ -62,7 +62,7 @@ struct TickTiming {
     std::uint64_t lost = 0;        ///< periods dropped for good: the robot's time stood still for them
     realtime::Histogram lateness;  ///< from when a period was due to when its work began
     realtime::Histogram work;      ///< what the work of a period took
-    double threadSeconds = 0;      ///< processor time of the thread [s]; 0 where the system cannot tell
+    double threadSeconds = 0;      ///< processor time of the thread [s]; 0 if the system does not report it
     double seconds = 0;            ///< time passed [s]
     bool priorityGranted = false;
 };
@@ -76,13 +76,13 @@ public:
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
-    /// Opens all ports and begins.
-    /// Errors   AddressInvalid; Rejected when a port is in use, naming port and address and what to do
-    /// Threads  any, not at once with stop(). Blocks: until all ports accept
+    /// Opens all ports and starts.
+    /// Errors   AddressInvalid; Rejected when a port is in use, naming port and address and a solution
+    /// Threads  any, not at the same time as stop(). Blocks: until all ports accept connections
     ///
-    /// Qt's sockets need an application object. Where there is none, this makes one that exists until the process exits; a
-    /// program that makes its own has to make it before. In another thread than the one that loaded the library Qt prints a
-    /// warning about that, which concerns only widgets.
+    /// Sockets of Qt require an application object. If there is none, this function creates one that exists until
+    /// the process exits; a program that creates its own must do so before. In a thread other than the one that
+    /// loaded the library, Qt prints a warning about it, which concerns only widgets.
     Result<void> start();
     /// Ends the thread and closes every connection. Harmless when not running.
     void stop();
@@ -101,9 +101,9 @@ public:
     /// Threads  any. Blocks: while stepping
     void step(int ticks = 1);
     void stepSeconds(double seconds);  ///< [s], in whole periods
-    /// One period, and then, without moving time on, reads until there is an input package for each data
-    /// package that was sent, or nobody is connected to RTDE any more, or the deadline is over. Returns false
-    /// when answers are missing
+    /// Runs one period and then, without advancing time, reads until there is an input package for each data
+    /// package sent, no client is connected over RTDE, or the deadline has expired. Returns false when answers are
+    /// missing
     bool stepAnswered(const Deadline& deadline);
     /// Reads everything that has arrived and answers requests, without moving time on.
     void drainSockets();
@@ -111,8 +111,8 @@ public:
     std::uint64_t inputPackages() const;
     /// RTDE data packages handed to sockets since start(), of all clients.
     std::uint64_t outputPackages() const;
-    /// Reads until so many input packages have come, or the deadline is over.
-    /// Returns  true when they have
+    /// Reads until this number of input packages has arrived or the deadline has expired.
+    /// Returns  true if they have arrived
     bool waitForInputPackages(std::uint64_t total, const Deadline& deadline);
     /// What each RTDE client can read since the last step(). Clients that no package has reached are left out.
     std::vector<RtdeDelivery> rtdeDeliveries() const;
@@ -143,15 +143,15 @@ public:
     void pressFreedriveButton(bool pressed);        ///< On the back of the pendant.
     /// A hand on the tool; zero lets go. wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
-    /// Changes what is around the arm: surfaces, boxes, the load really carried, a hand, conveyors. `change`
-    /// runs in the simulator's thread.
+    /// Changes the surroundings of the arm: surfaces, boxes, the actual load, a hand, conveyors. `change` runs in
+    /// the thread of the simulator.
     void changeWorld(std::function<void(arm::Environment&)> change);
     void setSpeedSlider(double fraction);  ///< 0 ... 1, on the pendant
     /// Answers the oldest question of request_..._from_primary_client() with a value of its type: bool,
     /// std::int32_t, double or std::string. Others are ignored.
     void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);
-    /// Any of these and every other fault by its words, see faults.h: "link lost", "delay 20 5".
-    /// Returns  what was asked for, usually nothing
+    /// Injects a fault by its words, see faults.h: "link lost", "delay 20 5".
+    /// Returns  the requested value, usually empty
     /// Errors   InvalidArgument with the reason; NotConnected when not running
     /// Threads  any. Blocks: until it is done
     Result<QString> inject(const Text& words);

@@ -42,8 +42,9 @@ struct SimulatorOptions {
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
     double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
-    double calibration = 0;  ///< the arm differs from its model by up to so many mm and mrad, and tells it
-    double calibrationError = 0;  ///< what it tells differs from what it is by as much
+    double calibration =
+        0;  ///< deviation of the arm from its model, up to this many mm and mrad, as reported
+    double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
     Text programsFolder = {};     ///< where `load` finds programs; empty: there are none
     Text urcapsFolder = {};  ///< stand-ins for nodes of URCaps, see README.md; empty: the built-in ones only
     Text serialNumber = {};  ///< empty: one of its own for each model

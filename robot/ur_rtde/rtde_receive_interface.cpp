@@ -225,13 +225,8 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     tiller::recording::RecorderOptions options;
     options.path = QString::fromStdString(filename);
-<<<<<<< HEAD
     options.format = tiller::recording::csvFormat();  // for every name, as in ur_rtde
     options.asGiven = true;                           // programs identify columns by number
-=======
-    options.format = tiller::recording::csvFormat();  // whatever the name is, as ur_rtde
-    options.asGiven = true;                           // programs find columns by their number
->>>>>>> t-lib
     options.fields.clear();
     for (const auto& entry : d_->receiver.layout()->entries()) {
         options.fields.push_back(entry.name);

@@ -116,8 +116,8 @@ private:
 private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
-    void jointJogsKeepTheTcpBelowIt_data() { addRows(); }
-    void jointJogsKeepTheTcpBelowIt() {
+    void jointJogsKeepTheTcpBelowTheChosenSpeed_data() { addRows(); }
+    void jointJogsKeepTheTcpBelowTheChosenSpeed() {
         QFETCH(JointPositions, q);
         QFETCH(int, speedClass);
         bringUp(q, speedClass);
@@ -135,8 +135,8 @@ private Q_SLOTS:
         QVERIFY2(fastest > 0.95 * chosen(speedClass), qPrintable(QString::number(1e3 * fastest)));
     }
 
-    void jointStepsKeepTheTcpBelowIt_data() { addRows(); }
-    void jointStepsKeepTheTcpBelowIt() {
+    void jointStepsKeepTheTcpBelowTheChosenSpeed_data() { addRows(); }
+    void jointStepsKeepTheTcpBelowTheChosenSpeed() {
         QFETCH(JointPositions, q);
         QFETCH(int, speedClass);
         bringUp(q, speedClass);
@@ -153,8 +153,8 @@ private Q_SLOTS:
         }
     }
 
-    void keysForPlacesKeepTheTcpBelowIt_data() { addRows(); }
-    void keysForPlacesKeepTheTcpBelowIt() {
+    void goToKeysKeepTheTcpBelowTheChosenSpeed_data() { addRows(); }
+    void goToKeysKeepTheTcpBelowTheChosenSpeed() {
         QFETCH(JointPositions, q);
         QFETCH(int, speedClass);
         bringUp(q, speedClass);

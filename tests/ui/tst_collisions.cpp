@@ -201,7 +201,7 @@ private Q_SLOTS:
     }
 
     // From within the safety distance the arm may be moved away, but not closer.
-    void whatLeadsOutOfTheSafetyDistanceGoes() {
+    void motionOutOfTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
         chooseMotion(2);

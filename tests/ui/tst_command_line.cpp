@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(line->helpText.contains("--monitor-only"));
     }
 
-    void aProjectIsOpenedByItsNameOrByTheFormerOne() {
+    void projectOpensByItsCurrentOrFormerName() {
         QCOMPARE(parseCommandLine({"tiller", "--project", "a.tiller"})->projectFile, QString("a.tiller"));
         QCOMPARE(parseCommandLine({"tiller", "--session", "b.tiller"})->projectFile, QString("b.tiller"));
         QCOMPARE(parseCommandLine({"tiller", "--session", "b.tiller", "--project", "a.tiller"})->projectFile,

@@ -17,7 +17,7 @@ class TestDemonstration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void itDoesEveryStepAndLeavesItsFiles() {
+    void walkthroughDoesEveryStepAndWritesItsFiles() {
         QTemporaryDir folder;
         QProcess program;
         program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});

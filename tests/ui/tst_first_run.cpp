@@ -129,7 +129,7 @@ private Q_SLOTS:
         QCOMPARE(dialog.findChild<QLabel*>("connectHint")->text().isEmpty(), possible);
     }
 
-    void returnDoesWhatTheFieldsMean() {
+    void returnActsOnTheEnteredFields() {
         ConnectDialog dialog({});
         dialog.show();
         auto* host = dialog.findChild<QLineEdit*>("robotHost");

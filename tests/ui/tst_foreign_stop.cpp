@@ -289,13 +289,13 @@ private Q_SLOTS:
     }
 
     // Its dashboard accepts the connection and sends nothing; a query is in progress.
-    void aMuteDashboardDelaysNothing_data() {
+    void silentDashboardDoesNotDelayTheStop_data() {
         QTest::addColumn<Way>("way");
         for (const Way way : {Way::StopButton, Way::Device}) {
             QTest::newRow(kWays[static_cast<int>(way)]) << way;
         }
     }
-    void aMuteDashboardDelaysNothing() {
+    void silentDashboardDoesNotDelayTheStop() {
         QFETCH(Way, way);
         QTcpServer mute;
         Bench bench(withoutDashboard());
@@ -309,7 +309,7 @@ private Q_SLOTS:
     }
 
     // The pendant's program is running, control is being taken, and the operator cancels.
-    void itStopsWhileControlIsBeingTaken_data() {
+    void stopsWhileControlIsBeingTaken_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<int>("afterMs");
         for (const int ms : {0, 2, 10, 30, 100}) {
@@ -318,7 +318,7 @@ private Q_SLOTS:
             }
         }
     }
-    void itStopsWhileControlIsBeingTaken() {
+    void stopsWhileControlIsBeingTaken() {
         QFETCH(Way, way);
         QFETCH(int, afterMs);
         Bench bench;
@@ -338,7 +338,7 @@ private Q_SLOTS:
     }
 
     // Another program has just replaced ours, which is not known yet.
-    void itStopsInTheMomentAfterATakeover() {
+    void stopsDirectlyAfterATakeover() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.pendant = std::make_unique<script::ScriptClient>(bench.cell.robot.listenAddress());
@@ -363,7 +363,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return !bench.runs() && standsStill(bench.cell); }));
     }
 
-    void aProgramThatStandsStillIsStoppedToo() {
+    void programAtStandstillIsStoppedToo() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startProgram("sleep(0.1)\n"));
@@ -405,7 +405,7 @@ private Q_SLOTS:
     }
 
     // Other stops only apply to our own motions.
-    void aChangedTabStopsNobodyElsesProgram() {
+    void changingTheTabStopsNoProgramOfOthers() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startMoving());

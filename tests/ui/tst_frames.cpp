@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(way.dot(rotationMatrix(turned.T_base_frame.rotation).col(0)) > 0.9999);
     }
 
-    void nothingOfTheTabMovesTheArm() {
+    void tabCannotMoveTheArm() {
         teachThreePoints();
         const Pose at = cell().truth().tcpPose;
         for (QAction* action : window().frames().commandActions()) {

@@ -126,13 +126,13 @@ private Q_SLOTS:
         applyDensity(*qApp, Density::Mouse);
     }
 
-    void withoutAGripperThereIsNothingToPress() {
+    void buttonsAreDisabledWithoutAGripper() {
         QVERIFY(!key("gripper.close").isVisible());
         QVERIFY(!key("gripper.activate").isVisible());
         QVERIFY2(text("gripper.remedy").contains("stored"), qPrintable(text("gripper.remedy")));
     }
 
-    void itIsActivatedBeforeItIsOpenedOrClosed() {
+    void gripperMustBeActivatedBeforeItOpensOrCloses() {
         choose(kTwoF85);
         QVERIFY(until([this] { return text("gripper.state") == "not active"; }));
         QVERIFY(until([this] { return key("gripper.activate").isEnabled(); }));
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY(key("gripper.close").toolTip().contains("keeps its grip"));
     }
 
-    void itOpensAndClosesAndTellsWhatItHolds() {
+    void gripperOpensClosesAndReportsHeldObjects() {
         choose(kTwoF85);
         activate();
         click("gripper.close");
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
     }
 
-    void anOpeningIsTypedAndGoneToByAClick() {
+    void typedOpeningIsApproachedOnClick() {
         choose(kTwoF85);
         activate();
         click("gripper.close");
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return wasSaid("Gripper: to 40.0 mm (speed 100 %"); }));
     }
 
-    void aFigureOutOfRangeIsRefusedAndMovesNothing() {
+    void valueOutOfRangeIsRefusedWithoutMotion() {
         choose(kTwoF85);
         activate();
         click("gripper.open");
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QVERIFY(wasSaid("No gripper service answers"));
     }
 
-    void aMuteGripperIsUnknownAndMakesNobodyWait() {
+    void silentGripperIsShownAsUnknownWithoutDelay() {
         HoldingGripper gripper;
         RawPeer peer([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         panel().setAddress("127.0.0.1", peer.port());
@@ -273,7 +273,7 @@ private Q_SLOTS:
         QVERIFY2(!wasSaid("activate") && !wasSaid("is active"), qPrintable(said_.join('\n')));
     }
 
-    void withoutThePowerOfTheArmThereIsNothingToKnow() {
+    void stateIsUnknownWithoutArmPower() {
         bench_.reset();
         auto options = VirtualCell::options();
         options.poweredOn = false;
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench_->file).gripper("simulator"), QString("output|0"));
     }
 
-    void whatTheRobotDoesNotConfirmIsSaid() {
+    void unconfirmedOutputIsReported() {
         panel().setOutputSetter([](std::uint32_t, std::uint32_t, const QString&) {});
         choose(kTwoOutputs);
         click("gripper.close");

@@ -293,7 +293,7 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
     }
 
-    void aDialogHasItToo() {
+    void dialogsHaveTheKeyToo() {
         NEEDS_MANUAL();
         Bench bench;
         QDialog* settings = bench.open("app.settings");
@@ -321,7 +321,7 @@ private Q_SLOTS:
         QCOMPARE(bench.page(), QStringLiteral("window/connecting.html#before-you-connect"));
     }
 
-    void aKeyOfOnesOwnWorksInDialogsToo() {
+    void customKeyWorksInDialogsToo() {
         NEEDS_MANUAL();
         Bench bench;
         app::Preferences preferences;
@@ -335,7 +335,7 @@ private Q_SLOTS:
         settings->close();
     }
 
-    void theFieldForANewKeyTakesItForItself() {
+    void fieldForANewKeyConsumesIt() {
         Bench bench;
         auto* settings = qobject_cast<app::SettingsPage*>(bench.open("app.settings"));
         QVERIFY(settings != nullptr);
@@ -350,7 +350,7 @@ private Q_SLOTS:
         settings->close();
     }
 
-    void itStopsWhatMoves() {
+    void stopEndsTheCurrentMotion() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         auto& key = bench.find<HoldButton>("jog.Z+");
@@ -379,7 +379,7 @@ private Q_SLOTS:
         QCOMPARE(bench.page(), QStringLiteral("window/header.html"));
     }
 
-    void withoutAManualItSaysHowToGetIt() {
+    void missingManualShowsHowToGetIt() {
         qputenv("XDG_DATA_DIRS", "/nowhere");
         Bench bench;
         bench.find<QWidget>("scene").setFocus();

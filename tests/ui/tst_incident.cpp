@@ -124,15 +124,15 @@ class TestIncident : public QObject {
 
 private Q_SLOTS:
     void initTestCase() { initResources(); }
-    void oneClickOpensItAtTheStop();
+    void oneClickOpensTheRecordingAtTheStop();
     void theScrubberMovesEverythingTogether();
     void aReplayMovesNoKey();
-    void backToLiveBringsNothingUnderThePointer();
+    void backToLiveMovesNoButtonUnderThePointer();
     void theLogFollowsAgainAfterBackToLive();
-    void armAndModelPartWhereItWasPushed();
+    void armAndModelDifferWhereTheArmWasPushed();
 };
 
-void TestIncident::oneClickOpensItAtTheStop() {
+void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
     QVERIFY(bench.hasKept(200));
@@ -333,7 +333,7 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     }
 }
 
-void TestIncident::backToLiveBringsNothingUnderThePointer() {
+void TestIncident::backToLiveMovesNoButtonUnderThePointer() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
     PlotView& view = bench.plots().view();
@@ -403,7 +403,7 @@ void TestIncident::aReplayMovesNoKey() {
 }
 
 // An external force acts on the moving arm, and the controller stops it half a second later: the force is marked.
-void TestIncident::armAndModelPartWhereItWasPushed() {
+void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
     QVERIFY(bench.hasKept(200));

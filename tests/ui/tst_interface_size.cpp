@@ -62,7 +62,7 @@ class TestInterfaceSize : public QObject {
 private Q_SLOTS:
     void cleanup() { qunsetenv("QT_SCALE_FACTOR"); }
 
-    void whateverTheSettingsSayTheSizeIsOneOfThose() {
+    void invalidSizesInTheSettingsAreCorrected() {
         QCOMPARE(saneInterfaceSize(150), 150);
         QCOMPARE(saneInterfaceSize(160), 150);
         QCOMPARE(saneInterfaceSize(0), 100);
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(key.height() * start.ratio() >= 38 * begun / 100.0);
     }
 
-    void whatTheDesktopAsksForComesOnTop() {
+    void desktopScalingIsMultiplied() {
         qputenv("QT_SCALE_FACTOR", "1.5");
         const Start start({3840, 2160}, 150);
         QCOMPARE(start.ratio(), 2.25);
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY2(largeSpan >= 1.9 * span, qPrintable(QStringLiteral("%1 %2").arg(span).arg(largeSpan)));
     }
 
-    void theSizeIsChosenInTheSettingsAndSaysWhenItHolds() {
+    void sizeIsChosenInTheSettingsWithANoteWhenItApplies() {
         const Start start({1920, 1080}, 100);
         VirtualClock clock;
         MainWindow window(Settings(start.setting()), clock);

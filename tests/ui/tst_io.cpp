@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(bench_->window.session().state().control, ControlState::InControl);
     }
 
-    void settingAnOutputDoesNotStopSomebodyElsesProgram() {
+    void settingAnOutputDoesNotStopAForeignProgram() {
         bench_->window.session().releaseControl();
         QVERIFY(
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(until([row] { return row->valueText() == "12.00 mA"; }));
     }
 
-    void aRegisterReachesAProgramAndComesBack() {
+    void registerReachesAProgramAndIsReadBack() {
         bench_->window.session().releaseControl();
         QVERIFY(
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
@@ -225,7 +225,7 @@ private Q_SLOTS:
         }
     }
 
-    void searchLeavesWhatMatches() {
+    void searchShowsOnlyMatches() {
         tab().setNames({{"DO 1", "Gripper open"}, {"DI 7", "Part there"}});
         tab().search("gripper");
         QVERIFY(tab().output(1)->isVisible());
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QVERIFY(tab().output(0)->isVisible() && tab().analogInput(0)->isVisible());
     }
 
-    void anOutputThatAnotherClientHoldsSaysSo() {
+    void outputHeldByAnotherClientIsLabelled() {
         bench_.reset();
         bench_ = std::make_unique<WindowBench>();
         bench_->window.show();

@@ -16,7 +16,7 @@ class TestJogBehaviour : public JogWindowTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void backLeadsAlongTheWayToItsBeginning() {
+    void backFollowsThePathToItsStart() {
         window().jogColumn().selectors().setSpeedClass(3);
         const Pose start = cell().truth().tcpPose;
         jog("jog.Z+", 1200);
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QVERIFY2(!key("jog.Z-").isHolding(), "the key has to be pressed again");
     }
 
-    void severalAxesMoveAtOnceAndNoFasterThanOne() {
+    void severalAxesMoveNoFasterThanOne() {
         window().jogColumn().selectors().setSpeedClass(2);
         keyboard().setArmed(true);
         QTest::keyPress(&window(), Qt::Key_Right);
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(!keyboard().isArmed());
     }
 
-    void aTextFieldUnderTheKeysEndsWhatTheyHeld() {
+    void focusInATextFieldEndsKeyHolds() {
         QLineEdit text(&window());
         text.show();
         keyboard().setArmed(true);
@@ -159,7 +159,7 @@ private Q_SLOTS:
         bench_->device = Deflection();
     }
 
-    void freedriveGivesWayOnlyAlongTheFreeAxes() {
+    void freedriveMovesOnlyAlongTheFreeAxes() {
         window().jogColumn().setFreedriveAxes(FreedriveAxes::Line);
         const Pose before = cell().truth().tcpPose;
         press(key("freedriveKey"));

@@ -287,12 +287,12 @@ private Q_SLOTS:
         expectStandstillFor(300);
     }
 
-    void goingToAWaypointByKeyEndsWithTheKeyWhateverModifierCame_data() {
+    void goToByKeyEndsWithTheKeyDespiteModifiers_data() {
         QTest::addColumn<bool>("modifierFirst");
         QTest::newRow("let go") << false;
         QTest::newRow("a modifier, then let go") << true;
     }
-    void goingToAWaypointByKeyEndsWithTheKeyWhateverModifierCame() {
+    void goToByKeyEndsWithTheKeyDespiteModifiers() {
         QFETCH(bool, modifierFirst);
         app::MainWindow& window = bench_->window;
         window.waypoints().teach();

@@ -139,7 +139,7 @@ private Q_SLOTS:
             cell().advanceUntil([&] { return key("homeKey").detail() == QStringLiteral("10 mm/s"); }, 2000));
     }
 
-    void thePoseIsReadInTheChosenFrameAndSaysSo() {
+    void poseIsShownInTheNamedFrame() {
         QVERIFY2(pose().frameText().startsWith(QStringLiteral("in Base")), qPrintable(pose().frameText()));
         const double inBase = figure(pose().positionText(2));
         QVERIFY(std::abs(inBase - 1e3 * cell().truth().tcpPose.position.z()) < 0.2);
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(figure(pose().positionText(0)) - 1e3 * cell().truth().tcpPose.position.x()) < 0.2);
     }
 
-    void stepsStandInTwoRowsAndChoosingOneKeepsTheOthers() {
+    void stepButtonsAreInTwoRowsAndStayVisible() {
         const JogSelection& selection = window().jogColumn().selection();
         auto* motion = &bench_->find<SegmentedControl>("jogMotion");
         auto* turn = &bench_->find<SegmentedControl>("jogTurn");
@@ -239,13 +239,13 @@ private Q_SLOTS:
         QVERIFY(distanceMm(from, to) < 0.1);
     }
 
-    void whateverJogsShowsWhatThePadShows_data() {
+    void everyJogSourceIsShownLikeThePad_data() {
         QTest::addColumn<int>("by");
         QTest::newRow("pad") << 0;
         QTest::newRow("keyboard") << 1;
         QTest::newRow("device") << 2;
     }
-    void whateverJogsShowsWhatThePadShows() {
+    void everyJogSourceIsShownLikeThePad() {
         QFETCH(int, by);
         keyboard().setArmed(by == 1);
         if (by == 0) {
@@ -319,7 +319,7 @@ private Q_SLOTS:
         release(key("joint.5.minus"));
     }
 
-    void theSpeedStandsBesideThePose() {
+    void speedIsShownNextToThePose() {
         QCOMPARE(pose().speedText(), QStringLiteral("0.0 mm/s"));
         press(key("jog.X+"));
         cell().advanceMs(500);
@@ -366,7 +366,7 @@ private Q_SLOTS:
         QCOMPARE(pose().factorText(), QString());
     }
 
-    void theGhostTellsHowLongItTakes() {
+    void ghostShowsTheDuration() {
         selectors().setSpeedClass(2);
         jog("jog.Rx+", 1500);
         QVERIFY(ghostSeconds() < 0);
@@ -385,7 +385,7 @@ private Q_SLOTS:
         leave(key("jog.Rz+"));
     }
 
-    void aClickOnAKeyThatMustBeHeldSaysHold_data() {
+    void shortClickOnAHoldKeyShowsAHint_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<int>("ms");
         QTest::addColumn<bool>("says");
@@ -396,7 +396,7 @@ private Q_SLOTS:
         QTest::newRow("held") << QByteArray("homeKey") << 700 << false;
         QTest::newRow("a nudge") << QByteArray("jog.Y+") << 60 << false;
     }
-    void aClickOnAKeyThatMustBeHeldSaysHold() {
+    void shortClickOnAHoldKeyShowsAHint() {
         QFETCH(QByteArray, name);
         QFETCH(int, ms);
         QFETCH(bool, says);

@@ -238,7 +238,7 @@ private:
     }
 
 private Q_SLOTS:
-    void everyWayEndsByEveryRule_data() {
+    void everyHoldMethodEndsByEveryRule_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<int>("end");
         for (int way = 0; way < static_cast<int>(std::size(kWays)); ++way) {
@@ -250,7 +250,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyWayEndsByEveryRule() {
+    void everyHoldMethodEndsByEveryRule() {
         QFETCH(int, way);
         QFETCH(int, end);
         const Way which = static_cast<Way>(way);

@@ -155,7 +155,7 @@ private Q_SLOTS:
 
     // ---- first steps
 
-    void everyLineTicksItselfFromWhatHappens() {
+    void everyItemIsTickedByItsAction() {
         simulator::SimulatorOptions off = VirtualCell::options();
         off.poweredOn = false;
         Bench bench(true, off);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY(!bench.learned().dismissed);
     }
 
-    void dismissedItDoesNotComeAgain() {
+    void dismissedCardStaysDismissed() {
         const auto isShownAfterConnecting = [](Bench& bench) {
             if (!bench.cell.connect()) {
                 qFatal("%s", qPrintable(bench.cell.what()));
@@ -233,7 +233,7 @@ private Q_SLOTS:
         window.practiseOn(nullptr);
     }
 
-    void atAnotherRobotItDoesNotShow() {
+    void cardIsHiddenOnOtherRobots() {
         Bench bench(false);
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
@@ -241,13 +241,13 @@ private Q_SLOTS:
         QVERIFY2(bench.learned().firstSteps.isEmpty(), "it runs, but that was nobody's doing here");
     }
 
-    void nothingElseMovesForIt_data() {
+    void cardDoesNotMoveOtherWidgets_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1280x720") << QSize(1280, 720);
         QTest::newRow("1280x720 less a title bar") << QSize(1264, 672);
         QTest::newRow("1920x1080") << QSize(1920, 1080);
     }
-    void nothingElseMovesForIt() {
+    void cardDoesNotMoveOtherWidgets() {
         QFETCH(QSize, size);
         Bench bench;
         bench.window.resize(size);
@@ -275,12 +275,12 @@ private Q_SLOTS:
         QVERIFY(!bench.practice().isVisible() && places(bench) == before);
     }
 
-    void nothingOfTheCardsIsCutOff_data() {
+    void cardsAreNotTruncated_data() {
         QTest::addColumn<bool>("touch");
         QTest::newRow("mouse") << false;
         QTest::newRow("touch") << true;
     }
-    void nothingOfTheCardsIsCutOff() {
+    void cardsAreNotTruncated() {
         QFETCH(bool, touch);
         Bench bench;
         app::Preferences preferences;
@@ -354,7 +354,7 @@ private Q_SLOTS:
         }
     }
 
-    void startSaysWhatIsMissing() {
+    void startReportsMissingConditions() {
         simulator::SimulatorOptions off = VirtualCell::options();
         off.poweredOn = false;
         Bench bench(true, off);
@@ -487,7 +487,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return std::abs(bench.state().tcpForce.force.z()) < 2; }));
     }
 
-    void closingATaskTakesBackWhatItSetUp() {
+    void closingATaskRestoresItsSetup() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.turnTo(PracticeTask::Measure);

@@ -39,7 +39,7 @@ private:
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void anOutageIsToldAsAnOutage() {
+    void outageIsReportedAsAnOutage() {
         WindowBench bench;
         bench.show();
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY(stop->toolTip().contains("Not an emergency stop"));
     }
 
-    void aLostRobotComesBackByItselfButMotionDoesNot() {
+    void connectionIsRestoredButMotionDoesNotResume() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
         window.show();
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(distanceMm(at, cell.truth().tcpPose) < 0.05);
     }
 
-    void anAddressWhereNobodyListensSaysWhatToDo() {
+    void unreachableAddressSuggestsASolution() {
         app::MainWindow window(settings());
         QStringList errors;
         connect(&window.session(), &RobotSession::message, &window,

@@ -171,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(bench.runs());
     }
 
-    void theWindowSaysSo() {
+    void windowShowsMonitorOnlyMode() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         auto& step = bench.find<QPushButton>("nextStepButton");
@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    void controlIsGivenBackAndMotionStopsWhenItIsSwitchedOn() {
+    void monitorOnlyModeStopsMotionAndReleasesControl() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const control::JogTarget target = [] {
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return (bench.cell.truth().digitalOutputs & 1U) != 0; }));
     }
 
-    void theSettingHoldsAtTheNextStart() {
+    void settingAppliesAtTheNextStart() {
         QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.ini"));
         app::Preferences preferences;
@@ -254,7 +254,7 @@ private Q_SLOTS:
     }
 
     // A settings file of another PC must not end the lock of this one.
-    void anImportDoesNotEndIt() {
+    void importDoesNotEndMonitorOnlyMode() {
         QTemporaryDir folder;
         app::Settings settings(folder.filePath(QStringLiteral("settings.ini")));
         app::Preferences preferences;
@@ -282,7 +282,7 @@ private Q_SLOTS:
         page->close();
     }
 
-    void theSettingsPageSwitchesIt() {
+    void settingsPageSwitchesMonitorOnlyMode() {
         Bench bench;
         bench.window.actions().find(QStringLiteral("app.settings"))->trigger();
         auto* page = bench.window.findChild<QDialog*>(QStringLiteral("settingsPage"));

@@ -68,7 +68,7 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
     }
 
-    void whatTheKeysDoIsFound_data() {
+    void actionsOfKeysAreFound_data() {
         QTest::addColumn<QString>("words");
         QTest::addColumn<QString>("id");
         const auto row = [](const char* words, const char* id) { QTest::newRow(words) << words << id; };
@@ -92,7 +92,7 @@ private Q_SLOTS:
         row("export settings", "app.exportSettings");
         row("import settings", "app.importSettings");
     }
-    void whatTheKeysDoIsFound() {
+    void actionsOfKeysAreFound() {
         QFETCH(QString, words);
         QFETCH(QString, id);
         Bench bench;
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder).entryList({"*.csv"}, QDir::Files).size(), 1);
     }
 
-    void withoutARobotThePaletteSaysWhyNothingIsRecorded() {
+    void paletteExplainsWhyRecordingNeedsARobot() {
         Bench bench;
         const QAction* record = bench.window.actions().find("plots.action.record");
         QVERIFY(!record->isEnabled());

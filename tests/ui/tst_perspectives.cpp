@@ -154,7 +154,7 @@ private Q_SLOTS:
     void init() { applyTheme(*qApp, Theme::light()); }
     void cleanup() { applyDensity(*qApp, Density::Mouse); }
 
-    void everyPerspectiveShowsWhatStopsAndCutsNothingOff_data() {
+    void everyPerspectiveShowsTheStopButtonsWithoutTruncation_data() {
         QTest::addColumn<int>("key");
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("touch");
@@ -168,7 +168,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyPerspectiveShowsWhatStopsAndCutsNothingOff() {
+    void everyPerspectiveShowsTheStopButtonsWithoutTruncation() {
         QFETCH(int, key);
         QFETCH(QSize, size);
         QFETCH(bool, touch);
@@ -228,7 +228,7 @@ private Q_SLOTS:
         QTRY_VERIFY(std::abs(placeOf(bench.window, "plotsDock").height() - kWanted) <= 12);
     }
 
-    void aSavedPerspectiveComesBackAfterARestart() {
+    void savedPerspectiveIsRestoredAfterARestart() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));
         QTemporaryDir folder;
@@ -310,7 +310,7 @@ private Q_SLOTS:
         QVERIFY(!bench.window.actions().find("perspective.rename")->isEnabled());
     }
 
-    void theKeyOfASavedPerspectiveStaysWithIt() {
+    void savedPerspectiveKeepsItsKey() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         bench.window.perspectives().saveAs("Mine");
@@ -336,7 +336,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatWasChangedIsThereAfterARestartAndGoesBackByOneCommand() {
+    void changedLayoutSurvivesARestartAndCanBeReset() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         leaveChanged(file);
@@ -406,7 +406,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(file).arrangement().found, LastArrangement::Found::Usable);
     }
 
-    void noSingleBitOfALayoutGoesUnnoticed() {
+    void everyFlippedBitOfALayoutIsDetected() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         leaveChanged(file);
@@ -557,7 +557,7 @@ private Q_SLOTS:
         QVERIFY(missing(bench.window).isEmpty());
     }
 
-    void whatHoldsTheKeysOfTheArmCannotBeClosed() {
+    void panelWithHeldMotionKeysCannotBeClosed() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         auto& jog = bench.find<QDockWidget>("jogDock");
@@ -608,13 +608,13 @@ private Q_SLOTS:
         release(key);
     }
 
-    void aHeldKeyEndsWhenAnotherPanelComesToTheFront_data() {
+    void holdEndsWhenAnotherPanelIsRaised_data() {
         QTest::addColumn<bool>("byCommand");
         QTest::newRow("by its tab") << false;
         QTest::newRow("by its command") << true;
     }
     // Tabbed panels: nothing moves, and the page in the panel does not change.
-    void aHeldKeyEndsWhenAnotherPanelComesToTheFront() {
+    void holdEndsWhenAnotherPanelIsRaised() {
         QFETCH(bool, byCommand);
         WindowBench bench;
         bench.show(QSize(1280, 720));

@@ -185,13 +185,13 @@ private Q_SLOTS:
         QCOMPARE(connects.size(), 1);
     }
 
-    void everyFaultHasItsOwnLineCauseAndFix_data() {
+    void everyFaultHasALineWithCauseAndFix_data() {
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < faults().size(); ++i) {
             QTest::newRow(faults()[i].cause) << static_cast<int>(i);
         }
     }
-    void everyFaultHasItsOwnLineCauseAndFix() {
+    void everyFaultHasALineWithCauseAndFix() {
         QFETCH(int, index);
         const Fault& fault = faults()[static_cast<std::size_t>(index)];
         Cell cell;
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(causesOf(page->report()), QSet<QString>{"control.local"});
     }
 
-    void lookingAgainFindsWhatWasPutRight() {
+    void repeatedCheckFindsFixedProblems() {
         Cell cell;
         QVERIFY(cell.begin());
         QVERIFY(cell.robot->inject("remote off").ok());
@@ -303,7 +303,7 @@ private Q_SLOTS:
         QCOMPARE(connected.size(), 0);
     }
 
-    void closingItMidwayEndsTheExamination() {
+    void closingTheDialogEndsTheCheck() {
         Cell cell;
         QVERIFY(cell.begin());
         cell.patient.ports.rtde = cell.peer([](test::RawPeer::Link& link) { link.beMute(); });
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QVERIFY(cell.robot->isRunning());
     }
 
-    void theCommandLineSaysTheSame() {
+    void commandLineReportsTheSame() {
         Cell cell;
         cell.options.anyFreePorts = false;
         cell.options.listenAddress =

@@ -195,7 +195,7 @@ private Q_SLOTS:
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
     }
 
-    void aPopupIsShownAsTheRobotShowsItAndClosedThere() {
+    void popupIsMirroredAndClosedOnTheRobot() {
         QVERIFY(load("wait.urp"));
         QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
@@ -253,7 +253,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
     }
 
-    void aClickMeantForWhatAPopupCoversDoesNotCloseIt() {
+    void misplacedClickDoesNotCloseAPopup() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         script::ControllerMessage popup;
         popup.kind = script::MessageKind::Popup;
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QCOMPARE(card->count(), 0);
     }
 
-    void aPopupThatCannotBeClosedFromHereSaysSoAndHides() {
+    void popupThatCannotBeClosedRemotelyExplainsWhy() {
         begin(SoftwareVersion{10, 12, 0, 0});
         QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);
         auto* card = window_->findChild<RobotPopup*>("robotPopup");

@@ -227,7 +227,7 @@ private Q_SLOTS:
         QVERIFY2(offFrom(document().waypoints().at(0).pose) < 0.001, "the pose is that of this arm");
     }
 
-    void whatCannotBeReachedIsNamed() {
+    void unreachableWaypointsAreNamed() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR10e);
         project::Waypoint far = project.waypoints.at(0);
@@ -245,7 +245,7 @@ private Q_SLOTS:
     }
 
     // A file without a robot model uses the connected one, as does a project without positions; neither asks.
-    void aProjectWithoutAModelTakesTheConnectedOne() {
+    void projectWithoutAModelTakesTheConnectedModel() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR10e);
         project.robot.reset();

@@ -202,7 +202,7 @@ private Q_SLOTS:
         QCOMPARE(keys.watch.moved().size(), 1);
     }
 
-    void aNeighbourThatTakesThePlaceIsCaught() {
+    void neighbourMovedUnderThePointerIsDetected() {
         Keys keys;
         keys.first->hide();
         QVERIFY(keys.watch.moved().isEmpty());
@@ -211,7 +211,7 @@ private Q_SLOTS:
         QVERIFY(keys.watch.moved().first().contains("far"));
     }
 
-    void whatALayoutPushesAsideIsCaught() {
+    void widgetMovedByALayoutIsDetected() {
         QWidget window;
         auto* layout = new QVBoxLayout(&window);
         auto* notice = new QLineEdit;
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QVERIFY(watch.moved().first().contains("Teach"));
     }
 
-    void whatIsFarOffOrCannotBePressedDoesNotCount() {
+    void distantOrDisabledWidgetsDoNotCount() {
         Keys keys;
         keys.far->move(460, 310);
         QVERIFY(keys.watch.moved().isEmpty());
@@ -265,7 +265,7 @@ private Q_SLOTS:
         QVERIFY2(watch.moved().isEmpty(), qPrintable(watch.moved().join("; ")));
     }
 
-    void theWatchEndsWithWhatTheClickOpenedOrClosed() {
+    void watchEndsWithTheOpenedOrClosedWindow() {
         {
             Keys keys;
             QDialog dialog(&keys.window);
@@ -283,7 +283,7 @@ private Q_SLOTS:
         QVERIFY(keys.watch.moved().isEmpty());
     }
 
-    void onlyWhatAKeyShapesIsExcused() {
+    void onlyDeliberateResizesAreExcused() {
         QWidget window;
         auto* column = new QWidget(&window);
         column->setObjectName(QStringLiteral("jogColumn"));
@@ -310,13 +310,13 @@ private Q_SLOTS:
 
     // ---- tests of TruthCheck ------------------------------------------------------------------------------------
 
-    void aTrueWindowHasNoLies() {
+    void correctWindowPasses() {
         Board board;
         QVERIFY2(board.lies().isEmpty(), qPrintable(board.lies().join("; ")));
         QVERIFY(board.check.compared() >= 3 + 6 + IoTab::kChannels);
     }
 
-    void aModeThatLiesIsCaught() {
+    void wrongModeIsDetected() {
         Board board;
         board.truth.robotMode = RobotMode::PowerOff;
         QCOMPARE(board.lies().size(), 1);
@@ -328,7 +328,7 @@ private Q_SLOTS:
         QCOMPARE(board.lies().size(), 1);
     }
 
-    void movingIsALieWhenItStands() {
+    void motionShownAtStandstillIsDetected() {
         Board board;
         board.state.moving = true;
         board.show();
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY(board.lies(false).isEmpty());
     }
 
-    void aJointThatLiesIsCaught() {
+    void wrongJointValueIsDetected() {
         Board board;
         board.truth.q[4] += 0.002;
         QCOMPARE(board.lies().size(), 1);
@@ -345,7 +345,7 @@ private Q_SLOTS:
         QCOMPARE(board.lies().size(), 1);
     }
 
-    void anOutputThatLiesIsCaught() {
+    void wrongOutputIsDetected() {
         Board board;
         board.truth.digitalOutputs = 0b111;
         QCOMPARE(board.lies().size(), 1);
@@ -356,7 +356,7 @@ private Q_SLOTS:
         QVERIFY2(board.lies().isEmpty(), "old data say so");
     }
 
-    void whatIsMarkedAsUnknownIsNoLie() {
+    void valuesMarkedAsUnknownPass() {
         Board board;
         board.truth.robotMode = RobotMode::PowerOff;
         board.truth.q[0] += 1;
@@ -444,7 +444,7 @@ private Q_SLOTS:
     }
 
     // A user without actions finds nothing.
-    void itWasReallyTried() {
+    void randomActionsWereEffective() {
         if (steps_ < 3 * kRowSteps) {
             QSKIP("too few steps to tell");
         }

@@ -99,7 +99,7 @@ private:
     }
 
 private Q_SLOTS:
-    void whatTheHandShowsIsKeptWithinTheTolerance() {
+    void demonstratedPathIsKeptWithinTheTolerance() {
         const Eigen::Vector3d start = tcp();
         const project::Demonstration seen = recordByHand();
         QVERIFY2((tcp() - start).norm() > 0.01, "the hand led it somewhere");
@@ -121,7 +121,7 @@ private Q_SLOTS:
     }
 
     // Held, along the taught path: corners are rounded by the blend at most.
-    void itIsReplayedWhileItIsHeld() {
+    void pathIsReplayedWhileTheKeyIsHeld() {
         recordByHand();
         const auto path = kept();
         const double tolerance = paths().recorder().tolerance().tcp;
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(document().waypoints().size(), 0);
     }
 
-    void lostDataEndTheRecordingAndKeepIt() {
+    void lostDataEndAndKeepTheRecording() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         lead();
         window().session().disconnectFromRobot();
@@ -163,7 +163,7 @@ private Q_SLOTS:
     }
 
     // The table has the columns that recordings have, and comes back as the same path.
-    void itIsExportedAndReadBack() {
+    void pathIsExportedAndReadBack() {
         recordByHand();
         const auto path = kept();
         auto* table = window().findChild<QAbstractItemView*>("waypoint.table");
@@ -199,7 +199,7 @@ private Q_SLOTS:
         }
     }
 
-    void aTableThatIsNoneIsRefused_data() {
+    void invalidTableIsRefused_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<QString>("said");
         QTest::newRow("no joints") << QByteArray("timestamp,x\n0,1\n1,2\n") << "actual_q_0";
@@ -213,7 +213,7 @@ private Q_SLOTS:
             << "row 1";
         QTest::newRow("no table") << QByteArray("\x00\xff\x10 what", 8) << "";
     }
-    void aTableThatIsNoneIsRefused() {
+    void invalidTableIsRefused() {
         QFETCH(QByteArray, bytes);
         QFETCH(QString, said);
         const QString path = bench_->folder.filePath("bad.csv");

@@ -199,7 +199,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().recording.format, RecordingChoice::Format::Mcap);
     }
 
-    void aDiskWithTooLittleRoomEndsItAndSaysSo() {
+    void fullDiskEndsTheRecordingWithAMessage() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -225,7 +225,7 @@ private Q_SLOTS:
         QVERIFY(recording::readCsv(path).ok());
     }
 
-    void whatCannotBeIsRefusedAndChangesNothing() {
+    void impossibleRequestsAreRefusedWithoutChanges() {
         WindowBench bench;
         bench.show();
         bench.window.actions().find("app.settings")->trigger();

@@ -141,7 +141,7 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
     }
 
-    void aProtectiveStopTakesALookACountdownAndOneClick() {
+    void protectiveStopIsUnlockedAfterACheckAndACountdown() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(5500);
@@ -189,7 +189,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.page() == nullptr);
     }
 
-    void anEmergencyStopLeadsUpAgainOnceItIsReleased() {
+    void releasedEmergencyStopCanBeRecovered() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.emergencyStop(true);
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
     }
 
-    void polyScopeXComesBackFromAFaultToo() {
+    void polyScopeXRecoversFromAFaultToo() {
         Bench bench(polyScopeX());
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.offersControl(); }));
     }
 
-    void whatPolyScopeXHasNotSaysWhyOnItself() {
+    void missingPolyScopeXFunctionsShowTheReason() {
         Bench bench(polyScopeX());
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(bench.action("power.on")->isEnabled());
     }
 
-    void polyScopeXInLocalIsToldHowToBeHelped() {
+    void polyScopeXInLocalShowsHowToContinue() {
         auto options = polyScopeX();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -335,7 +335,7 @@ private Q_SLOTS:
             bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
     }
 
-    void ticksAreClearedByANewStopAndByNothingElse() {
+    void ticksAreClearedOnlyByANewStop() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();
@@ -383,7 +383,7 @@ private Q_SLOTS:
     }
 
     /// All functions of the program, in a protective stop older than five seconds: it remains.
-    void nothingElseUnlocks() {
+    void noOtherActionUnlocks() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();
@@ -440,7 +440,7 @@ private Q_SLOTS:
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
     }
 
-    void onlyTheRecoveryPageCanGiveTheWord() {
+    void onlyTheRecoveryPageCanConfirm() {
         // Enforced by the type at compile time; this check also covers the text protocol.
         const QMap<QString, QStringList> allowed = {
             {"UnlockConsent()", {"robot/station/link/robot_command.h", "widgets/status/recovery_page.cpp"}},

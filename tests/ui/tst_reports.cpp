@@ -110,14 +110,14 @@ private Q_SLOTS:
         QVERIFY(!report.contains("line 0\n"));  // only the last ones
     }
 
-    void aSignalFromOutsideLeavesNothing() {
+    void externalSignalLeavesNoFiles() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("crash.txt");
         QVERIFY(crashed(path, SIGTERM).isEmpty());
         QVERIFY(!QFile::exists(path));
     }
 
-    void theReportHidesNamesUnlessTheyAreLetGo() {
+    void reportHidesNamesUnlessPermitted() {
         Bench bench;
         app::Settings settings(bench.file);
         settings.rememberRobot({"Paint shop", "10.1.2.3", 0, false});
@@ -145,7 +145,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatIsSavedIsWhatWasShown() {
+    void savedReportMatchesTheShownOne() {
         Bench bench;
         app::ReportDialog& dialog = bench.openReport();
         auto& words = bench.find<QPlainTextEdit>("report.words");
@@ -169,7 +169,7 @@ private Q_SLOTS:
         }
     }
 
-    void aReportThatCannotBeSavedSaysSoAndStays() {
+    void failedSaveIsReportedAndKeepsTheReport() {
         Bench bench;
         app::ReportDialog& dialog = bench.openReport();
         dialog.saveTo(bench.folder.filePath("no such folder/report.zip"));

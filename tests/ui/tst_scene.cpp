@@ -72,7 +72,7 @@ private Q_SLOTS:
 
     // Each arm deviates from its model by some tenths of a millimetre, and reports it with frames far from its
     // links.
-    void theArmIsDrawnAndReckonedByItsOwnCalibration() {
+    void armIsDrawnAndCalculatedWithItsCalibration() {
         simulator::SimulatorOptions robot = VirtualCell::options();
         robot.calibration = 2;
         bench_.reset();
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QTRY_VERIFY((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
     }
 
-    void fitBringsBackWhatWasPushedOut() {
+    void fitShowsThePannedView() {
         view().grab();
         const QPoint from(view().width() / 2, view().height() / 2);
         QTest::mousePress(&view(), Qt::RightButton, {}, from);
@@ -172,7 +172,7 @@ private Q_SLOTS:
     }
 
     // An obstacle on the path is reported next to the button, marked on the path, and disappears with its cause.
-    void aBoxInTheWayIsSaidBesideTheKey() {
+    void obstacleIsReportedNextToTheKey() {
         const JointPositions here = window().session().state().q;
         window().waypoints().teach();
         project::Waypoint far = window().document().waypoints().at(0);

@@ -21,7 +21,7 @@ class TestSearchFields : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void everyFieldSaysWhenNothingIsFound_data() {
+    void everySearchFieldReportsEmptyResults_data() {
         QTest::addColumn<QByteArray>("command");
         QTest::addColumn<QByteArray>("field");
         QTest::addColumn<QByteArray>("list");
@@ -33,7 +33,7 @@ private Q_SLOTS:
         QTest::newRow("commands") << QByteArray("app.palette") << QByteArray("paletteWords")
                                   << QByteArray("paletteList") << QStringLiteral("show log");
     }
-    void everyFieldSaysWhenNothingIsFound() {
+    void everySearchFieldReportsEmptyResults() {
         QFETCH(QByteArray, command);
         QFETCH(QByteArray, field);
         QFETCH(QByteArray, list);

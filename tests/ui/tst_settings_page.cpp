@@ -68,7 +68,7 @@ private Q_SLOTS:
         applyNotation(*qApp, {});
     }
 
-    void everyChoiceHoldsAtOnceAndIsRemembered() {
+    void everyChoiceAppliesAtOnceAndIsSaved() {
         Bench bench;
         app::SettingsPage* page = bench.open();
         QVERIFY(page != nullptr);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench.file).preferences().speedCap, Preferences::kOrdinaryCap);
     }
 
-    void aLoweredCapStopsTheJogAndHoldsForTheNextPress() {
+    void loweredCapStopsTheJogAndAppliesToTheNext() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
@@ -153,7 +153,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
     }
 
-    void theLongestHoldIsChosenAndHoldsAtOnce() {
+    void longestHoldAppliesAtOnce() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
@@ -199,7 +199,7 @@ private Q_SLOTS:
         QCOMPARE(window.session().limits().tcpSpeed, 0.1);
     }
 
-    void whateverTheFileSaysTheValuesAreSane_data() {
+    void invalidValuesInTheFileAreCorrected_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("value");
         QTest::newRow("cap raised") << "motion/speedCap"
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QTest::newRow("rotations") << "look/rotations"
                                    << "17";
     }
-    void whateverTheFileSaysTheValuesAreSane() {
+    void invalidValuesInTheFileAreCorrected() {
         QFETCH(QString, key);
         QFETCH(QString, value);
         QTemporaryDir folder;

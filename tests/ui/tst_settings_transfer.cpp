@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(!said.isEmpty() && said.last()[1].toString().contains(path));
     }
 
-    void importSaysWhatItReplacesAndHoldsAtOnce() {
+    void importListsReplacedSettingsAndAppliesAtOnce() {
         Bench bench;
         app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
         app::Settings(bench.file).rememberRobot({"older", "10.0.0.2", 0, false});
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(bench.robotsInTheMenu().contains("10.0.0.1"));
     }
 
-    void whatWasLearnedIsNotWrittenOverAfterwards() {
+    void tutorialProgressIsNotOverwritten() {
         Bench bench;
         app::Settings(bench.file).setLearned({false, {"jog"}, {"measure"}});
         app::Settings other(bench.folder.filePath("other.ini"));
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QCOMPARE(plots->recordingChoice().every, 10);
     }
 
-    void whatTheFileDoesNotHaveIsReplacedOnlyWhenTicked() {
+    void settingsMissingInTheFileAreReplacedOnlyWhenTicked() {
         Bench bench;
         app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
         const QString path = bench.folder.filePath("keys.json");
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY(app::Settings(bench.file).rememberedRobots().isEmpty());
     }
 
-    void whatIsNotTickedStays() {
+    void untickedSettingsAreKept() {
         Bench bench;
         app::Settings(bench.file).rememberRobot({"old", "10.0.0.1", 0, false});
         app::ImportDialog* dialog = bench.ask(fileOfACell(bench.folder));
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QVERIFY(QDir(bench.folder.path()).entryList({"settings-before-import_*"}).isEmpty());
     }
 
-    void aFileThatCannotBeTakenChangesNothingAndSaysWhy_data() {
+    void unusableFileChangesNothingAndGivesTheReason_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<QString>("words");
         QTest::newRow("newer") << QByteArray(R"({"format": "tiller-settings", "version": 99, "values": {}})")
@@ -284,7 +284,7 @@ private Q_SLOTS:
                                    << "no Tiller settings";
         QTest::newRow("cut off") << QByteArray("{\"format\": \"tiller-settings\", \"vers") << "damaged";
     }
-    void aFileThatCannotBeTakenChangesNothingAndSaysWhy() {
+    void unusableFileChangesNothingAndGivesTheReason() {
         QFETCH(QByteArray, bytes);
         QFETCH(QString, words);
         Bench bench;

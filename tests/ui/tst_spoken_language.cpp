@@ -186,8 +186,8 @@ private Q_SLOTS:
                             wrong.mid(0, 20).join('\n')));
     }
 
-    void theWindowSpeaksTheLanguageThatIsTaken_data() { allLanguages(); }
-    void theWindowSpeaksTheLanguageThatIsTaken() {
+    void windowUsesTheChosenLanguage_data() { allLanguages(); }
+    void windowUsesTheChosenLanguage() {
         QFETCH(QString, code);
         const LanguageTexts texts(code);
         QCOMPARE(texts.code(), code);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(settings == QLatin1String("Settings"), code == QLatin1String("en"));
     }
 
-    void whatIsNotThereIsTheSystemsOrEnglish() {
+    void missingLanguageFallsBackToTheSystemOrEnglish() {
         QVERIFY(!languageFor("xx").isEmpty());
         QCOMPARE(languageFor("xx"), languageFor({}));
         QCOMPARE(languageFor("ja"), QString("ja"));
@@ -232,7 +232,7 @@ private Q_SLOTS:
         QCOMPARE(box.value(), -2.75);
     }
 
-    void theLanguageIsChosenInTheSettingsAndTheWindowOpenedAnew() {
+    void languageIsChosenInTheSettingsAndAppliesToANewWindow() {
         LanguageTexts texts(QStringLiteral("en"));
         Bench bench;
         bench.show();

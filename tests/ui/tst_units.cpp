@@ -221,7 +221,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatIsTypedIsInTheUnitToo() {
+    void typedValuesUseTheUnit() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.waypoints().teach();

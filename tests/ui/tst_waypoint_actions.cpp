@@ -266,7 +266,7 @@ private Q_SLOTS:
         QVERIFY(wasSaid("DO 3"));
     }
 
-    void aPulseIsAsLongAsItSaysAndGoesBack() {
+    void pulseHasItsDurationAndEnds() {
         teach({pulse(2, 0.4)});
         hold(through());
         QVERIFY(until([&] { return output(2); }));
@@ -291,7 +291,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void anInputThatDoesNotComeEndsItWithAReason() {
+    void missingInputEndsTheSequenceWithAReason() {
         teach({waitFor(5, 0.6), setOutput(1, true)});
         holdToTheEnd(through());
         QVERIFY(isAt(0));
@@ -335,7 +335,7 @@ private Q_SLOTS:
         QVERIFY(isAt(0));
     }
 
-    void letGoInAPulseTheOutputGoesBackAtOnce() {
+    void releasingDuringAPulseResetsTheOutput() {
         teach({pulse(2, 5), setOutput(1, true)});
         hold(through());
         QVERIFY(until([&] { return output(2) && doing().contains("DO 2"); }));
@@ -347,7 +347,7 @@ private Q_SLOTS:
     }
 
     // Released while the command is on its way to the worker: it is not sent any more.
-    void letGoAtOnceNothingIsSetLater() {
+    void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());
         // Virtual time only: the command waits for the worker, and is withdrawn before its turn or was executed
@@ -360,7 +360,7 @@ private Q_SLOTS:
         QCOMPARE(output(1), set);
     }
 
-    void theNextPressGoesOnWithWhatWasNotDone() {
+    void nextPressContinuesWithTheRemainingActions() {
         teach({setOutput(1, true), waitFor(5, 60), setOutput(2, true)});
         hold(through());
         QVERIFY(until([&] { return doing().contains("DI 5"); }));
@@ -376,7 +376,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    void movedAwayItComesBackFirst() {
+    void armReturnsFirstAfterBeingMovedAway() {
         teach({waitFor(5, 60), setOutput(2, true)});
         hold(through());
         QVERIFY(until([&] { return doing().contains("DI 5"); }));
@@ -391,7 +391,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void aStepDoesThemAndAStepBackDoesNot() {
+    void stepRunsActionsAndStepBackDoesNot() {
         teach({setOutput(1, true)});
         holdToTheEnd(key("waypoint.stepOn"));
         QVERIFY(isAt(0) && output(1));

@@ -102,7 +102,7 @@ private:
     std::optional<Outcome> outcome_;  ///< its result; empty: in progress
     bool again_ = false;              ///< another task has to be started after its end
     CancelToken cancel_;              ///< of the current task
-    SerialExecutor worker_;            ///< last member: its jobs end before other members are destroyed
+    SerialExecutor worker_;           ///< last member: its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

@@ -89,7 +89,7 @@ private:
     divergence::Limits limits_;
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
-    QSet<QString> told_;    ///< files that were reported
+    QSet<QString> told_;     ///< files that were reported
     SerialExecutor worker_;  ///< last member: its jobs end before other members are destroyed
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/scene/lanes.h"
+#include "widgets/scene/simd.h"
 
 namespace tiller {
 

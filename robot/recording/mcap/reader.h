@@ -41,8 +41,8 @@ public:
     /// The records of a chunk, checked and uncompressed.
     Result<std::string> records(const ChunkIndex& chunk) const;
     Result<Facts> facts(const MetadataIndex& metadata) const;  ///< Content of a metadata record.
-    Result<std::string> attachment(
-        const AttachmentIndex& attachment) const;  ///< Content of an attachment, checked.
+    /// Content of an attachment, checked.
+    Result<std::string> attachment(const AttachmentIndex& attachment) const;
 
     /// Calls sink for each message of uncompressed records, in order.
     /// Returns  false if the data are truncated

@@ -50,7 +50,7 @@ struct Arm::Parts {
         state.collisionRatio = sensors.contactForce() / Environment::kForceLimit;
     }
 
-    /// The program's target with what is laid over it.
+    /// Target of the program including superposed motions.
     const JointTarget& layOver() {
         if (!superposition.active()) {
             superposed = generator.target();
@@ -70,7 +70,7 @@ struct Arm::Parts {
         return superposed;
     }
 
-    /// The program goes on from where offset and conveyor have brought the arm.
+    /// The program continues from the position reached with offset and conveyor.
     void foldSuperposition() {
         if (superposition.active()) {
             generator.relocate(superposed);
@@ -97,7 +97,7 @@ struct Arm::Parts {
         sensors.setPayload(now);
     }
 
-    /// Stops the arm makes by what it feels.
+    /// Stops triggered by forces on the arm.
     void watchForces() {
         if (drive != DriveState::Running || generator.protectiveStop()) {
             return;
@@ -123,7 +123,7 @@ struct Arm::Parts {
         return static_cast<std::size_t>(state.controlStep - static_cast<std::uint64_t>(steps)) % size;
     }
 
-    const RobotModel model;  // own copy: the arm outlives whoever described it
+    const RobotModel model;  // a copy: the arm outlives the caller's description
     double period;
     ArmGeometry geometry;
     MotionGenerator generator;

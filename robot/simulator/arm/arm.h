@@ -50,7 +50,7 @@ public:
     Compliance& compliance();  ///< force mode, freedrive
     /// Path offset and conveyor tracking. To be begun only while neither force mode nor freedrive is active.
     Superposition& superposition();
-    Environment& environment();  ///< what is really there: load, hand, planes
+    Environment& environment();  ///< the actual surroundings: load, hand, planes
 
     // power and program time
     /// Leaving Running stops the motion at once (brakes) and drops every command.
@@ -58,7 +58,7 @@ public:
     DriveState driveState() const;
     /// Speed slider, 0..1 (clamped). Ramped inside, so that it may jump.
     void setSpeedFraction(double fraction);
-    /// Pause: decelerates on the path and freezes program time. resume() goes on from there.
+    /// Pause: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
     void resume();
     bool isHeld() const;
@@ -67,8 +67,8 @@ public:
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
     void abort(double deceleration = 10.0);
 
-    /// Ends path offset or conveyor tracking and brakes all joints; `deceleration` [rad/s2] of the leading
-    /// axis. The program goes on from where the arm then is.
+    /// Ends path offset or conveyor tracking and brakes all joints with `deceleration` [rad/s2] of the leading
+    /// axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
     /// Highest TCP speed [m/s] of programmed motion, as in reduced mode; nothing: no limit but the joints'.
@@ -76,26 +76,26 @@ public:
     /// Stops as if the arm had found `reason` itself.
     void raiseProtectiveStop(StopReason reason);
 
-    /// The stop the arm made by itself, until cleared.
+    /// The stop that the arm has triggered, until it is cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
-    /// Next warning, once each; nothing if there is none.
+    /// Returns each warning once; nothing if there is none.
     std::optional<MotionWarning> takeWarning();
 
     // tool and mounting
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
-    /// Payload as configured. Unless environment().setLoad() said otherwise the arm carries exactly this.
-    /// transition [s]  the configured payload changes evenly to the new one in that time
+    /// Payload as configured. The arm carries exactly this payload unless environment().setLoad() set another one.
+    /// transition [s]  time in which the configured payload changes linearly to the new one
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// What an external sensor measures (base axes at the TCP); nothing: the arm's own sensor counts. Force
-    /// mode follows it.
+    /// Reading of an external sensor (base axes at the TCP), which force mode uses; nothing: uses the internal
+    /// sensor.
     void setExternalForce(const std::optional<Wrench>& wrench);
-    /// What pushes on the tool besides what the controller knows of [N]: hand, contact, unknown weight.
+    /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
     double unexplainedForce() const;
     /// zero_ftsensor(): the present reading becomes zero.
     void zeroForceSensor();

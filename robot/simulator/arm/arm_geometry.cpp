@@ -139,8 +139,7 @@ double ArmGeometry::singularityMargin(const Vector6& q, const Posture& posture) 
     const double wrist = std::abs(std::sin(q[4]));
     const double elbow = std::abs(std::sin(q[2]));
     const Eigen::Vector3d centre = posture.frames[5].translation();
-    // How far the wrist centre is beside the line on which it touches the cylinder of radius d4 around
-    // axis 1.
+    // Distance of the wrist centre from the line on which it touches the cylinder of radius d4 around axis 1.
     const double d4 = model_.dh.d[3];
     const double shoulder = std::sqrt(std::max(0.0, centre.head<2>().squaredNorm() - d4 * d4));
     return std::min({wrist / 0.3, elbow / 0.4, shoulder / 0.15});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the simulated arm shows after each control period: the figures RTDE and the primary interface report.
-// Plain data in SI units, vectors in the base frame unless a name says otherwise. `target` is what the
-// motion generator asks for, `actual` what the simulated drives and sensors answer.
+// State of the simulated arm after each control period: the values that RTDE and the primary interface report.
+// Plain data in SI units, vectors in the base frame unless a name states otherwise. `target` values are set by the
+// motion generator, `actual` values are measured by the simulated drives and sensors.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tiller::simulator::arm {
 
-/// Payload as the controller knows it: mass [kg], centre of gravity in the flange frame [m], inertia about
-/// the centre of gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
+/// Payload set on the controller: mass [kg], centre of gravity in the flange frame [m], inertia about the centre of
+/// gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
 struct Payload {
     double mass = 0;
     Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();
@@ -30,7 +30,7 @@ enum class DriveState : std::uint8_t {
     Running,  ///< powered, brakes released, position control
 };
 
-/// What slows program time. Numbers as RTDE tells them.
+/// Causes that slow down program time, with the numbers of RTDE.
 enum class TimeScaleSource : std::int32_t {
     Other = -1,
     NoProgram = 0,
@@ -52,7 +52,8 @@ struct ArmState {
     Vector6 jointControlOutput = Vector6::Zero();   ///< joint_control_output [A]
     JointTorques targetMoment;                      ///< target_moment [Nm]
     JointTorques actualMoment;                      ///< actual_current_as_torque [Nm]
-    JointTorques externalTorque;  ///< get_joint_torques(): actual minus what the model explains [Nm]
+    JointTorques
+        externalTorque;  ///< get_joint_torques(): actual torque minus the expected torque of the model [Nm]
     Vector6 jointTemperature = Vector6::Zero();  ///< joint_temperatures [degC]
     Vector6 jointVoltage = Vector6::Zero();      ///< actual_joint_voltage [V]
     double positionDeviationRatio{};  ///< joint_position_deviation_ratio, 1 would be a protective stop
@@ -65,7 +66,7 @@ struct ArmState {
     Twist actualTcpSpeed;         ///< actual_TCP_speed
     Twist actualTcpAcceleration;  ///< actual_TCP_acceleration [m/s2, rad/s2]
     Pose actualFlangePose;        ///< without the TCP offset
-    Wrench tcpForce;              ///< actual_TCP_force: what pushes on the tool, base axes
+    Wrench tcpForce;              ///< actual_TCP_force: force on the tool, base axes
     double tcpForceScalar{};      ///< tcp_force_scalar [N]
     Wrench ftRawWrench;           ///< ft_raw_wrench: flange frame, neither compensated nor zeroed
     Wrench wrenchFromCurrents;    ///< wrench_calc_from_currents: base axes at the TCP
@@ -73,7 +74,7 @@ struct ArmState {
         Eigen::Vector3d::Zero();  ///< actual_tool_accelerometer, tool frame [m/s2]
     Eigen::Vector3d elbowPosition = Eigen::Vector3d::Zero();  ///< elbow_position [m]
     Eigen::Vector3d elbowVelocity = Eigen::Vector3d::Zero();  ///< elbow_velocity [m/s]
-    Wrench targetBaseWrench;  ///< target_base_wrench: what holds and moves the arm at its base, base axes
+    Wrench targetBaseWrench;  ///< target_base_wrench: force and torque at the base, base axes
     double momentum{};        ///< actual_momentum [kg m/s]
 
     // supply
@@ -91,7 +92,7 @@ struct ArmState {
     /// Factor by which the trajectory limiter, a pause or a resume slows the motion now, 0..1
     /// (speed_scaling). The speed slider is not part of it.
     double speedScaling = 1;
-    TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< what makes it less than 1 (time_scale_source)
+    TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< cause of a scale below 1 (time_scale_source)
     double speedFraction = 1;     ///< the speed slider as set (target_speed_fraction), 0..1
     double standstillTime{};      ///< for how long the target velocity has been zero [s]
     std::uint64_t controlStep{};  ///< control periods since construction

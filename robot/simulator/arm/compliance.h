@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Force mode and freedrive: motion that gives way to forces, laid over the programmed motion.
+// Force mode and freedrive: compliant motion that is superposed on the programmed motion.
 // Source: URScript force_mode, freedrive_mode.
 
 #include "robot/core/spatial.h"

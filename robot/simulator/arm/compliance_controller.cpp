@@ -16,7 +16,7 @@ constexpr double kDampingLinearMore = 2000;
 constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
 constexpr double kPathStiffness = 10;  // 1/s: how non-compliant axes return to the path
-// Limits below this would end force mode for what the arm's own control leaves.
+// Below these limits, force mode would end because of the residual error of the arm's own control.
 constexpr double kLeastDeviation = 2e-3;  // m
 constexpr double kLeastTurn = 0.02;       // rad
 
@@ -74,7 +74,7 @@ void ComplianceController::endForceMode() {
         return;
     }
     forceMode_ = false;
-    // What the force gave the arm in speed is braked; the program goes on from where the arm now is.
+    // Brakes the speed caused by the force; the program continues from the present position of the arm.
     generator_.relocate(command_);
 }
 
@@ -176,7 +176,7 @@ Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
     return R;
 }
 
-// `way`: what the axes lack to where the program wants them, force frame.
+// `way`: distance of the axes from the target of the program, force frame.
 bool ComplianceController::deviates(const Vector6& way) const {
     for (int i = 0; i < 6; ++i) {
         const double least = i < 3 ? kLeastDeviation : kLeastTurn;
@@ -199,7 +199,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     Vector6 wanted;  // in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
-        // What this step covers anyway is no deviation.
+        // The motion of this step itself does not count as a deviation.
         const Vector6 covered = 0.5 * (posture_.jacobian * command_.qd + programTwist) * period_;
         const Eigen::Vector3d way =
             program_.T_base_tcp.translation() - posture_.T_base_tcp.translation() - covered.head<3>();
@@ -308,7 +308,7 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     factor *= limits.rangeFactor(command_.q, qd * factor, period_, joint);
     qd *= factor;
     if (!limits.cutToAcceleration(command_.qd, qd, period_) && factor >= 1) {
-        // On the wanted line: let the tool pose decide, so that the other axes do not drift.
+        // On the requested line: the tool pose determines the position, so that the other axes do not drift.
         const ToolPoint now(posture_.T_base_tcp);
         const Vector6 mean = 0.5 * (posture_.jacobian * command_.qd + twist) * period_;
         const ToolPoint next(now.p + mean.head<3>(), quaternionFromVector(mean.tail<3>()) * now.R);

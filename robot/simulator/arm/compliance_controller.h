@@ -28,9 +28,9 @@ public:
 
     /// Ends both without a stop of its own.
     void drop();
-    /// `program`, the target asked for, becomes the commanded one. `measured`: TCP force as the controller
-    /// sees it; `external`: what really pushes at the TCP, without load and noise; both base axes about the
-    /// TCP.
+    /// Changes the requested target `program` to the commanded one. `measured`: TCP force as measured by the
+    /// controller; `external`: actual external force at the TCP, without load and noise; both in base axes about
+    /// the TCP.
     const JointTarget& apply(const JointTarget& program, const Wrench& measured, const Wrench& external,
                              bool operational);
     const JointTarget& target() const { return command_; }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drives and sensors of the simulated arm without its motion generator: where the joints shall go is told from outside,
-// one target a control period, as a recording has them. Deterministic, without noise; no threads, nothing allocates in
-// step().
+// Drives and sensors of the simulated arm without its motion generator: the caller sets one target per control
+// period, for example from a recording. Deterministic, without noise; no threads, no allocation in step().
 //
 //     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);
 //     arm.place(q);
@@ -37,7 +36,7 @@ public:
     void place(const JointPositions& q);
     /// One control period with this target.
     void step(const JointPositions& q, const JointVelocities& qd);
-    /// What is measured after the last step; nothing touches the arm.
+    /// Measured state after the last step, without contact.
     const ArmState& state() const;
 
 private:

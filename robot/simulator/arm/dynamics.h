@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques,
-// momentum. Torques by NewtonEuler, what is asked for seldom by orocos-KDL, both on the model's DH chain.
-// Nothing allocates after construction, except setGravity().
+// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques, momentum.
+// Torques are calculated by NewtonEuler, rarely used quantities by orocos-KDL, both on the DH chain of the model.
+// No allocation after construction except in setGravity().
 
 #include <memory>
 

@@ -13,7 +13,7 @@ bool makesSense(const ContactMaterial& m) {
            std::isfinite(m.damping) && std::isfinite(m.friction);
 }
 
-// What a surface with this outward normal exerts on a point `depth` behind it.
+// Force of a surface with this outward normal on a point at depth `depth`.
 Eigen::Vector3d push(const ContactMaterial& material, const Eigen::Vector3d& normal, double depth,
                      const Eigen::Vector3d& velocity) {
     constexpr double kStickSpeed = 0.005;  // m/s: friction grows to its full value over this

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the arm meets that the controller does not know: the load it really carries, a hand that pushes it,
-// surfaces and boxes the tool can touch, conveyors that run.
+// Surroundings of the arm that the controller does not know: the actual load, a hand that pushes the arm, surfaces
+// and boxes that the tool can touch, moving conveyors.
 
 #include <Eigen/Core>
 #include <array>
@@ -40,7 +40,7 @@ public:
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
     const std::optional<Payload>& load() const { return load_; }  ///< Really carried.
 
-    /// What a hand exerts at the TCP, base axes [N, Nm]; stays until changed.
+    /// Force and torque of a hand at the TCP, base axes [N, Nm]; constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
     const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 
@@ -50,15 +50,14 @@ public:
     bool addBox(const ContactBox& box);
     void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Planes and boxes go.
 
-    /// Runs a conveyor: what its encoder (0 or 1) counts [ticks/s]. Not a number is ignored.
+    /// Moves a conveyor: ticks that its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 
     /// Force above which contact is a protective stop [N].
     static constexpr double kForceLimit = 250;
 
-    /// What surfaces and boxes exert at a TCP at `position` with `velocity`, base axes [N]; no torque about
-    /// the TCP.
+    /// Force of surfaces and boxes on a TCP at `position` with `velocity`, base axes [N]; no torque about the TCP.
     Eigen::Vector3d contactForce(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const;
 
     static constexpr int kMaxPlanes = 8;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the joints may do, whatever is asked of them.
+// Limits of the joints for any requested motion.
 
 #include "robot/core/joints.h"
 #include "robot/core/robot_model.h"
@@ -32,8 +32,8 @@ struct JointLimits {
     /// Factor 0..1 for qd so that every joint can still stop before the end of its range; `joint` is set to
     /// the one that limits.
     double rangeFactor(const Vector6& q, const Vector6& qd, double period, int& joint) const;
-    /// Cuts the change from one velocity to the next to what the acceleration allows within `period`, all
-    /// joints alike. Returns true if something was cut.
+    /// Limits the change of velocity to the permitted acceleration within `period`, with the same factor for all
+    /// joints. Returns true if it was limited.
     bool cutToAcceleration(const Vector6& from, Vector6& to, double period) const;
     /// The positions move as the velocities say; false means a jump, to another branch for instance.
     bool continuous(const JointTarget& from, const JointTarget& to, double period) const;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The motion generator of the simulated controller: URScript's moves as target joint positions, one set each
-// control period. Commands never block; a script that waits for one asks progress().
+// The motion generator of the simulated controller: converts the moves of URScript to target joint positions, one
+// set per control period. Commands never block; a script that waits for a command polls progress().
 //
-// Time. Moves, servo and speed commands run in program time: the speed slider and a pause stretch it, the
-// path stays the same. stopJ and stopL run in real time, so that a stop takes as long at every slider
-// setting.
+// Time. Moves, servo and speed commands run in program time: the speed slider and a pause stretch it, the path
+// stays the same. stopJ and stopL run in real time, so that a stop takes the same time at every slider setting.
 //
-// Bounds. Whatever the sequence of commands, target speed stays within the model's joint limits, the change
-// of target velocity within kJointAccelerationLimit, positions within kJointPositionLimit. A motion that
-// cannot go on within these bounds becomes a joint-space stop and a ProtectiveStop.
+// Limits. For any sequence of commands, target speeds stay within the joint limits of the model, changes of the
+// target velocity within kJointAccelerationLimit, positions within kJointPositionLimit. A motion that cannot
+// continue within these limits becomes a joint-space stop and a ProtectiveStop.
 //
-// Threads  one, the caller's. Nothing here allocates after construction.
+// Threads  one, the caller's. No allocation after construction.
 
 #include <memory>
 #include <optional>
@@ -48,7 +47,7 @@ public:
     MotionStart moveC(const MoveTarget& via, const MoveTarget& target, const MoveParameters& parameters,
                       ArcOrientation orientation = ArcOrientation::Interpolated);
 
-    /// Follows q for t [s] of program time; keeps following the last q until another command comes.
+    /// Follows q for t [s] of program time; keeps following the last q until another command is given.
     /// lookaheadTime 0.03..0.2 [s], gain 100..2000.
     /// Source    URScript servoj
     MotionStart servoJ(const JointPositions& q, double t, double lookaheadTime = 0.1, double gain = 300);
@@ -83,8 +82,8 @@ public:
 
     MotionProgress progress(MotionId id) const;
 
-    /// The thread that commanded the motion was killed. The motion goes on for kSpeedHold, so that a stopj or
-    /// a move can take over, then decelerates.
+    /// The thread that commanded the motion was killed. The motion continues for kSpeedHold, so that a stopj or a
+    /// move can take over, then decelerates.
     void abandon();
 
     /// get_target_waypoint(): target of the active move, else the target TCP pose.

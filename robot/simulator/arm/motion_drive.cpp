@@ -145,7 +145,7 @@ void MotionDrive::abort(double deceleration) {
     supersede();
     const bool brakes =
         mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting();
-    // What a pause has slowed down must not get faster again because the program ends.
+    // The end of the program must not accelerate a motion that a pause has slowed down.
     if (!brakes || (held_ && !path_.current().realTime)) {
         path_.drop();
         velocity_.drop();
@@ -174,7 +174,7 @@ void MotionDrive::raiseFrom(const JointTarget& state, StopReason reason) {
     stepStop();
 }
 
-// What is left of the present velocity, braked in joint space: all joints together.
+// The rest of the present velocity, braked in joint space: all joints together.
 bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace) const {
     const Vector6 qd = state_.qd / pace;  // by the time the stop is measured in, as all below
     const double hardest = limits_.acceleration / (pace * pace);
@@ -202,9 +202,9 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 }
 
 double MotionDrive::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // program time slower than this stands still
-    // A pause that has begun freezes program time, and no stop with it. Nor can program time that stands still
-    // brake what moves all the same.
+    constexpr double kStandingTime = 1e-3;  // below this, program time counts as stopped
+    // A pause freezes program time, but not stops. Stopped program time cannot brake a motion that runs in real
+    // time.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
 }
 
@@ -226,8 +226,7 @@ void MotionDrive::startStop(double deceleration, MotionId id, bool scaled) {
 void MotionDrive::startVelocity(MotionId id, std::optional<double> t) {
     supersede();
     path_.drop();
-    // A period is not a whole part of a time stretched by the slider; what a command took too long must not
-    // add up from one to the next.
+    // The period is not an integer fraction of a stretched time; the excess of each command must not accumulate.
     const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
     const double spent = follows && t ? overrun_ : 0.0;
     overrun_ = 0;
@@ -287,7 +286,7 @@ void MotionDrive::stepScale() {
     pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
 }
 
-// What is left of joint velocities so that the tool keeps its limit, 0..1.
+// Remaining fraction of the joint velocities with which the tool respects its limit, 0..1.
 double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     if (!std::isfinite(toolSpeedLimit_)) {
         return 1;
@@ -298,7 +297,7 @@ double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
 }
 
-// What has slowed this step; a pause and the way back from it are none of the limits.
+// Limits that slowed this step; a pause and the resumption do not count as limits.
 void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
     scaledBy_ = byJoints              ? TimeScaleSource::JointSpeed
                 : toolFactor < 1      ? TimeScaleSource::ToolSpeed

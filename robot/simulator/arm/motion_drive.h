@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What drives the arm, a control period at a time: a path, a speed or torques. It keeps program time and has the last
-// word on what is asked of the joints. What commands become is MotionGenerator's.
+// Moves the arm along a path, at a speed or with torques, one control period at a time. Keeps program time and
+// applies the final joint limits. MotionGenerator converts the commands.
 
 #include <array>
 #include <limits>
@@ -52,7 +52,7 @@ public:
     void abort(double deceleration);
     /// Puts the arm elsewhere: at rest (`state.qd` zero), or with a velocity that is then braked.
     void relocate(const JointTarget& state);
-    /// The target is moved by somebody else (force mode, freedrive); speed commands go on from there.
+    /// Force mode or freedrive moves the target; speed commands continue from there.
     void rebase(const JointTarget& state);
     /// Speed commands turn about the new TCP at once; a tool path under way is finished with the old one.
     void setTcp(const Pose& T_flange_tcp);
@@ -126,7 +126,7 @@ protected:
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
-    double pathScale_ = 1;     // the same, and what the limits leave of it
+    double pathScale_ = 1;     // the requested scale, and the part that the limits permit
     double pauseScale_ = 1;    // pause alone, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;

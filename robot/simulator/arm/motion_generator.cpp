@@ -11,7 +11,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kSamePlace = 1e-7;  // m or rad
-constexpr double kRunOutLeast = 4;   // rad/s2 for what is left of a killed motion
+constexpr double kRunOutLeast = 4;   // rad/s2 for the rest of a killed motion
 constexpr double kBranchTolerance = 1e-3;
 
 MotionStart refuse(MotionError error, int joint = -1) {

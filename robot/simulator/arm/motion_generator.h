@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Behind Motion: checks what is asked, plans it and hands it to the drive.
+// Implementation of Motion: checks and plans motion commands and passes them to the drive.
 
 #include <optional>
 

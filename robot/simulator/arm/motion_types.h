@@ -30,7 +30,7 @@ enum class ArcOrientation : std::uint8_t {
     FixedToArc,    ///< mode 1: turns with the arc; the target's orientation is ignored
 };
 
-/// Names one motion command. 0 is none; numbers only grow.
+/// Identifies a motion command. 0 is invalid; numbers only increase.
 using MotionId = std::uint64_t;
 
 /// Why a command was refused. The script that gave it ends with a runtime error.
@@ -43,7 +43,7 @@ enum class MotionError : std::uint8_t {
     Busy,                   ///< a blend is already waiting for its second move
 };
 
-/// Answer to a motion command: a handle, or why there is none.
+/// Result of a motion command: a handle, or the reason of the refusal.
 struct MotionStart {
     MotionId id = 0;
     MotionError error = MotionError::None;
@@ -51,15 +51,15 @@ struct MotionStart {
     bool ok() const { return error == MotionError::None; }
 };
 
-/// Where a command is. A caller that blocks goes on when it is no longer Running.
+/// Progress of a command. A blocking caller continues when it is no longer Running.
 enum class MotionProgress : std::uint8_t {
     Running,     ///< the calling thread is held
     Returned,    ///< done: target reached, blend zone reached, time over, or standstill
-    Superseded,  ///< another command took the arm, or it was abandoned
+    Superseded,  ///< replaced by another command, or abandoned
     Failed,      ///< a protective stop ended it
 };
 
-/// Why the arm stopped by itself. The arm decelerates, then refuses motion until it is cleared.
+/// Reasons for a stop by the arm. It decelerates, then refuses motion until the stop is cleared.
 enum class StopReason : std::uint8_t {
     Singularity,         ///< Cartesian motion into or through a singular position
     PoseUnreachable,     ///< a Cartesian target or a point of its path outside the workspace
@@ -67,8 +67,8 @@ enum class StopReason : std::uint8_t {
     JointSpeedLimit,     ///< the path cannot be followed within the joint limits
     TcpForceLimit,       ///< contact with the environment above the limit
     PathDeviation,       ///< force mode: an axis that is not compliant left its path
-    Overload,            ///< what the arm carries is more than its joints can hold
-    WrongPayload,        ///< freedrive with a load the controller was not told of, or pushed when it began
+    Overload,            ///< the joints cannot hold the load
+    WrongPayload,        ///< freedrive with a load unknown to the controller, or pushed at the start
 };
 
 struct ProtectiveStop {
@@ -103,7 +103,7 @@ struct FreedriveParameters {
     bool followTool = false;  ///< feature "tool": the axes turn with the tool
 };
 
-/// What is not known of a real arm; see assumptions.h.
+/// Unknown properties of a real arm; see assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
     bool programStopsScaled = false;  ///< so do protective stops and abort()

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs planned moves: one after the other, blended into each other, or set in while the arm still runs out
-// from something else. All three are the sum of two motions: what is left of the old one (which by itself
-// would come to rest at the corner) and the new one (which by itself would start there). Position and
-// velocity are continuous by construction, and the sum stays inside the blend zone.
+// Runs planned moves: in sequence, blended, or started while an earlier motion still runs out. In all cases the
+// result is the sum of two motions: the rest of the old one (which alone would come to rest at the corner) and the
+// new one (which alone would start there). Position and velocity are continuous by construction, and the sum stays
+// inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
@@ -14,9 +14,9 @@ namespace tiller::simulator::arm {
 struct PathCandidate {
     Vector6 q = Vector6::Zero();
     Vector6 rateProgram = Vector6::Zero();  ///< dq by program time
-    Vector6 rateReal = Vector6::Zero();     ///< dq by real time: what runs out regardless of program time
-    bool reached = true;                    ///< false: the tool path cannot be followed here
-    Vector6 currentQ = Vector6::Zero();     ///< of the two summands, each by itself
+    Vector6 rateReal = Vector6::Zero();  ///< dq by real time: the part that decays regardless of program time
+    bool reached = true;                 ///< false: the tool path cannot be followed here
+    Vector6 currentQ = Vector6::Zero();  ///< of each of the two summands
     Vector6 tailQ = Vector6::Zero();
 };
 
@@ -27,8 +27,8 @@ public:
     bool active() const { return active_; }
     void drop() { active_ = tailActive_ = nextWaiting_ = false; }
 
-    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, where `segment`
-    /// starts.
+    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, at the start of
+    /// `segment`.
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 
@@ -53,7 +53,7 @@ public:
         return active_ && (current_.inToolSpace || (tailActive_ && tail_.inToolSpace) ||
                            (nextWaiting_ && next_.inToolSpace));
     }
-    /// A joint move or joint stop by itself: every joint stays between where it was and where it goes.
+    /// Returns true for a single joint move or stop: every joint stays between its start and its target.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
     /// To be called before a step: lets the next move set in when its time has come.

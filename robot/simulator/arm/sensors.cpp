@@ -28,8 +28,8 @@ constexpr double kRounding = 1e-9;            // of an acceleration, and rad/s2
 // Start values as recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
-/// The acceleration as differences of velocities give it, without their rounding: one that stays the same
-/// stays the same figure, as it does where it is planned. Clients look for the sign of its changes.
+/// The acceleration as a difference of velocities, without their rounding error: a constant acceleration gives
+/// constant readings, as in the plan. Clients evaluate the sign of its changes.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
@@ -74,7 +74,7 @@ void Sensors::setGravity(const Eigen::Vector3d& gravity) {
 
 void Sensors::setPayload(const Payload& payload) {
     if (loadHangs_) {
-        // A zeroing right behind it takes what is left with the new one, not with the one before.
+        // Zeroing directly after it uses the new payload, not the previous one.
         const Wrench before = loadOnFlange(payload_);
         const Wrench now = loadOnFlange(payload);
         compensated_ = {compensated_.force + before.force - now.force,
@@ -131,7 +131,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.actualQd.values = qd_;
     if (!ideal_) {
         for (int j = 0; j < kJointCount; ++j) {
-            // A joint that stands gives the very same reading again and again.
+            // A joint at standstill gives identical readings.
             if (std::abs(qd_[j]) > kEncoderRest) {
                 state.actualQ[j] += noise_(kEncoderNoise);
             }
@@ -171,7 +171,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     updateBase(target, state);
 }
 
-// What the base has to bear: the weight, and what changes the momentum.
+// Load of the base: the weight and the change of momentum.
 void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     const Dynamics::Momentum now = model_.momentum(target_.frames, target.qd);
     const Eigen::Vector3d force = first_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(now.linear - linear_);
@@ -182,8 +182,8 @@ void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     angular_ = now.angular;
 }
 
-// Of a point fixed to the flange, from the target motion: the real one differs by the lag only, and has no
-// noise this way.
+// Motion of a point fixed to the flange, from the target motion: the actual motion differs only by the lag, and the
+// result has no noise.
 Eigen::Vector3d Sensors::accelerationOf(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d w = targetTwist_.angular;
     const Eigen::Vector3d arm = point - target_.T_base_tcp.translation();
@@ -235,7 +235,7 @@ void Sensors::updateForces(const Environment& environment, DriveState drive, Arm
     const Eigen::Vector3d moment = R * (carried.torque - known.torque);
     unexplained_ = {push + hand.force + weight, hand.torque + moment - (R * tcp).cross(weight)};
 
-    // The accelerometer sits in the flange and feels what holds it against gravity.
+    // The accelerometer is mounted in the flange and measures the reaction to gravity.
     const bool powered = drive != DriveState::Off;
     state.toolAccelerometer =
         powered
@@ -273,7 +273,7 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     state.actualMoment.values = state.actualCurrent.cwiseProduct(perCurrent);
     state.jointControlOutput = state.actualCurrent;
     state.actualCurrentWindow = (0.15 * state.targetCurrent.cwiseAbs()).array() + 1.0;
-    // What the model does not explain, from the noise-free torques: as a controller would after filtering.
+    // Part not explained by the model, from the noise-free torques, like the filtered values of a controller.
     state.externalTorque.values = needed - expected;
     const Matrix6 J = actual_.jacobian;
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();
@@ -289,7 +289,7 @@ int Sensors::overloadedJoint() {
     if ((needed_.cwiseAbs().array() <= most.array()).all()) {
         return -1;
     }
-    // Hard braking may ask for as much for a moment; what counts is what stays at rest.
+    // Hard braking may briefly require as much; only the static load counts.
     const Vector6 holding = real_.torques(q_, Vector6::Zero(), Vector6::Zero(), external_);
     Eigen::Index joint = 0;
     return (holding.cwiseAbs().array() - most.array()).maxCoeff(&joint) > 0 ? static_cast<int>(joint) : -1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the drives and sensors of the arm answer to a target: encoders with a little lag and noise, motor
-// currents, the force/torque sensor at the flange, temperatures, supply.
+// Response of the drives and sensors of the arm to a target: encoders with a small lag and noise, motor currents,
+// the force/torque sensor at the flange, temperatures, supply.
 
 #include <cstdint>
 
@@ -47,12 +47,12 @@ public:
     void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
 
     Dynamics& dynamics() { return model_; }
-    /// What pushes at the TCP besides what the controller knows of: hand, contact, weight it was not told of.
+    /// Force on the TCP that the controller does not expect: hand, contact, unknown weight.
     const Wrench& unexplained() const { return unexplained_; }
     double contactForce() const { return contact_; }
     /// The same by joint [Nm].
     Vector6 unexplainedTorques() const;
-    /// A joint that could not even hold still what acts on it now, or -1.
+    /// Index of a joint that cannot hold its load even at standstill, or -1.
     int overloadedJoint();
 
 private:
@@ -72,7 +72,7 @@ private:
     Dynamics real_;   // with the load really carried
     Payload payload_;
     Payload load_;
-    bool loadHangs_ = false;  // one of its own, whatever the controller was told
+    bool loadHangs_ = false;  // the arm carries a load that differs from the payload of the controller
     Eigen::Vector3d gravity_{0, 0, 9.82};
 
     Vector6 q_ = Vector6::Zero();  // where the joints really are

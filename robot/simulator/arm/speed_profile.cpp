@@ -75,7 +75,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         const double T = request.blendInTime;
         double a = std::min(request.a, 2 * request.blendInLength / square(T));
         a = std::min(a, request.v / T);
-        // The rest of the path must suffice to come to rest again.
+        // The remaining path must be long enough to come to rest.
         const double feasible = L / (0.5 * square(T) * (1 + a / request.a));
         a = std::min(a, feasible);
         profile.append(a, T);
@@ -89,7 +89,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
-    // Too fast for what is left: carry more speed into the zone, or brake harder than asked at the end.
+    // Too fast for the remaining path: carry more speed into the zone, or brake harder than requested at the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
     if (zone <= kNoDistance && vEnd > 1e-9) {
         profile.append(-square(v0) / (2 * rest), 2 * rest / v0);

@@ -15,7 +15,7 @@ struct ProfileSample {
     double a = 0;  ///< d2s/dt2
 };
 
-/// What a profile shall do. Lengths in the path's own unit (m or rad).
+/// Request for a profile. Lengths in the unit of the path (m or rad).
 struct ProfileRequest {
     double length = 0;
     double v = 0;  ///< cruising speed, > 0

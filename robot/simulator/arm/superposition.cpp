@@ -8,7 +8,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kCatchUpRate = 15;          // 1/s
-constexpr double kCatchUpSpeed = 0.6;        // rad/s beyond the goal's own speed
+constexpr double kCatchUpSpeed = 0.6;        // rad/s above the speed of the goal
 constexpr double kCatchUpAcceleration = 10;  // rad/s2
 constexpr double kCaughtUp = 1e-4;           // rad/s and rad
 constexpr double kStands = 1e-4;             // m/s: below this a path has no tangent
@@ -174,9 +174,9 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = laidOver(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // A goal that stands gives exactly no velocity, so that standstill is seen.
+    // A goal at standstill gives a velocity of exactly zero, so that standstill is detected.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
-        // The controller's hand is at the joints: a step of the goal may be large, the way there is not.
+        // The offset applies at the joints: the goal may jump, but the motion to it must be smooth.
         if (!geometry_.follow(pose, goal, posture_)) {
             return StopReason::PoseUnreachable;
         }
@@ -195,7 +195,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
 // Exactly to the goal where that is smooth, else towards it.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
-    // What the goal jumps by is not its speed.
+    // Jumps of the goal do not count as its speed.
     Vector6 rate = given;
     if (given.cwiseAbs().maxCoeff() > 2 * limits_.speed.maxCoeff()) {
         rate = rate_;

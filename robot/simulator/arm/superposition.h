@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is laid over the programmed path: a Cartesian offset, and a conveyor that carries the path along. The
-// program goes on as if neither were there; the tool goes where program, offset and conveyor say together. A
-// jump of either is caught up with smoothly; the path itself is never delayed by it.
+// Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The program is
+// not affected; the tool moves to the sum of program, offset and conveyor. Jumps of either are caught up smoothly
+// and never delay the path.
 // Source: URScript path_offset_*, track_conveyor_*.
 
 #include "robot/core/spatial.h"
@@ -30,7 +30,7 @@ public:
     void enableOffset();
     /// offset  position [m] and rotation vector [rad] in the axes of `frame`; held to the limits
     void setOffset(const Pose& offset, OffsetFrame frame);
-    /// What is applied now, in the axes of `frame`.
+    /// The present offset, in the axes of `frame`.
     Pose offset(OffsetFrame frame) const;
     /// Per control period the applied offset goes this part of the way (0..1) to the one set.
     void setFilter(double alpha);
@@ -42,19 +42,19 @@ public:
     void trackLinear(const Eigen::Vector3d& perTick);
     /// centre  turns about its z axis by `perTick` [rad]; the tool turns along or keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
-    /// What the encoder has counted; where it stands when a tracking begins does not matter.
+    /// Count of the encoder; its value at the start of tracking does not matter.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 
     bool active() const { return offsetOn_ || tracksConveyor(); }
-    /// The program goes on from where the arm is: what was laid over it until now is part of it.
+    /// The present offset becomes part of the program, which continues from the position of the arm.
     void endOffset();
     void endTracking();
     void drop();
 
-    /// One control period: where the joints go when the program asks for `program`. `frozen`: neither offset
-    /// nor conveyor moves on (the program is paused).
-    /// Returns  why it cannot be, or nothing; `state` is then what to command
+    /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`: neither
+    /// offset nor conveyor moves (the program is paused).
+    /// Returns  the reason if it is impossible; `state` is then the state to command
     std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
 
 private:

@@ -61,7 +61,7 @@ ToolPath ToolPath::arc(const ToolPoint& from, const Eigen::Vector3d& via, const 
     const double radius = offset.norm();
     const Eigen::Vector3d end = to.p - path.centre_;
     double angle = std::atan2(path.axis_.dot(path.radial_.cross(end)), path.radial_.dot(end));
-    // Via lies on the way: with the normal chosen above the turn is always the positive one.
+    // Via is on the path: with the normal chosen above, the turn is always positive.
     if (angle <= 0) {
         angle += 2 * std::numbers::pi;
     }
@@ -91,7 +91,7 @@ bool ToolPath::canRound(const ToolPath& first, const ToolPath& second) {
         second.length_ <= kTiny) {
         return false;
     }
-    // Where the turn of the tool is the longer way, the corner has no circle of the right length.
+    // Where turning the tool takes longer, the corner has no circle of the right length.
     if (first.travel() < 1 - 1e-6 || second.travel() < 1 - 1e-6) {
         return false;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where the TCP goes, by path parameter: straight lines, arcs, rounded corners, and the run-out of a stop.
-// Orientation turns in step with the position.
+// Position of the TCP by path parameter: straight lines, arcs, rounded corners, and the run-out of a stop.
+// Orientation changes in proportion to the position.
 
 #include <Eigen/Geometry>
 #include <cstdint>

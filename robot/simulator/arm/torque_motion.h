@@ -18,10 +18,10 @@ public:
 
     /// torques [Nm] without gravity; scales 0..1: how much of the friction is compensated.
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
-    /// What pushes on the joints besides the command [Nm]: hands, contact, a load it was not told of.
+    /// Torques on the joints in addition to the command [Nm]: hands, contact, unknown load.
     void setExternal(const Vector6& torques) { external_ = torques; }
-    /// One control period. Why it cannot go on, if it cannot: a joint would become too fast, or has come to
-    /// the end of its range; `joint` says which.
+    /// Runs one control period. Returns the reason if it cannot continue: a joint would become too fast or has
+    /// reached the end of its range, given by `joint`.
     std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:

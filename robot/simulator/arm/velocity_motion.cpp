@@ -152,7 +152,7 @@ std::optional<StopReason> VelocityMotion::stepSpeedJ(double timeScale, JointTarg
     return std::nullopt;
 }
 
-// servoC: straight for the target, as fast as the way left allows.
+// servoC: straight to the target, as fast as the remaining distance allows.
 void VelocityMotion::pursue() {
     const Eigen::Vector3d way = servoCTarget_.p - tool_.p;
     const Eigen::Vector3d turn = vectorFromQuaternion(servoCTarget_.R * tool_.R.conjugate());
@@ -199,7 +199,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
 
     double factor = limits_.speedFactor(qd);
     if (marginAfter < margin && marginAfter < 1) {
-        // Towards a singular position: the joints get slower in proportion to the way left.
+        // Towards a singular position: the joints slow down in proportion to the remaining distance.
         const double usable = std::max(0.0, (marginAfter - kSingular) / (1 - kSingular));
         const double worst = (qd.cwiseAbs().array() / limits_.speed.array()).maxCoeff();
         const double approach = (margin - marginAfter) / period_;
@@ -226,7 +226,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
     const double excess = limits_.speedFactor(qd);
     qd *= excess;
     if (limits_.cutToAcceleration(state.qd, qd, period_) || excess < 1) {
-        // Off the wanted path for this step: go on from where the joints really are.
+        // Off the requested path in this step: continue from the actual joint positions.
         state.q += 0.5 * (state.qd + qd) * period_;
         geometry_.evaluate(state.q, posture);
         tool = ToolPoint(posture.T_base_tcp);
@@ -251,8 +251,8 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
 
 std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarget& state, int& joint) {
     const double dt = period_ * timeScale;
-    // The target's own velocity is fed forward, smoothed over a fifth of the lookahead: no lag at constant
-    // speed. Gain is the stiffness, lookahead times gain the damping, never below nearly critical.
+    // The velocity of the target is fed forward, smoothed over a fifth of the lookahead, to avoid a lag at constant
+    // speed. Gain is the stiffness, lookahead times gain the damping, never much below critical.
     servoFiltered_ += (servoRate_ - servoFiltered_) * (dt / (0.2 * lookahead_ + dt));
     const double K = gain_;
     const double D = std::max(gain_ * lookahead_, 1.8 * std::sqrt(gain_));
@@ -262,11 +262,11 @@ std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarg
     Vector6 next = (velocity_ + dt * (K * error + D * servoFiltered_)) / (1 + D * dt + K * dt * dt);
     next = next.cwiseMin(limits_.speed).cwiseMax(-limits_.speed);
     for (int j = 0; j < kJointCount; ++j) {
-        // Not faster than it can stop at the target (plus the target's own speed).
+        // Not faster than the speed from which it can stop at the target (plus the speed of the target).
         const double stopping = std::sqrt(limits_.acceleration * std::abs(error[j])) +
                                 std::abs(servoFiltered_[j]) + limits_.acceleration * period_;
         next[j] = std::clamp(next[j], -stopping, stopping);
-        // Each joint by itself: one that jumps must not hold up the others.
+        // Each joint separately: a joint whose target jumps must not delay the others.
         const double reachable = limits_.acceleration * dt;
         next[j] = std::clamp(next[j], velocity_[j] - reachable, velocity_[j] + reachable);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion that has a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step is
-// cut to what the joints may do; near the end of a joint's range and near a singular position the speed goes
-// down the nearer it gets, and motion that leads away is not slowed.
+// Motions with a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step is limited
+// to the joint limits; near the end of a joint range and near a singular position the speed is reduced with the
+// distance, except for motion away from the limit.
 
 #include <optional>
 
@@ -21,7 +21,7 @@ public:
     VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
         : geometry_(geometry), limits_(limits), period_(period) {}
 
-    // Each begins from, or goes on with, the velocity in `now`; `timeScale` is the ratio program to real
+    // Each starts from, or continues with, the velocity in `now`; `timeScale` is the ratio of program time to real
     // time.
     void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
     void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
@@ -32,10 +32,10 @@ public:
 
     /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
     void expire();
-    /// Ends; the next command begins anew from the velocity the arm then has.
+    /// Ends; the next command starts from the velocity that the arm then has.
     void drop() { running_ = false; }
     bool running() const { return running_; }
-    /// Somebody else moved the arm to q.
+    /// The arm was moved to q by another motion.
     void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
     /// The TCP offset changed while the arm moves.
     void toolChanged(const JointTarget& now, double timeScale);

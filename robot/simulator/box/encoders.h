@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The two conveyor encoders of a controller: counted from pulses on the first four digital inputs, or told
-// their count by a program. Source: URScript encoder_*.
+// The two conveyor encoders of a controller: counted from pulses on the first four digital inputs, or set by a
+// program. Source: URScript encoder_*.
 
 #include <array>
 #include <cstdint>
@@ -20,10 +20,10 @@ public:
     void enableCount(int encoder, int range);
     void set(int encoder, double ticks);
     double ticks(int encoder) const { return at(encoder).ticks; }
-    /// What has been counted since the start, without the jumps of a count that wraps; a count set by hand
-    /// while pulses are decoded moves nothing.
+    /// Count since the start, without the jumps of wrap-around; a count set manually while pulses are decoded
+    /// causes no movement.
     double travel(int encoder) const { return at(encoder).travel; }
-    /// The count as RTDE tells it.
+    /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;
 
     /// One control period. conveyorSpeeds  what else the decoders see in that time [ticks/s]
@@ -36,7 +36,7 @@ private:
         int inputB = 1;
         unsigned lines = 0;    ///< A and B as last seen
         bool counted = false;  ///< the program sets the count
-        double wrap = 0;       ///< after so many ticks it begins anew
+        double wrap = 0;       ///< the count wraps around after this number of ticks
         double least = 0;
         double ticks = 0;
         double travel = 0;

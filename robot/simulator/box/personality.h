@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Who a simulated controller says it is: software release and serial number, told alike on every interface.
+// Identity of a simulated controller: software release and serial number, the same on every interface.
 
 #include <QString>
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace tiller::simulator {
 
-/// A release by its number as people write it: "5.22", "3.15.8", "10.12.0.123". What is left out is taken
-/// from the release that is known best, if there is one of that series.
+/// Returns a release by its number: "5.22", "3.15.8", "10.12.0.123". Missing parts are taken from the best known
+/// release of that series, if any.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
-/// The release a model comes with when none is asked for.
+/// The default release of a model.
 SoftwareVersion defaultSoftware(RobotModelId model);
 /// Whether this arm runs that software.
 /// Errors  InvalidArgument, with the reason

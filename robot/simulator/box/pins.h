@@ -43,7 +43,7 @@ struct Pins {
         word = value ? (word | mask) : (word & ~mask);
     }
 
-    /// What stands at the terminal: [A] in the current domain, [V] in the voltage domain.
+    /// Level at the terminal: [A] in the current domain, [V] in the voltage domain.
     double analogOutput(std::size_t n) const {
         const double level = analogOutputLevels[n];
         return analogOutputDomains[n] == 0 ? 0.004 + 0.016 * level : 10.0 * level;

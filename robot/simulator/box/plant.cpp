@@ -15,12 +15,12 @@ Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
-/// Stop category 1: power goes when the arm stands, at the latest after this time [s].
+/// Stop category 1: power is removed at standstill, at the latest after this time [s].
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
-/// In reduced mode the program is slowed to this [m/s]. What an installation sets it to is its own affair.
+/// In reduced mode the program is slowed down to this speed [m/s]. Installations can set other values.
 constexpr double kReducedToolSpeed = 0.75;
-/// While a joint stands outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
+/// Speed while a joint is outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
 constexpr double kRecoveryToolSpeed = 0.25;
 
 arm::ArmOptions armOptions(const SimulatorOptions& options) {
@@ -65,7 +65,7 @@ double executionTime(std::uint64_t tick, bool programActive) {
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
-/// An arm as it was built, not as it was meant: off by up to so many mm and mrad.
+/// An arm with manufacturing tolerances: deviates by up to this many mm and mrad.
 RobotModel deviating(const RobotModel& model, double size) {
     RobotModel result = model;
     DhParameters& dh = result.dh;
@@ -305,7 +305,7 @@ void Plant::restart(double seconds, bool safetyUnconfirmed) {
 }
 
 void Plant::followBoot() {
-    // Half way through a start the RTDE service comes up anew and time begins again. Source: urcl's waiting.
+    // In the middle of a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
     const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
     if (was && !disconnected_) {
         startTick_ = tick_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The robot behind the sockets: arm, power, safety, terminals, registers and programs, stepped one control
-// period at a time. It knows no clients; what it has to say to them it leaves in outbox(), and what it is
-// asked to do arrives through its methods. The order within a period is that of a controller: safety, power,
-// watchdogs, script frame, arm.
+// The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by one
+// control period at a time. It does not know clients: messages to them are placed in outbox(), requests arrive
+// through its methods. The order within a period is that of a controller: safety, power, watchdogs, script frame,
+// arm.
 
 #include <array>
 #include <cstdint>
@@ -74,8 +74,8 @@ public:
     void releaseBrakes();
     /// Clears violations and faults; the arm is off afterwards.
     void restartSafety();
-    /// Stops at once, with the message that says why. The fiftieth of one joint within eight hours is a fault
-    /// (C163); the joint is the cause's argument, from 1.
+    /// Stops at once, with the message of the cause. The fiftieth stop of one joint within eight hours is a fault
+    /// (C163); the joint is the argument of the cause, from 1.
     void protectiveStop(const primary::ErrorCode& cause);
     /// Words for the cause of the last protective stop; empty: there was none, or it has none.
     const std::string& stopText() const { return stopText_; }
@@ -83,7 +83,7 @@ public:
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
-    /// What an external sensor measures, from RTDE [N, Nm].
+    /// Reading of an external sensor, from RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
     /// The pendant's switch; leaving Remote ends the script connections.
@@ -97,23 +97,23 @@ public:
     std::uint64_t controlEpoch() const { return controlEpoch_; }
     /// Power of the arm lost without a word, as when its supply fails.
     void losePower();
-    /// The controller starts anew; timestamp begins at 0.  seconds  until POWER_OFF
+    /// Restarts the controller; timestamp begins at 0.  seconds  until POWER_OFF
     void restart(double seconds, bool safetyUnconfirmed);
     /// Moves joints by hand, brakes overridden.
     void setBackdrive(bool active);
     /// Ends the running program with a runtime exception.
     void failProgram(const std::string& why);
-    /// What the controller reports as its kinematics differs from the arm's by so much: 0 not at all, 1 up to
-    /// 1 mm and 1 mrad. Primary clients are told anew.
+    /// Makes the reported kinematics deviate from those of the arm: 0 not at all, 1 up to 1 mm and 1 mrad. Reports
+    /// it to primary clients again.
     void setCalibrationError(double size);
     /// The controller goes off: nothing answers any more.
     void shutDown() { shutDown_ = true; }
     bool isShutDown() const { return shutDown_; }
 
-    /// Shows a popup and tells primary clients. Returns its id.
+    /// Shows a popup, reports it to primary clients and returns its id.
     int showPopup(const std::string& text, bool blocking);
-    /// What the pendant's log would show and whoever started this program should know: to primary clients as
-    /// a text message, and to the error output.
+    /// Messages of the pendant log that are of interest to the sender of the program: sent to primary clients as
+    /// text messages and to the error output.
     void tellLog(const std::string& text);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
@@ -131,7 +131,7 @@ private:
     SimulatorOptions options_;
     RobotModel model_;  ///< with the arm's own calibration
     arm::Arm arm_;
-    RobotModel reported_;  ///< the model as told to clients
+    RobotModel reported_;  ///< the model reported to clients
     Registers registers_;
     Registers shown_;          ///< as clients see them, where that is a period later
     RegisterBank lastOutput_;  ///< as the period before left them
@@ -149,11 +149,11 @@ private:
     std::uint64_t startTick_ = 0;  ///< when the controller started
     double startTime_ = 0;         ///< timestamp then [s]
     std::uint64_t controlEpoch_ = 0;
-    std::uint64_t identity_ = 0;  ///< counts changes of what primary clients are told once
+    std::uint64_t identity_ = 0;  ///< counts changes of the values that primary clients receive once
     bool disconnected_ = false;
     std::string stopText_;
     std::array<std::deque<double>, kJointCount> jointStops_;  ///< when each joint was stopped [s]
-    std::uint64_t boots_ = 0;                                 ///< how often the services came up anew
+    std::uint64_t boots_ = 0;                                 ///< number of starts of the services
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
     double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power

@@ -21,7 +21,7 @@ public:
     void close(int id) {
         std::erase_if(shown_, [id](const Shown& p) { return p.id == id; });
     }
-    /// The newest goes, as when a person presses its button. False when there was none.
+    /// Closes the newest popup, like its button. Returns false if there was none.
     bool closeNewest() {
         if (shown_.empty()) {
             return false;
@@ -33,7 +33,7 @@ public:
     bool anyBlocking() const {
         return std::any_of(shown_.begin(), shown_.end(), [](const Shown& p) { return p.blocking; });
     }
-    /// What a program waited for goes with the program.
+    /// Closes popups that a program waited for when the program ends.
     void closeBlocking() {
         std::erase_if(shown_, [](const Shown& p) { return p.blocking; });
     }

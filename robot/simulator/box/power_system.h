@@ -26,7 +26,7 @@ public:
     /// The controller starts: DISCONNECTED, then BOOTING, each for half the time [s], then POWER_OFF. With
     /// an unconfirmed safety configuration it waits in CONFIRM_SAFETY in between.
     void boot(double seconds, bool safetyUnconfirmed);
-    /// What the operator presses on the pendant.
+    /// Actions of the operator on the pendant.
     void confirmSafety();
 
     /// Nothing happens in IDLE and RUNNING. While the power goes off it comes back on afterwards.

@@ -32,8 +32,9 @@ struct RegisterBank {
     }
 };
 
-/// What a program writes and overwrites within one period. RTDE runs beside programs and catches such a value
-/// now and then: ur_rtde answers getActualToolFlangePose() with one, period after period until it is seen.
+/// Values that a program writes and overwrites within one period. RTDE runs in parallel with programs and
+/// occasionally reads such a value: ur_rtde answers getActualToolFlangePose() with one, repeated every period until
+/// it is seen.
 class OverwrittenIntegers {
 public:
     void beginPeriod() {

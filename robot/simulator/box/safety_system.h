@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The safety states of a controller and how they end. It knows causes and time, not what the arm or the
-// program make of them: the plant looks at mode() after each step and reacts to a change.
+// The safety states of a controller and their transitions. It knows causes and time, but not the reaction of the
+// arm or the program: the plant reads mode() after each step and reacts to changes.
 // Source: UR manual (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tiller::simulator {
 
-/// Set on the pendant or through the dashboard; None: the robot has none set.
+/// Set on the pendant or over the Dashboard Server; None: no mode is set.
 enum class OperationalMode { None, Manual, Automatic };
 
 class SafetySystem {
@@ -21,7 +21,7 @@ public:
     /// From an accepted unlock to normal operation [s].
     static constexpr double kUnlockTime = 0.05;
 
-    /// What stays as long as its cause does.
+    /// Conditions that last as long as their cause.
     enum class Input {
         RobotEmergencyStop,
         SystemEmergencyStop,
@@ -51,7 +51,7 @@ public:
 
     /// safety_mode. The two safeguard stops that came later show as SAFEGUARD_STOP here.
     SafetyMode mode() const;
-    /// safety_status, which tells them apart.
+    /// safety_status, which distinguishes the causes.
     SafetyMode status() const;
     bool isProtectiveStopped() const { return protective_; }
     bool isEmergencyStopped() const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything a client can be told about the robot, as of the end of one control period: what the RTDE,
-// primary and realtime encoders read from. Refers to the plant's own data; valid until its next step.
+// All values of the robot that clients can receive, at the end of one control period: the source of the RTDE,
+// primary and realtime encoders. Refers to data of the plant; valid until its next step.
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Telemetry {
     const Pins* pins = nullptr;
     const RobotModel* model = nullptr;  ///< as the controller reports it
     std::uint64_t identity = 0;         ///< changes when `model` does
-    std::uint64_t boots = 0;            ///< changes when the services came up anew
+    std::uint64_t boots = 0;            ///< changes when the services have restarted
     SoftwareVersion software;
     bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the terminals do on their own: outputs that follow whether a program runs, inputs that act as a
-// freedrive button. Set by programs, kept until set again. Source: URScript set_runstate_* and
-// set_*_input_action.
+// Automatic functions of the terminals: outputs that follow the program state, inputs that act as a freedrive
+// button. Set by programs, kept until set again. Source: URScript set_runstate_* and set_*_input_action.
 
 #include <array>
 #include <bitset>

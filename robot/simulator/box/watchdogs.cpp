@@ -34,7 +34,7 @@ std::optional<urscript::WatchdogAction> Watchdogs::step(double dt) {
     std::optional<urscript::WatchdogAction> action;
     for (Dog& dog : dogs_) {
         dog.age += dt;
-        // A package may come at any point within a period, hence the one period more.
+        // A package may arrive at any point within a period, hence the additional period.
         if (dog.age > dog.limit + dt && !action) {
             action = dog.action;
             dog.limit = 0;

@@ -23,7 +23,7 @@ public:
     /// A data package with this input (index into rtde::inputFields()) has come.
     void touched(std::size_t input);
 
-    /// What is to be done now, if anything. A dog that has barked is gone.
+    /// Returns the due action, if any. A watchdog that has fired is removed.
     std::optional<urscript::WatchdogAction> step(double dt);
 
 private:

@@ -51,7 +51,7 @@ bool Gripper::set(std::string_view name, int value) {
     return true;
 }
 
-// What changes nothing of its motion.
+// Variables without effect on the motion.
 bool Gripper::setAside(std::string_view name, int value) {
     for (std::size_t i = 0; i < std::size(kLights); ++i) {
         if (name == kLights[i]) {
@@ -147,14 +147,15 @@ void Gripper::step(double dt) {
         fault_ = objectStatus_ == kMoving ? kReleasing : kReleased;
     } else if (status_ == kActivating) {
         activationTime_ += dt;
-        // It closes, opens and knows its range.
+        // Closes, opens and measures its range.
         const double part = activationTime_ / kActivationTime;
         position_ =
             kMostOpen + (kMostClosed - kMostOpen) * (part < 0.5 ? 2 * part : std::max(0.0, 2 - 2 * part));
         if (part >= 1) {
             position_ = kMostOpen;
             status_ = kActive;
-            fault_ = fault_ == kDelayed ? kNone : fault_;  // what was asked for meanwhile is done now
+            fault_ =
+                fault_ == kDelayed ? kNone : fault_;  // requests received in the meantime are executed now
         }
     } else if (status_ == kActive && goTo_ != 0 && fault_ == kNone) {
         move(requested_, fingerSpeed(), dt);

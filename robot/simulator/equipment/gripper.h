@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A two-finger gripper of Robotiq: activation, moves with speed and force, what its fingers meet, automatic
-// release, faults; and its variables by name, as the gripper's program on a robot serves them.
-// Source: the maker's instruction manual (registers and their meaning); protocol: see gripper_server.h.
+// A two-finger gripper of Robotiq: activation, moves with speed and force, contact with objects, automatic release,
+// faults; and its variables by name, as served by the gripper program on a robot.
+// Source: instruction manual of the manufacturer (registers); protocol: see gripper_server.h.
 
 #include <optional>
 #include <string_view>

@@ -21,7 +21,7 @@ namespace tiller::simulator {
 
 class GripperServer final : public LineServer {
 public:
-    /// What moves needs the tool's power, which goes with the arm's.
+    /// Motion requires tool power, which is lost with the power of the arm.
     void step(double dt, bool powered);
     void setObject(std::optional<int> position) { gripper_.setObject(position); }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the controller's signals of it. One small device answers at every address: discrete
-// inputs, coils, input registers and registers, all 0 at first; inputs change when somebody injects a fault.
-// Signals are updated as often as their frequency says; one that is not answered for longer than its watchdog
-// is an error to the program that asks for it. Source: URScript manual, modbus functions.
+// A Modbus device and the signals of the controller for it. The same small device answers at every address:
+// discrete inputs, coils, input registers and registers, all 0 at first; inputs are changed by fault injection.
+// Signals are updated at their frequency; a signal without an answer for longer than its watchdog is an error for
+// the program that reads it. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ class ModbusDevice {
 public:
     using Kind = urscript::ModbusSignal::Kind;
 
-    // What programs do, see urscript::ModbusHost.
+    // Actions of programs, see urscript::ModbusHost.
     Result<void> add(const urscript::ModbusSignal& signal);
     void remove(std::string_view name);
     Result<urscript::ModbusStatus> status(std::string_view name) const;
@@ -38,13 +38,13 @@ public:
     void command(int function, std::span<const std::uint8_t> data);
     bool isConnected() const { return connected_; }
 
-    // What happens to the device.
+    // Faults of the device.
     /// Values from that address on; those beyond 65535 are not there.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
-    /// What a signal reads, by its name.
+    /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
-    /// The device's answer to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3
-    /// illegal value, 4 failure, 6 busy...
+    /// Answer of the device to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3 illegal
+    /// value, 4 failure, 6 busy...
     Result<void> setDeviceError(std::string_view name, int code);
     void setConnected(bool connected) { connected_ = connected; }
 
@@ -59,9 +59,9 @@ private:
         urscript::ModbusSignal what;
         std::vector<std::int32_t> values;  ///< last read
         std::vector<std::int32_t> wanted;  ///< not yet written; empty: nothing
-        double period = 0.1;               ///< [s]; 0: when somebody asks
+        double period = 0.1;               ///< [s]; 0: read on request
         double untilUpdate = 0;            ///< [s]
-        double invalidFor = 0;             ///< [s] since it was last answered
+        double invalidFor = 0;             ///< [s] since the last answer
         double watchdog = 2;               ///< [s]
         int deviceError = 0;
         bool freedrive = false;
@@ -75,7 +75,7 @@ private:
     void update(Signal& signal);
     std::int32_t read(Kind kind, int address) const;
 
-    std::array<std::map<int, std::int32_t>, 4> memory_;  ///< by kind and address; what is not there is 0
+    std::array<std::map<int, std::int32_t>, 4> memory_;  ///< by type and address; missing values are 0
     std::map<std::string, Signal, std::less<>> signals_;
     bool connected_ = true;
 };

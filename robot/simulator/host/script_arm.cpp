@@ -184,7 +184,7 @@ Result<void> ScriptArm::setGravity(const Eigen::Vector3d& gravity) {
     return {};
 }
 
-// Kept and given back: the simulated base stands still, whatever a program thinks.
+// Stored and returned: the simulated base does not move.
 Result<void> ScriptArm::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
     baseAcceleration_ = acceleration;
     return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program reads of the arm, has computed for it and sets up on it.
+// Functions of programs that read, calculate and configure properties of the arm.
 
 #include <optional>
 

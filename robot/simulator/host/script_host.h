@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What scripts reach of the simulated robot: the interpreter's Host over the plant, put together from its parts.
-// One object serves the main program and secondary ones.
+// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of parts.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program says to people and asks of them.
+// Messages of a program to operators, and its requests for input.
 
 #include <map>
 #include <optional>
@@ -17,10 +17,10 @@ class ScriptMessages : public virtual urscript::MessageHost {
 public:
     explicit ScriptMessages(Plant& plant) : plant_(plant) {}
 
-    /// A person answers what a program asks for, the oldest question first. False when nothing is asked, or
-    /// something of another type.
+    /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
+    /// type.
     bool answerRequest(const urscript::RequestAnswer& answer);
-    /// What kind of value the oldest question asks for; nothing when none is open.
+    /// Type of value that the oldest request expects; nothing if none is open.
     std::optional<urscript::RequestedType> asked() const;
     void forgetRequests() { requests_.clear(); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program does with the Modbus device.
+// Access of a program to the Modbus device.
 
 #include "robot/simulator/equipment/modbus_device.h"
 #include "robot/simulator/urscript/host.h"

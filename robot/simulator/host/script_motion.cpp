@@ -14,17 +14,17 @@ namespace {
 
 using urscript::Move;
 
-/// optimovej and optimovel take fractions of what the arm can do.
+/// optimovej and optimovel take fractions of the limits of the arm.
 constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at 1
 constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at 1
 constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at 1
 
-/// Freedrive does not begin while more than this acts on the tool that the payload does not explain [N]. The
-/// controller's own threshold is not published.
+/// Freedrive does not start while the unexplained force on the tool exceeds this [N]. The threshold of the
+/// controller is not published.
 constexpr double kUnexplainedInFreedrive = 50.0;
 
-/// How long a stop waits for the arm to come to rest [s]. Not published; a client of others takes moves that
-/// end in a stop and are over sooner than this for failed.
+/// Time that a stop waits for standstill [s]. Not published; a known client treats moves that end in a stop sooner
+/// than this as failed.
 constexpr double kSettling = 0.04;
 
 Error refusal(arm::MotionError error, int joint) {
@@ -108,7 +108,7 @@ struct Starter {
         return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
                                          torque.coulomb.value_or(all));
     }
-    // The command does not say which of the two it ends; a conveyor goes first.
+    // The command does not state which of the two it ends; a conveyor has priority.
     arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
         return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
                                                     : arm.endPathOffset(stop.deceleration);
@@ -128,7 +128,7 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
     return {};
 }
 
-// What the target has ended, the arm has not: a stop waits a little for it, unless it stands already.
+// The target is at rest, the arm not yet: a stop waits briefly for standstill.
 bool ScriptMotion::comesToRest(Motion& motion) const {
     const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
@@ -148,7 +148,7 @@ Result<bool> ScriptMotion::motionFinished(urscript::ThreadId thread) {
         case arm::MotionProgress::Running:
             return false;
         case arm::MotionProgress::Failed:
-            // The program is about to be paused; it may go on behind the move once it is resumed.
+            // The program is about to be paused; it may continue after the move when it is resumed.
             return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
         case arm::MotionProgress::Returned:
             if (!comesToRest(it->second)) {

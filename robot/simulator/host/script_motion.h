@@ -34,7 +34,7 @@ public:
     Result<void> screwDriving(double force, double speedLimit) override;
     Result<void> endScrewDriving() override;
 
-    /// What a program had begun is forgotten with it.
+    /// Forgets the motions of a program that has ended.
     void forgetMotions() { motions_.clear(); }
 
 private:

@@ -6,7 +6,7 @@
 namespace tiller::simulator {
 
 namespace {
-/// What is kept at each of three places: the system's, the socket's and here [bytes].
+/// Bytes buffered in each of three places: the system, the socket and this class.
 constexpr qsizetype kShare = 16 << 10;
 /// Here, when the program waits for the end of something longer [bytes].
 constexpr qsizetype kMostUnread = 4 << 20;
@@ -46,8 +46,8 @@ bool ScriptSockets::openSocket(std::string_view name, std::string_view address, 
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
-    // The size of the system's buffer is settled when the connection is made. A name may lead to addresses of
-    // either kind, and keeps the system's own size.
+    // The size of the system buffer is fixed when the connection is made. A name may lead to addresses of either
+    // family and keeps the default size.
     const QHostAddress literal(host);
     const bool is6 = literal.protocol() == QAbstractSocket::IPv6Protocol;
     if (!literal.isNull() && socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
@@ -70,7 +70,7 @@ ScriptSockets::State ScriptSockets::socketState(std::string_view name) const {
         case QAbstractSocket::ConnectingState:
             return State::Connecting;
         default:
-            // What came before the end may still be read.
+            // Data received before the end can still be read.
             return connection->socket->bytesAvailable() > 0 ? State::Open : State::Closed;
     }
 }

@@ -3,9 +3,9 @@
 
 // TCP client sockets of a running program, by name.
 //
-// Little is kept of what a program has not read: about what it reads in a period or two. A client that writes
-// faster than the program reads is held up by TCP then, and its newest command is not far behind. Only when
-// the program waits for the rest of something long is more of it kept.
+// Only a small amount of unread data is buffered, about as much as the program reads in one or two periods. A
+// client that writes faster than the program reads is then blocked by TCP, and its newest command is not far
+// behind. More is buffered only when the program waits for the rest of a long message.
 
 #include <QByteArray>
 #include <QString>
@@ -22,7 +22,7 @@ namespace tiller::simulator {
 /// Threads  the simulator's, which processes events between control periods. Blocks: never.
 class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    /// What a program finds at 127.0.0.1, for it the controller itself, by the port it knows.
+    /// Local services that a program reaches at 127.0.0.1, by their known ports.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
     bool openSocket(std::string_view name, std::string_view address, int port) override;
@@ -34,7 +34,7 @@ public:
     void closeAllSockets() { sockets_.clear(); }
     bool hasSockets() const { return !sockets_.empty(); }  ///< They need events to be processed.
 
-    /// Takes in what has arrived.
+    /// Reads received data.
     void serviceSockets();
 
 private:

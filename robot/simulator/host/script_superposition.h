@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program lays over the path: offsets, conveyors and their encoders.
+// Superposed motions of a program: offsets, conveyors and their encoders.
 
 #include "robot/simulator/box/encoders.h"
 #include "robot/simulator/urscript/host.h"
@@ -15,7 +15,7 @@ class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
     explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
 
-    /// Once a control period, after the scripts: counts the encoders and moves what they carry.
+    /// Runs once per control period after the scripts: counts the encoders and moves conveyors.
     void stepConveyors();
     const Encoders& encoders() const { return encoders_; }
 

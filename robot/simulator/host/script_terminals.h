@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program reads and sets of registers, flags and terminals, and the rules it gives the terminals.
+// Registers, flags and terminals of a program, and the rules that it sets for the terminals.
 
 #include <array>
 #include <bitset>

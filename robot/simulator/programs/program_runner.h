@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which program runs: one main program at a time, secondary ones beside it, with the program states of a
-// controller around them. A new main program replaces the one that runs; a text that does not compile
-// replaces nothing. Source: client interface manual, dashboard guide.
+// Runs programs: one main program at a time and secondary programs in parallel, with the program states of a
+// controller. A new main program replaces the running one; a text that does not compile replaces nothing. Source:
+// client interface manual, dashboard guide.
 
 #include <chrono>
 #include <deque>
@@ -37,13 +37,13 @@ public:
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
 
-    /// Takes a unit from a script port: compiles it now, runs it from the next period on. What does not
-    /// compile is reported to primary clients.
+    /// Takes a unit from a script port: compiles it now and runs it from the next period on. Compile errors are
+    /// reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
     /// The same for a program file. False when it does not compile.
     bool submitText(std::string_view text);
-    /// For one with External Control nodes: it begins once the provider's script has come. Without it, the
-    /// program tells the operator so in place of the node, and waits.
+    /// Runs a program with External Control nodes when the script of the provider has arrived. Without it, the
+    /// program shows a message to the operator instead of the node, and waits.
     void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
@@ -68,13 +68,13 @@ public:
     /// The main program came from a program file, not over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
-    /// The main program; null when none runs.
+    /// The main program; null if none runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
     /// Why the last main program failed; nothing: it did not.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Main programs started so far.
     std::uint64_t starts() const { return starts_; }
-    /// Of the main program; null when none runs.
+    /// Interpreter mode of the main program; null if none runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
@@ -123,7 +123,7 @@ private:
     double begun_ = 0;     ///< when the main program started [s]
     std::uint64_t starts_ = 0;
     bool fromFile_ = false;
-    bool ended_ = false;  ///< the main body ended; told in a later period
+    bool ended_ = false;  ///< the main body has ended; reported in a later period
     bool runningSecondary_ = false;
 };
 

@@ -80,7 +80,7 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
                 QStringLiteral("port offset %1 leads out of the range of ports").arg(options.portOffset),
                 {}};
         }
-        return entry.server->open(address, static_cast<std::uint16_t>(port), entry.name, link_.doorbell());
+        return entry.server->open(address, static_cast<std::uint16_t>(port), entry.name, link_.poller());
     };
     const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
     if (entry.server == &gripper_ && wanted > 65535) {

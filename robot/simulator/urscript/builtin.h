@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one table of builtin functions: signature with defaults, since when, what it does. Compiler,
-// interpreter and documentation read the same rows.
+// The table of builtin functions: signature with defaults, first version, implementation. Compiler, interpreter and
+// documentation use the same rows.
 
 #include <cstdint>
 #include <span>

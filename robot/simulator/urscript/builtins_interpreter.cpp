@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// interpreter_mode() and what ends or clears it.
+// interpreter_mode() and the functions that end or clear it.
 
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/interpreter_mode.h"

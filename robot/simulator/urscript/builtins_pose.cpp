@@ -48,7 +48,7 @@ Status poseDist(Call& c) {
     return Status::Done;
 }
 
-// Straight line and the shortest turn; alpha beyond 0..1 goes on along both.
+// Straight line and shortest rotation; alpha outside 0..1 extrapolates both.
 Status interpolatePose(Call& c) {
     const Pose from = c.pose(0);
     const Pose to = c.pose(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TCP sockets of the program. Reads look at what has arrived and come back each frame until there is enough,
-// the connection ends or the time is over.
+// TCP sockets of the program. Reads check the received data in each frame until there is enough, the connection
+// ends or the time is over.
 
 #include <algorithm>
 #include <charconv>
@@ -29,15 +29,15 @@ bool expired(const Call& c, std::size_t timeoutArgument) {
     return seconds > 0 && static_cast<double>(c.waitedNs) >= seconds * 1e9 - 1.0;
 }
 
-// No more bytes can come: to be asked only when those that came were not enough. A read that fails at once
-// takes the rest of the frame, so that a loop around it on a closed socket does not spin.
+// Returns true if no more bytes can arrive; to be called only when the received ones are not enough. A read that
+// fails at once takes the rest of the frame, so that a loop around it on a closed socket does not spin.
 bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
     const bool ended = c.host.socketState(socket) != SocketHost::State::Open || expired(c, timeoutArgument);
     c.endFrame = ended && c.first;
     return ended;
 }
 
-// Takes what has been read.
+// Removes the bytes that have been read.
 void consume(Call& c, const std::string& socket, std::size_t bytes) {
     constexpr std::int64_t kCost = 20;
     c.host.consumeBytes(socket, bytes);
@@ -178,7 +178,7 @@ Status readString(Call& c) {
         end = suffix.empty() ? bytes.size() : bytes.find(suffix, text);
         if (end != std::string_view::npos) {
             c.result = Value(std::string(bytes.substr(text, std::min(end - text, kMaxStringLength))));
-            // What is longer than a string may be is left for the next read.
+            // Text longer than a string is left for the next read.
             const std::size_t taken =
                 end - text > kMaxStringLength ? text + kMaxStringLength : end + suffix.size();
             consume(c, name, taken);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the robot does and feels now.
+// Present state and sensor values of the robot.
 
 #include "robot/simulator/urscript/builtin.h"
 

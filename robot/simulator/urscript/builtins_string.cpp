@@ -18,7 +18,7 @@ Value bounded(std::string text) {
     return Value(std::move(text));
 }
 
-// What to_str and str_cat take: string, bool, number, pose, and lists of those.
+// Types accepted by to_str and str_cat: string, bool, number, pose, and lists of those.
 void checkPrintable(const Call& c, std::size_t i) {
     const Value& v = c.args[i];
     const bool structs = v.is(Value::Type::List) && v.list().kind == ListData::Kind::Other &&

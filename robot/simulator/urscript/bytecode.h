@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a program is executed as: a stack machine's code, one sequence per function. Every variable is a slot
-// number, every callee an index; nothing is looked up by name while running.
+// The executable form of a program: code of a stack machine, one sequence per function. Every variable is a slot
+// number, every callee an index; no name is looked up at runtime.
 
 #include <cstdint>
 #include <optional>

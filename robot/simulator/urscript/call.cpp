@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arguments of builtins: what each type accepts, and what a wrong one is told.
+// Arguments of builtins: the values that each type accepts, and the messages for wrong ones.
 
 #include <cmath>
 #include <limits>
@@ -101,7 +101,7 @@ std::int32_t Call::integer(std::size_t i) const {
     }
     if (args[i].is(Value::Type::Float)) {
         const double d = args[i].asFloat();
-        // Clients that divide what they received pass 2.0 where 2 is meant.
+        // Clients that divide received values pass 2.0 instead of 2.
         if (d == std::floor(d) && std::abs(d) <= std::numeric_limits<std::int32_t>::max()) {
             return static_cast<std::int32_t>(d);
         }

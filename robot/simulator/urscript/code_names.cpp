@@ -35,7 +35,7 @@ void CodeNames::collectGlobals(const Block& block, bool outermost) {
     for (const Stmt* s : block) {
         if (s->kind == StmtKind::Assign && (outermost || s->scope == AssignScope::Global)) {
             const Expr* target = rootOf(s->target);
-            // An element assignment declares nothing, unless it says `global`.
+            // An element assignment declares no variable unless it is marked `global`.
             if (target == s->target || s->scope == AssignScope::Global) {
                 if (surroundings_ != nullptr && s->scope == AssignScope::Global &&
                     findGlobal(target->text) < 0) {
@@ -140,7 +140,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
     return {};
 }
 
-// In the numbering of the machine: a line's own functions come behind all there are.
+// In the numbering of the machine, the functions of a line follow all existing ones.
 int CodeNames::indexOf(const Function& f) const {
     return surroundings_ == nullptr || f.index == 0
                ? f.index

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which variable or function a name means: globals and functions of the text, locals of the function that is being
-// compiled, and, for a line of interpreter mode, what it is added to.
+// Resolves names of variables and functions: globals and functions of the text, locals of the function being
+// compiled, and, for a line of interpreter mode, those of the program it is added to.
 
 #include <map>
 #include <memory>

@@ -38,8 +38,8 @@ struct LineOutcome {
     std::unique_ptr<Bytecode> code;
     CompileError error;
 };
-/// Compiles statements that are added to a running program: they see its globals and outermost functions,
-/// and what earlier lines defined; new variables are theirs, new globals an error.
+/// Compiles statements that are added to a running program: they can use its globals and outermost functions and
+/// the definitions of earlier lines; new variables are local to them, new globals are an error.
 LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings);
 
 }  // namespace tiller::simulator::urscript

@@ -30,9 +30,9 @@ Execution::Execution(const Program& program, Host& host, const Limits& limits)
     globals_.resize(code_.globals.size());
 }
 
-// The common cases (numbers, jumps, variables) are handled here; all else goes to operators.cpp.
+// The frequent cases (numbers, jumps, variables) are handled here, all others in operators.cpp.
 void Execution::execute(ScriptThread& thread) {
-    // Cached copies of what the innermost call works on; `reload` after anything that calls or returns.
+    // Cached copies of the data of the innermost call; `reload` after every call or return.
     const FunctionCode* function = nullptr;
     const Bytecode* unit = nullptr;
     const Value* constants = nullptr;
@@ -53,7 +53,7 @@ void Execution::execute(ScriptThread& thread) {
         locals = thread.stack.data() + call.base;
         sp = thread.stack.data() + thread.top;
     };
-    // Makes the thread's own record true before anything that may fault, block or look at it.
+    // Updates the record of the thread before any operation that may fault, block or read it.
     const auto save = [&] {
         thread.calls.back().pc = pc;
         thread.top = static_cast<std::size_t>(sp - thread.stack.data());
@@ -426,7 +426,7 @@ void Execution::push(ScriptThread& thread, const LinkedCode::Callee& callee, int
     thread.calls.push_back({&f, callee.unit, 0, base});
 }
 
-// The next line of interpreter mode, called from where its builtin stands.
+// The next line of interpreter mode, called at the position of its builtin.
 void Execution::enterLine(ScriptThread& thread) {
     const Unit& unit = mode_.begin();
     globals_.resize(std::max(globals_.size(), code_.globals.size()));
@@ -449,7 +449,7 @@ bool Execution::leave(ScriptThread& thread, Value result) {
     }
     thread.calls.pop_back();
     if (done.unit->owned != nullptr && done.function == &done.unit->code->functions.front()) {
-        mode_.lineDone();  // its result is nobody's
+        mode_.lineDone();  // its result is discarded
     } else {
         thread.stack[thread.top++] = std::move(result);
     }
@@ -504,18 +504,18 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
     if (call.endFrame) {
         thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
     }
-    // Whoever has used some of its time lets those go first who have more left.
+    // A thread that has used some of its time yields to threads that have more left.
     return thread.sliceNs > 0 && call.consumedNs == 0 && !isStopRequested() ? After::GoOn : After::Wait;
 }
 
-// False: the thread waits, and comes here again.
+// False: the thread waits and continues here.
 bool Execution::callRemote(ScriptThread& thread, std::int32_t handle, const MethodCall& call,
                            std::span<const Value> arguments, Value& result) {
     if (context_.kind == ProgramKind::Secondary) {
         fault(kTooMuchBehind);
     }
     if (call.name == "closeXMLRPCClientConnection") {
-        result = Value::none();  // every call has its own connection
+        result = Value::none();  // every call has a separate connection
         return true;
     }
     if (!thread.again) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a script thread does with its share of the frame: executes bytecode until it waits, ends or faults. Who gets a
-// share, and when, is the scheduler's (virtual_machine.h).
+// Executes the bytecode of a script thread during its share of the frame until it waits, ends or fails. The
+// scheduler (virtual_machine.h) assigns the shares.
 
 #include <cstdint>
 #include <span>

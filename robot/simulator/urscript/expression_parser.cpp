@@ -233,7 +233,7 @@ Expr* ExpressionParser::call(const Token& name) {
                 take();
             } else {
                 if (!names.empty() && !names.back().empty()) {
-                    fail(peek());  // positional arguments come first
+                    fail(peek());  // positional arguments must be first
                 }
                 names.emplace_back();
             }

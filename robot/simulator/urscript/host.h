@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a running script needs from the robot around it. The interpreter owns threads, variables and time
-// slices; everything that exists outside the program (arm, registers, I/O, sockets, messages) is reached
-// through these interfaces, which a simulated controller implements over its arm.
+// The interfaces of a running script to the robot. The interpreter owns threads, variables and time slices;
+// everything outside the program (arm, registers, I/O, sockets, messages) is accessed through these interfaces,
+// which a simulated controller implements with its arm.
 //
-// Conventions for all of them: SI units, base frame unless said otherwise, called only from the thread that
-// calls Interpreter::runFrame(), never blocking. What takes time is started with one call and asked after
-// with another, once per frame. An Error ends the program as a runtime exception; its controllerMessage (or,
-// when that is empty, its context) becomes the text. Methods with a body here are for equipment that a host
-// may leave out.
+// Conventions for all of them: SI units, base frame unless stated otherwise, called only from the thread that calls
+// Interpreter::runFrame(), never blocking. Operations that take time are started with one call and polled with
+// another, once per frame. An Error ends the program as a runtime exception; its controllerMessage (or its context
+// if that is empty) becomes the text. Methods with a body here are for optional equipment.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -39,8 +38,8 @@ Error scriptError(std::string text);
 // ---------------------------------------------------------------------------------------------- motion
 // commands
 
-/// Where a move goes: joint positions [rad] or a TCP pose in the base frame. The host converts as it needs
-/// (forward kinematics for movel, inverse near the current joints for movej).
+/// Target of a move: joint positions [rad] or a TCP pose in the base frame. The host converts as needed (forward
+/// kinematics for movel, inverse kinematics near the current joints for movej).
 using MoveTarget = std::variant<JointPositions, Pose>;
 
 /// movej, movel, movep, movec, optimovej, optimovel.
@@ -129,8 +128,8 @@ public:
     /// thread has been killed. Error: the program ends with it (no inverse solution, target outside the joint
     /// range...).
     virtual Result<void> startMotion(ThreadId thread, const MotionCommand& command) = 0;
-    /// Asked at the beginning of each later frame, never in the frame of the start. True when the calling
-    /// thread may go on: target reached and standing, blend zone entered, duration over (in program time, so
+    /// Polled at the beginning of each later frame, never in the frame of the start. Returns true when the calling
+    /// thread may continue: at standstill at the target, blend zone entered, duration over (in program time, so
     /// longer at a reduced speed slider), standstill after a stop.
     virtual Result<bool> motionFinished(ThreadId thread) = 0;
     /// The thread was killed, or ended, with its command unfinished. The arm keeps its speed until the next
@@ -426,7 +425,7 @@ public:
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
     virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the controller started
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Safety is told at once. The program runs on to the end of its frame; call Interpreter::pause().
+    /// Safety is informed at once. The program continues to the end of its frame; call Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;

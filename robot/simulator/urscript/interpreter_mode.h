@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Interpreter mode: while the main body stands in interpreter_mode(), lines from outside are compiled against
-// the running program and executed by it, in order. Source: interpreter mode chapter of the script manual.
+// Interpreter mode: while the main body is in interpreter_mode(), lines from outside are compiled for the running
+// program and executed by it in order. Source: interpreter mode chapter of the script manual.
 
 #include <cstdint>
 #include <deque>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code one machine runs: the program, and behind it what interpreter mode has added. Functions and
-// globals are numbered through all of it, so that a later line calls and reads what an earlier one made.
+// The code that a machine runs: the program, followed by the additions of interpreter mode. Functions and globals
+// are numbered across both, so that a later line can use the definitions of an earlier one.
 
 #include <map>
 #include <memory>

@@ -149,7 +149,7 @@ Stmt* Parser::statement(Function& owner) {
             return loopStatement(StmtKind::Continue);
         case TokenKind::KwReturn: {
             Stmt* s = newStmt(StmtKind::Return, take());
-            // A value stands on the line of its `return`; a bare one is followed by another statement.
+            // A value is on the line of its `return`; a `return` without a value is followed by another statement.
             if (peek().line == token.line && startsExpression(peek().kind)) {
                 s->value = expression();
             }
@@ -236,7 +236,7 @@ Stmt* Parser::simpleStatement() {
         s->value = expression();
         return s;
     }
-    // The name of a variable by itself has no effect. Published programs have it behind `else:`.
+    // The name of a variable alone has no effect. Published programs have it after `else:`.
     const bool isBareName = e->kind == ExprKind::Variable && peek().line != first.line && isAssigned(e->text);
     if (!isBareName && e->kind != ExprKind::Call && e->kind != ExprKind::Method && e->kind != ExprKind::Run) {
         fail(first);

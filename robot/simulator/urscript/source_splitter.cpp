@@ -11,7 +11,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-// Command words that end an unfinished unit: whoever sends one has given up on it.
+// Commands that end an unfinished unit, because the sender has abandoned it.
 constexpr std::array<std::string_view, 6> kUrgent{"stop program",  "power on",   "power off",
                                                   "set robotmode", "set unlock", "pause program"};
 
@@ -23,7 +23,7 @@ bool isWordCharacter(char c) {
 struct LineShape {
     std::string_view text;  // trimmed, without comment
     TokenKind firstWord = TokenKind::End;
-    bool command = false;  // "set speed 0.8": a word that is followed by another word, or by nothing
+    bool command = false;  // "set speed 0.8": a word followed by another word or by nothing
     int blocks = 0;
     int brackets = 0;
 };

@@ -221,8 +221,8 @@ struct StructData {
     const Value* find(std::string_view name) const;
 };
 
-/// to_str and str_cat: six decimals without trailing zeros, ", " between elements. May be longer than what
-/// the language allows; stops soon after `limit` characters.
+/// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. May be longer
+/// than the language allows; stops soon after `limit` characters.
 std::string toStr(const Value& v, std::size_t limit = 2048);
 /// textmsg: six significant digits, "," between elements.
 std::string toMessageText(const Value& v, std::size_t limit = 65536);

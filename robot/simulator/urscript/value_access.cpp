@@ -74,7 +74,7 @@ void assign(Value& variable, Value v, const std::string& name) {
     variable = std::move(v);
 }
 
-// The value `steps` steps down, as this holder's own. Moves `indices` past those used.
+// The value `steps` levels down, owned by this holder. Moves `indices` past those used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) {
     Value* v = &root;
     for (std::size_t i = 0; i < steps; ++i) {

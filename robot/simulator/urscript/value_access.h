@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What may be assigned to what, the way down to an element or member, and the methods of values. All of them end in
-// a Fault where the language forbids it.
+// Rules of assignment, access to elements and members, and the methods of values. All of them end in a Fault where
+// the language forbids the operation.
 
 #include <cstddef>
 #include <string>

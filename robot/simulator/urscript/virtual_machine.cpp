@@ -55,7 +55,7 @@ Interpreter::State Interpreter::Machine::runFrame() {
 void Interpreter::Machine::beginFrame() {
     frameOperations_ = limits_.frameOperations;
     for (const auto& thread : threads_) {
-        // What a thread overdrew is paid back from the next slices; what it left over is lost.
+        // Overdrawn time of a thread is deducted from the next slices; remaining time is lost.
         thread->sliceNs = std::min(context_.stepNs, thread->sliceNs + context_.stepNs);
         thread->operations = limits_.threadOperationsPerFrame;
         if (thread->state == ScriptThread::State::Polling) {
@@ -76,7 +76,7 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// Before any thread runs: one that waits for its motion must not block another that may command by now.
+// Runs before all threads: a thread that waits for its motion must not block another one that may command by now.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {
         return;
@@ -99,7 +99,7 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// The thread with most of the frame left; among equals the eldest, but the main program as `mainFirst` says.
+// The thread with the most remaining time in the frame; of equal ones the oldest.
 ScriptThread* Interpreter::Machine::next() const {
     const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
         const bool mainWaits = !limits_.mainFirst && best.id == 0;
@@ -135,7 +135,7 @@ void Interpreter::Machine::run(ScriptThread& thread) {
 
 ast::Position Interpreter::Machine::position(const ScriptThread& thread) {
     const CallFrame& call = thread.calls.back();
-    // pc is the next instruction, but a builtin that waits is its own next one.
+    // pc is the next instruction, but a waiting builtin is its own next instruction.
     const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
     return call.function->positions[static_cast<std::size_t>(pc)];
 }
@@ -241,7 +241,7 @@ void Interpreter::Machine::endThread(ScriptThread& thread) {
         context_.motionOwner = -1;
         host_.motionAbandoned(thread.id);
     }
-    // What it started belongs to whoever started it, so that killing an ancestor still reaches it.
+    // Its children are assigned to its parent, so that killing an ancestor still reaches them.
     for (const auto& other : threads_) {
         if (other->parent == thread.id) {
             other->parent = thread.parent;
@@ -294,7 +294,7 @@ int Interpreter::Machine::threadCount() const {
     }));
 }
 
-// Nothing may run in code that goes: threads that do are ended.
+// No thread may run in removed code: such threads are ended.
 void Interpreter::Machine::forgetLines() {
     for (const auto& thread : threads_) {
         if (thread->id != 0 && thread->state != ScriptThread::State::Ended &&

@@ -17,7 +17,7 @@ Eigen::Matrix3d inertiaMatrix(const Vector6& i) {
     return m;
 }
 
-// Parallel axes: what a point mass at `r` adds.
+// Parallel axes: contribution of a point mass at `r`.
 Eigen::Matrix3d pointInertia(double mass, const Eigen::Vector3d& r) {
     return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
 }
@@ -28,7 +28,7 @@ bool WorldModel::isFixed(std::string_view name) {
     return name == "world" || name == "base" || name == "flange" || name == "tcp";
 }
 
-// Attaching refuses loops, so the way up ends.
+// Attaching refuses loops, so the path to the root ends.
 std::optional<Eigen::Isometry3d> WorldModel::inBase(std::string_view name, const ArmFrames& arm) const {
     Eigen::Isometry3d T_here_frame = Eigen::Isometry3d::Identity();
     while (!isFixed(name)) {

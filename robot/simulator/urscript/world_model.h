@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The named frames of PolyScope X: a tree under "world", in which "base", "flange" and "tcp" are always
-// there. Frames attached to the flange or the TCP go where the arm goes. Source: world model list of the
-// script directory; what it leaves open is said at each function.
+// The named frames of PolyScope X: a tree under "world" that always contains "base", "flange" and "tcp". Frames
+// attached to the flange or the TCP move with the arm. Source: world model list of the script directory; each
+// function documents unspecified behaviour.
 
 #include <Eigen/Geometry>
 #include <map>
@@ -32,8 +32,8 @@ public:
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
     /// The child stays where it is. A loop is refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
-    /// pose  relative to `ref`; the parent stays. Of those that are always there only the base can be moved,
-    /// in the world: what hangs on the world stays where it is.
+    /// pose  relative to `ref`; the parent does not change. Of the permanent frames only the base can be moved, in
+    ///       the world; frames attached to the world do not move.
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
     /// What was attached to it goes to its parent and stays where it is.

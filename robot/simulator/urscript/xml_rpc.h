@@ -23,12 +23,12 @@ struct Address {
 /// "http://127.0.0.1:8000/RPC2". Nothing when it is no such address.
 std::optional<Address> parseAddress(std::string_view url);
 
-/// A whole HTTP request that calls `method`.
-/// Errors  ScriptError for a value that has no form in XML-RPC (infinite, None)
+/// Returns a complete HTTP request that calls `method`.
+/// Errors  ScriptError for a value without a form in XML-RPC (infinite, None)
 Result<std::string> request(const Address& address, std::string_view method,
                             std::span<const Value> arguments);
 
-/// What the server replied, or nothing while more has to come. ended  the connection is over: no more comes
+/// Returns the reply of the server, or nothing while it is incomplete. ended  the connection has ended
 /// Errors  ScriptError: HTTP status, malformed reply, fault of the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
 

@@ -35,8 +35,8 @@ public:
     /// state      current position of the arm
     /// heldSpeed  returns the speed limit, called for each move
     RouteRunner(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
-              const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
-              QObject* parent = nullptr);
+                const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
+                QObject* parent = nullptr);
     ~RouteRunner() override;
 
     /// Sets the waypoint rows to run and restarts the route.

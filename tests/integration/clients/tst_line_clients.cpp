@@ -279,7 +279,7 @@ private Q_SLOTS:
         QVERIFY(client.pause());
     }
 
-    void aSecondRecipeClientIsToldWhatIsInUse() {
+    void secondRecipeClientLearnsWhichInputsAreInUse() {
         VirtualRobot robot;
         RecipeClient first(robot);
         RecipeClient second(robot);

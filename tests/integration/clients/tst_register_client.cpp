@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(largest(robot_.controller.truth().q, q) < 1e-4);
     }
 
-    void anAsynchronousMoveTellsItsProgressAndIsStopped() {
+    void asynchronousMoveReportsProgressAndCanBeStopped() {
         Six q = jointsNow();
         q[0] += 1.5;
         const auto running = [this] { return (client_->state().ints[2] & 0x8000) != 0; };
@@ -197,7 +197,7 @@ private Q_SLOTS:
 
     // The command is answered like an ordinary one but the client does not wait: the next command does not find
     // "ready" within its three seconds, gives up and clears; the one after it works.
-    void servoCircularIsTheHazardItIsForTheRealClient() {
+    void servoCircularBehavesAsWithTheRealClient() {
         Six pose = poseNow();
         pose[2] += 0.05;
         QVERIFY(client_->realtime(Client::kServoCircular, 12,
@@ -344,7 +344,7 @@ private Q_SLOTS:
         QCOMPARE(doubleAt(last, 1 + 72), 0.03);
     }
 
-    void itMovesUntilContact() {
+    void movesUntilContact() {
         const double z = poseNow()[2];
         robot_.controller.changeWorld([z](simulator::arm::Environment& world) {
             world.addPlane({.point = {0, 0, z - 0.02}});

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(client_->news().exceptions.empty());
     }
 
-    void aToolContactStopsTheMotionAndIsTold() {
+    void toolContactStopsTheMotionAndIsReported() {
         const double z = pose()[2];
         robot_->controller.changeWorld([z](simulator::arm::Environment& world) {
             world.addPlane({.point = {0, 0, z - 0.02}});
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(client_->news().errorCodes.empty() && client_->news().exceptions.empty());
     }
 
-    void unknownNamesAreToldWithoutAStart() {
+    void unknownNamesAreReportedWithoutAStart() {
         client_->news() = {};
         client_->sendScript("def broken():\n  no_such_function(1)\nend\n");
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 1));
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QVERIFY(client_->news().keys.empty());
     }
 
-    void unreachableTargetsAreToldApart() {
+    void unreachableTargetsAreDistinguished() {
         client_->news() = {};
         client_->sendScript("def far():\n  movej(p[10,0,0,0,0,0])\nend\n");
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
@@ -246,12 +246,12 @@ private Q_SLOTS:
         QVERIFY(client_->news().exceptions.empty());
     }
 
-    void aProtectiveStopByProgramIsToldOnce_data() {
+    void protectiveStopByProgramIsReportedOnce_data() {
         QTest::addColumn<QByteArray>("program");
         QTest::newRow("def") << QByteArray("def halt_here():\n  protective_stop()\nend\n");
         QTest::newRow("sec") << QByteArray("sec halt_here():\n  protective_stop()\nend\n");
     }
-    void aProtectiveStopByProgramIsToldOnce() {
+    void protectiveStopByProgramIsReportedOnce() {
         QFETCH(QByteArray, program);
         client_->news() = {};
         client_->sendScript(program);

@@ -90,7 +90,7 @@ private Q_SLOTS:
         QVERIFY(largest(client_->data().actualPose, target) < 1e-3);
     }
 
-    void aTrajectoryLastsAsLongAsItIsTold() {
+    void trajectoryTakesTheGivenTime() {
         const double before = client_->data().timestamp;
         QVERIFY(client_->startTrajectory({jointPoint(plus(kStart, 0, 0.5), 1.4, 1.05, 3.0)}));
         QCOMPARE(client_->trajectoryResult(10).value_or(-1), 0);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(!moving());
     }
 
-    void aStopSettlesBeforeTheResultIsTold() {
+    void stopSettlesBeforeTheResultIsReported() {
         // 1.6 rad at 3.4 rad/s2 take 1.372 s; another client treats a result before 1.4 s as a failure.
         QVERIFY(client_->startTrajectory({jointPoint({-1.57, -1.6, 1.6, -0.7, 0.7, 0.2}, 3.4, 3.1)}));
         QCOMPARE(client_->trajectoryResult(10).value_or(-1), 0);

@@ -65,11 +65,11 @@ class TestBrokenLink : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everybodyLearnsOfABreak_data() {
+    void breakIsReportedToAllSubscribers_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("connections ended in good order") << QStringLiteral("close-clients");
     }
-    void everybodyLearnsOfABreak() {
+    void breakIsReportedToAllSubscribers() {
         QFETCH(QString, fault);
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());

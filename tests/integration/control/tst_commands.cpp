@@ -189,7 +189,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    void aFunctionThatDoesNotCompileIsToldWithItsLine() {
+    void compileErrorOfAFunctionIsReportedWithItsLine() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    void aFunctionThatFailsIsToldWithItsLine() {
+    void runtimeErrorOfAFunctionIsReportedWithItsLine() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
@@ -228,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    void aWholeScriptRunsAndControlComesBack() {
+    void wholeScriptRunsAndControlReturns() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
@@ -279,7 +279,7 @@ private Q_SLOTS:
         QVERIFY2(ran.ok(), why(ran));
     }
 
-    void theControlProgramEndsAndComesBack() {
+    void controlProgramEndsAndIsRestored() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
@@ -372,7 +372,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    void aWatchdogNobodyKicksStopsTheProgram() {
+    void watchdogWithoutKicksStopsTheProgram() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ToolSetup setup(*cell.controller);

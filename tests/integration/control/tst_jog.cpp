@@ -42,7 +42,7 @@ private Q_SLOTS:
 
     // Real arms report frames at distances of hundreds of metres, and an upper arm of some centimetres: neither may
     // block the arm or make the elbow too fast.
-    void anArmWithACalibrationOfItsOwnMovesAsFast() {
+    void calibratedArmMovesAtTheSameSpeed() {
         for (const double size : {0.0, 1.0, 3.0}) {
             Cell cell([size](auto& options) { options.calibration = size; });
             QVERIFY(cell.takeControl().ok());
@@ -59,7 +59,7 @@ private Q_SLOTS:
         }
     }
 
-    void theElbowOfAnArmWithACalibrationOfItsOwnIsHeldToTheCap() {
+    void elbowOfACalibratedArmRespectsTheCap() {
         for (const double size : {0.0, 1.0, 3.0}) {
             // Folded: the elbow is the point with the largest distance from the shoulder axis.
             Cell cell([size](auto& options) {
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(stop.distanceMm - distance) < 0.3);
     }
 
-    void anotherCapEndsWhatMovesAndHoldsForWhatComes() {
+    void newCapEndsTheCurrentMotionAndAppliesToLaterOnes() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto speed = [&] { return cell.robot.truth().tcpSpeed.linear.norm(); };
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QCOMPARE(cell.controller->limits().tcpSpeed, 0.25);
     }
 
-    void aSilentHolderEndsTheJogAndItStaysEnded() {
+    void missingRefreshEndsTheJogPermanently() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(mm(standing, cell.tcp()) > 1);
     }
 
-    void aSilentLinkEndsInStandstillByTheRobotAlone() {
+    void robotStopsTheArmOnASilentConnection() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         for (const JogTarget& target : {linearJog(0, 0, 0.25), jointJog(0, 30 * kDeg)}) {

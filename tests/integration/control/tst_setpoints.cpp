@@ -61,7 +61,7 @@ private Q_SLOTS:
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
     }
 
-    void servoLFollowsPosesAndSaysWhenThereIsNone() {
+    void servoLFollowsPosesAndReportsMissingSolutions() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         auto servo = Motions(*cell.controller).startServoL({}, Holding::Free);
@@ -556,7 +556,7 @@ private Q_SLOTS:
         QCOMPARE(report.calls.count(), 501U);
     }
 
-    void aWrongTargetEndsThePacketLoopAndIsTold() {
+    void invalidTargetEndsThePacketLoopAndIsReported() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto wrong = [](const CycleState&) -> std::optional<JointPositions> {

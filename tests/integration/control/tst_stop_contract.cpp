@@ -195,7 +195,7 @@ private Q_SLOTS:
     }
 
     // Past failures, with their options: moved afterwards, or took too long.
-    void whatOnceWentWrong_data() {
+    void earlierRegressions_data() {
         QTest::addColumn<QString>("motion");
         QTest::addColumn<QString>("event");
         QTest::addColumn<double>("slider");
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QTest::newRow("bunched data") << "jog in force mode"
                                       << "release" << 1.0 << "data=bunched";
     }
-    void whatOnceWentWrong() {
+    void earlierRegressions() {
         QFETCH(QString, motion);
         QFETCH(QString, event);
         QFETCH(double, slider);
@@ -291,7 +291,7 @@ private Q_SLOTS:
 
 int main(int argc, char** argv) {
     std::vector<char*> rest;
-    char oneCell[] = "whatOnceWentWrong";
+    char oneCell[] = "earlierRegressions";
     for (int i = 0; i < argc; ++i) {
         if (qstrcmp(argv[i], "--all") == 0) {
             runsAll = true;

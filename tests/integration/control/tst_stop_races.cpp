@@ -33,7 +33,7 @@ class TestStopRaces : public QObject {
 private Q_SLOTS:
     // The arm moves, and time does not advance: one call waits for the end of the program, the other one for the
     // first call. The stop applies to both.
-    void aStopCountsForWhoWaitsForItsTurn() {
+    void stopAlsoEndsQueuedCallers() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Pose target = cell.tcp();
@@ -75,7 +75,7 @@ private Q_SLOTS:
     }
 
     // Effects that continue after their start: a stop applies to them, and they do not outlive their function.
-    void aFunctionLeavesNothingMoving_data() {
+    void noMotionRemainsAfterAFunction_data() {
         QTest::addColumn<QString>("body");
         QTest::addColumn<bool>("stopped");
         const std::pair<const char*, QString> bodies[] = {
@@ -94,7 +94,7 @@ private Q_SLOTS:
                 << body + QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend") << false;
         }
     }
-    void aFunctionLeavesNothingMoving() {
+    void noMotionRemainsAfterAFunction() {
         QFETCH(QString, body);
         QFETCH(bool, stopped);
         Cell cell;
@@ -146,7 +146,7 @@ private Q_SLOTS:
     }
 
     // Numbers stored in the previous program are not those of the new one.
-    void aNewProgramIsToldEverythingAnew() {
+    void newProgramReceivesAllSettingsAgain() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ArmQueries ask(*cell.controller);
@@ -208,7 +208,7 @@ private Q_SLOTS:
         QVERIFY2(path.error().controllerMessage.contains(QStringLiteral("entry 1, target")), why(path));
     }
 
-    void aStopSoftlyIsRefusedWhereItWouldBeNone() {
+    void softStopIsRefusedWhereItWouldHaveNoEffect() {
         Cell cell;
         QCOMPARE(Motions(*cell.controller).stopJ(0.05).error().code, ErrorCode::LimitExceeded);
         QCOMPARE(Motions(*cell.controller).stopL(1, 0.01).error().code, ErrorCode::LimitExceeded);

@@ -337,7 +337,7 @@ private Q_SLOTS:
         QCOMPARE(robot.truth().runtimeState, RuntimeState::Stopped);
     }
 
-    void aRobotInLocalSaysSo() {
+    void localControlIsReported() {
         simulator::SimulatorOptions options = robotOptions();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -348,7 +348,7 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::RemoteControlRequired, qPrintable(error.toString()));
     }
 
-    void aRefusedPortNamesIt() {
+    void refusedPortIsNamed() {
         RawPeer primary([](RawPeer::Link& link) { link.beMute(); });
         const int dead = RawPeer::deadPort();
         Controller noRtde(to(primary.port(), dead));
@@ -376,7 +376,7 @@ private Q_SLOTS:
                  ErrorCode::Timeout);
     }
 
-    void aCompileErrorIsToldWithItsPlace() {
+    void compileErrorIsReportedWithItsPosition() {
         RtdePeer peer;
         makeRunning(peer);
         RawPeer primary([](RawPeer::Link& link) {

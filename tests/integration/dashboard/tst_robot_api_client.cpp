@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
     }
 
-    void aRobotInLocalSaysSo() {
+    void localControlIsReported() {
         auto options = polyScopeX();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -155,7 +155,7 @@ private Q_SLOTS:
         QVERIFY2(int(mode.error().code) == code, qPrintable(mode.error().toString()));
     }
 
-    void aMutePeerHoldsNobody() {
+    void silentPeerBlocksNoCaller() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         RobotApiClient client(QStringLiteral("127.0.0.1"), mute.port());
         QCOMPARE(client.powerOn(Deadline::after(std::chrono::milliseconds(40))).error().code,

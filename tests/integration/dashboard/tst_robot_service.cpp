@@ -116,7 +116,7 @@ private Q_SLOTS:
         }
     }
 
-    void eachSaysWhatItCan() {
+    void everyServiceReportsItsCapabilities() {
         {
             Robot robot({10, 12, 0, 0});
             const auto report = robot.service->look(patience());

@@ -290,7 +290,7 @@ private Q_SLOTS:
         QCOMPARE(report.size(), std::size_t(kConditionCount));
     }
 
-    void theCommandLineSaysTheSame() {
+    void commandLineReportsTheSame() {
         if (QByteArray(TILLER_CLI).isEmpty()) {
             QSKIP("built without the application");
         }

@@ -193,13 +193,13 @@ private Q_SLOTS:
         }
     }
 
-    void eachDoesWhatItSays_data() {
+    void everyExampleWorksAsDocumented_data() {
         QTest::addColumn<QString>("name");
         for (const auto& [name, example] : examples()) {
             QTest::newRow(qPrintable(name)) << name;
         }
     }
-    void eachDoesWhatItSays() {
+    void everyExampleWorksAsDocumented() {
         QFETCH(QString, name);
         const Example& example = examples().at(name);
         constexpr int kAttempts = 10;
@@ -218,7 +218,7 @@ private Q_SLOTS:
         }
     }
 
-    void withoutARobotTheySaySo() {
+    void missingRobotIsReported() {
         QProcess program;
         program.start(QStringLiteral(TILLER_EXAMPLES_DIR "/move_and_wait"), {QStringLiteral("127.0.0.213")});
         QVERIFY(program.waitForFinished(30'000));

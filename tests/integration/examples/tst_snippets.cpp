@@ -73,7 +73,7 @@ class TestSnippets : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theSearchFindsWhatIsThereAndNothingElse() {
+    void searchFindsExactlyTheRunningRobots() {
         const QStringList text{"a {", "    b;", "", "    c;", "}"};
         QVERIFY(standsIn({"b;", "", "c;"}, text));
         QVERIFY(standsIn({"a {", "    b;"}, text));
@@ -81,13 +81,13 @@ private Q_SLOTS:
         QVERIFY(!standsIn({"b;", "", "    c;"}, text));
     }
 
-    void readmesShowWhatTheSuiteRuns_data() {
+    void readmeCodeIsContainedInTheExamples_data() {
         QTest::addColumn<QString>("page");
         QTest::addColumn<int>("least");
         QTest::newRow("README.md") << "README.md" << 3;
         QTest::newRow("robot/README.md") << "robot/README.md" << 3;
     }
-    void readmesShowWhatTheSuiteRuns() {
+    void readmeCodeIsContainedInTheExamples() {
         QFETCH(QString, page);
         QFETCH(int, least);
         int code = 0;

@@ -69,7 +69,7 @@ class TestRobotiq : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void itIsActivatedOpenedClosedAndSentSomewhere() {
+    void gripperCanBeActivatedOpenedClosedAndPositioned() {
         Bench bench;
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
         QVERIFY(bench.client.beginActivation(patience()).ok());
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(bench.move(100, 10, 255).position, 100);
     }
 
-    void beforeItsActivationItDoesNotMoveAndSaysSo() {
+    void gripperRefusesToMoveBeforeActivation() {
         Bench bench;
         QVERIFY(bench.client.move(200, 255, 0, patience()).ok());
         bench.robot.controller.stepSeconds(0.5);
@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(bench.look().fault, RobotiqFault::None);
     }
 
-    void itTellsWhatItHolds() {
+    void gripperReportsAHeldObject() {
         Bench bench;
         bench.activate();
         QVERIFY(bench.robot.controller.inject("gripper-object 120").ok());
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(inside.holds());
     }
 
-    void aStopOfTheArmLeavesItHolding() {
+    void stopOfTheArmDoesNotOpenTheGripper() {
         Bench bench;
         bench.activate();
         QVERIFY(bench.robot.controller.inject("gripper-object 120").ok());
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(bench.look() == before);
     }
 
-    void withoutTheArmsPowerThereIsNothingToKnow() {
+    void gripperStateIsUnknownWithoutArmPower() {
         Bench bench(VirtualRobot::poweredOff());
         const auto look = bench.client.look(patience());
         QVERIFY2(look.ok(), why(look).constData());

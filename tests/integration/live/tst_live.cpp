@@ -109,11 +109,11 @@ class TestLive : public QObject {
 private Q_SLOTS:
     void aViewerGetsEveryPackage();
     void onlyWhatIsSubscribedIsSent();
-    void wrongRequestsAreAnsweredAndHarmNobody();
+    void invalidRequestsAreAnsweredAndHarmless();
     void aViewerInNodeGetsEveryPackage();
     void datagramsForPlotJuggler();
-    void whatCannotBeStartedSaysSo();
-    void itIsOnThisMachineOnly();
+    void startFailuresAreReported();
+    void serverListensOnTheLocalMachineOnly();
 };
 
 void TestLive::aViewerGetsEveryPackage() {
@@ -178,7 +178,7 @@ void TestLive::onlyWhatIsSubscribedIsSent() {
     QCOMPARE(bench.output.progress().messages, std::uint64_t(10));
 }
 
-void TestLive::wrongRequestsAreAnsweredAndHarmNobody() {
+void TestLive::invalidRequestsAreAnsweredAndHarmless() {
     Bench bench;
     bench.start();
     Viewer viewer(bench.output.port());
@@ -271,7 +271,7 @@ void TestLive::datagramsForPlotJuggler() {
     TRY_COMPARE(bench.output.progress().datagrams, std::uint64_t(20));
 }
 
-void TestLive::whatCannotBeStartedSaysSo() {
+void TestLive::startFailuresAreReported() {
     Bench bench;
     live::LiveOptions options;
     options.listenAddress = QStringLiteral("robot.local");
@@ -293,7 +293,7 @@ void TestLive::whatCannotBeStartedSaysSo() {
     QCOMPARE(bench.output.progress().packets, std::uint64_t(0));
 }
 
-void TestLive::itIsOnThisMachineOnly() {
+void TestLive::serverListensOnTheLocalMachineOnly() {
     QCOMPARE(live::LiveOptions().listenAddress, QStringLiteral("127.0.0.1"));
     QVERIFY(live::LiveOptions().udpAddress.isEmpty());
 }

@@ -198,7 +198,7 @@ class TestLiveHostile : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void workingViewersLoseNothing() {
+    void readingViewersLoseNoData() {
         bool given = false;
         const int wanted = qEnvironmentVariableIntValue("TILLER_HOSTILE_CONNECTIONS", &given);
         const int connections = given ? wanted : 600;

@@ -88,7 +88,7 @@ private Q_SLOTS:
     void answersAreBounded_data();
     void answersAreBounded();
     void aFloodOfRequestsEndsTheConnection();
-    void idleViewersDoNotLockOutAWorkingOne();
+    void idleViewersDoNotLockOutOthers();
     void subscribedViewersAreLimited();
     void foreignPagesAreRefused_data();
     void foreignPagesAreRefused();
@@ -279,7 +279,7 @@ void TestLiveLimits::aFloodOfRequestsEndsTheConnection() {
     WAIT_VERIFY(bench.output.progress().disconnected >= 1);
 }
 
-void TestLiveLimits::idleViewersDoNotLockOutAWorkingOne() {
+void TestLiveLimits::idleViewersDoNotLockOutOthers() {
     LimitBench bench;
     std::vector<std::unique_ptr<RawViewer>> idle;
     for (int i = 0; i < 100; ++i) {

@@ -269,7 +269,7 @@ private Q_SLOTS:
         }
     }
 
-    void aLoadItCannotHoldIsAProtectiveStop() {
+    void excessiveLoadCausesAProtectiveStop() {
         robot_->robot.controller.changeWorld([](simulator::arm::Environment& world) {
             simulator::arm::Payload load;
             load.mass = 80;
@@ -379,7 +379,7 @@ private Q_SLOTS:
         QVERIFY2(scaling < 0.9, qPrintable(QString::number(scaling)));
     }
 
-    void whatSlowsAPathIsTold() {
+    void limiterOfAPathIsReported() {
         constexpr qint32 kNoProgram = 0;
         constexpr qint32 kNotScaled = 1;
         constexpr qint32 kToolSpeed = 8;
@@ -408,7 +408,7 @@ private Q_SLOTS:
                 !reduced.contains(kJointSpeed));
     }
 
-    void pauseFreezesAPathAndItGoesOn() {
+    void pausedPathResumes() {
         RawDashboard dashboard = robot_->robot.dashboard();
         const Six start = now().targetPose;
         robot_->send(

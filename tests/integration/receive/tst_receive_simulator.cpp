@@ -91,11 +91,11 @@ private Q_SLOTS:
     void streamsWithoutLossAt500Hz();
     void streamsWithoutLossAt125Hz();
     void realTimeStreamAddsUp();
-    void refusedCpusAreTold();
-    void stateIsTheRobotsOwn();
+    void refusedCpusAreReported();
+    void stateMatchesTheRobot();
     void recordsFiveSecondsRowByRow();
     void outputsAreSetAndConfirmed();
-    void secondOwnerIsToldWhatIsInUse();
+    void secondOwnerLearnsWhichInputsAreInUse();
     void comesBackWhenTheControllerClosesItsClients();
     void silentControllerIsStaleThenGivenUp();
 };
@@ -181,7 +181,7 @@ void TestReceiveSimulator::streamsWithoutLossAt125Hz() {
     QVERIFY(!cell.receiver->latest().field("actual_q").empty());
 }
 
-void TestReceiveSimulator::refusedCpusAreTold() {
+void TestReceiveSimulator::refusedCpusAreReported() {
     simulator::Simulator robot(standingStill(simulator::Time::Real));
     QVERIFY(robot.start().ok());
     receive::ReceiverOptions to;
@@ -225,7 +225,7 @@ void TestReceiveSimulator::realTimeStreamAddsUp() {
     QCOMPARE(receiver.counters().packets + receiver.counters().lost, steps + 1);
 }
 
-void TestReceiveSimulator::stateIsTheRobotsOwn() {
+void TestReceiveSimulator::stateMatchesTheRobot() {
     Cell cell;
     QVERIFY(cell.connect());
     cell.robot.setDigitalInput(3, true);
@@ -313,7 +313,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.02) < 1e-9);
 }
 
-void TestReceiveSimulator::secondOwnerIsToldWhatIsInUse() {
+void TestReceiveSimulator::secondOwnerLearnsWhichInputsAreInUse() {
     Cell cell;
     io::OutputsOptions to;
     to.host = QStringLiteral("127.0.0.1");

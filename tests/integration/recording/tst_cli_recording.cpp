@@ -57,16 +57,16 @@ private Q_SLOTS:
             .listenAddress = address_, .poweredOn = true, .fastTransitions = true});
         QVERIFY(simulator_->start().ok());
     }
-    void recordsForATimeAndTellsWhatIsInIt();
+    void recordsForATimeAndDescribesTheFile();
     void namesFilesInAFolder();
     void endsInOrderOnASignal();
     void aKilledRecorderLosesHalfASecondAtMost();
     void exportsAPart();
     void findsThePushBehindAStop();
-    void wrongArgumentsSaySo_data();
-    void wrongArgumentsSaySo();
-    void whatCannotBeReadSaysSo();
-    void nobodyThereIsAFailure();
+    void wrongArgumentsAreReported_data();
+    void wrongArgumentsAreReported();
+    void unreadableFilesAreReported();
+    void missingRobotIsAFailure();
     void helpIsThere_data();
     void helpIsThere();
 
@@ -77,7 +77,7 @@ private:
     std::unique_ptr<simulator::Simulator> simulator_;
 };
 
-void TestCliRecording::recordsForATimeAndTellsWhatIsInIt() {
+void TestCliRecording::recordsForATimeAndDescribesTheFile() {
     const Answer recorded = run({"record", address_, "--out", path("a.mcap"), "--duration", "1"});
     QCOMPARE(recorded.err, QString());
     QCOMPARE(recorded.code, 0);
@@ -220,7 +220,7 @@ void TestCliRecording::findsThePushBehindAStop() {
     QVERIFY2(other.out.contains("They differ from the first sample"), qPrintable(other.out));
 }
 
-void TestCliRecording::wrongArgumentsSaySo_data() {
+void TestCliRecording::wrongArgumentsAreReported_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("said");
     QTest::newRow("no address") << QStringList{"record", "--out", "a.csv"} << "address";
@@ -245,7 +245,7 @@ void TestCliRecording::wrongArgumentsSaySo_data() {
     QTest::newRow("export to a picture") << QStringList{"export", "a.mcap", "--out", "a.png"} << ".h5";
 }
 
-void TestCliRecording::wrongArgumentsSaySo() {
+void TestCliRecording::wrongArgumentsAreReported() {
     QFETCH(QStringList, arguments);
     QFETCH(QString, said);
     const Answer answer = run(arguments);
@@ -253,7 +253,7 @@ void TestCliRecording::wrongArgumentsSaySo() {
     QVERIFY2(answer.err.contains(said), qPrintable(answer.err));
 }
 
-void TestCliRecording::whatCannotBeReadSaysSo() {
+void TestCliRecording::unreadableFilesAreReported() {
     QFile file(path("broken.mcap"));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("hello\1\2") > 0);
     file.close();
@@ -267,7 +267,7 @@ void TestCliRecording::whatCannotBeReadSaysSo() {
     QVERIFY(!QFileInfo::exists(path("x.csv")));
 }
 
-void TestCliRecording::nobodyThereIsAFailure() {
+void TestCliRecording::missingRobotIsAFailure() {
     const Answer answer =
         run({"record", "127.0.0.1", "--port-offset", "13", "--out", path("none.csv"), "--wait", "0.2"});
     QCOMPARE(answer.code, 1);

@@ -49,12 +49,12 @@ class TestCliSimulate : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void itSaysWhenItIsReadyAndEndsOnASignal_data() {
+    void printsReadyAndEndsOnASignal_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("SIGTERM") << SIGTERM;
         QTest::newRow("SIGINT") << SIGINT;
     }
-    void itSaysWhenItIsReadyAndEndsOnASignal() {
+    void printsReadyAndEndsOnASignal() {
         QFETCH(int, signal);
         Cli cli({"simulate", "--listen", ownAddress()});
         const QByteArray ready = cli.readyLine();
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(nobody.process.readAllStandardError().contains("no simulated controller"));
     }
 
-    void aSecondOneOnTheSameAddressSaysWhatToDo() {
+    void secondSimulatorOnTheSameAddressSuggestsASolution() {
         Cli first({"simulate", "--listen", ownAddress()});
         QVERIFY(first.readyLine().startsWith("ready"));
         Cli second({"simulate", "--listen", ownAddress()});

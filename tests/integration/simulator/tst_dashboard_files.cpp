@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
     }
 
-    void stopAndPlayInOneSegmentAreBothObeyed() {
+    void stopAndPlayInOneSegmentAreBothExecuted() {
         Played cell;
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
         cell.robot.controller.step(5);
@@ -225,7 +225,7 @@ private Q_SLOTS:
             cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
     }
 
-    void nothingOutsideTheProgramsFolderIsLoaded_data() {
+    void filesOutsideTheProgramsFolderAreNotLoaded_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<bool>("loads");
         QTest::newRow("absolute") << QByteArray("OUTSIDE/secret.urp") << false;
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QTest::newRow("up and back") << QByteArray("sub/../sub/deep.urp") << true;
         QTest::newRow("a link within") << QByteArray("near.urp") << true;
     }
-    void nothingOutsideTheProgramsFolderIsLoaded() {
+    void filesOutsideTheProgramsFolderAreNotLoaded() {
         QFETCH(QByteArray, name);
         QFETCH(bool, loads);
         QTemporaryDir place;

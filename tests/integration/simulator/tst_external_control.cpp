@@ -73,7 +73,7 @@ class TestExternalControl : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theScriptTakesThePlaceOfTheNode() {
+    void scriptReplacesTheNode() {
         Cell cell;
         QCOMPARE(cell.loaded, QByteArray("Loading program: external_control.urp\n"));
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));

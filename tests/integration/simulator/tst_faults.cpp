@@ -35,7 +35,7 @@ class TestFaults : public QObject {
     }
 
 private Q_SLOTS:
-    void wrongWordsAreExplainedAndDoNothing_data() {
+    void wrongWordsAreExplainedWithoutEffect_data() {
         QTest::addColumn<QString>("words");
         QTest::addColumn<QString>("hint");
         QTest::newRow("nothing") << ""
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QTest::newRow("no such register") << "hold-registers input_int_register_99"
                                           << "exist";
     }
-    void wrongWordsAreExplainedAndDoNothing() {
+    void wrongWordsAreExplainedWithoutEffect() {
         QFETCH(QString, words);
         QFETCH(QString, hint);
         VirtualRobot robot;
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(!robot.controller.inject("load").ok());
     }
 
-    void theFaultPortSpeaksTheSameWords() {
+    void faultPortAcceptsTheSameWords() {
         VirtualRobot robot;
         RawClient console(robot.host(), robot.controller.ports().faults);
         console.send("protective-stop\n");
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QCOMPARE(stream.rtde.packages().size(), std::size_t(101));
     }
 
-    void aClientDroppedWhileTheLinkIsLostLearnsOfItAfterwards() {
+    void clientDroppedDuringALostLinkLearnsOfItAfterwards() {
         VirtualRobot robot;
         Stream stream(robot);
         stream.rtde.setupInputs("input_int_register_0");
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QVERIFY(stream.rtde.waitClosed());
     }
 
-    void silenceStopsTheStreamAndNothingElse() {
+    void silenceStopsOnlyTheStream() {
         VirtualRobot robot;
         Stream stream(robot);
         inject(robot, "silence on");
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QCOMPARE(robot.programState(), RuntimeState::Stopped);
     }
 
-    void aPopupIsToldToPrimaryClients() {
+    void popupIsReportedToPrimaryClients() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         primary.packages();
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY(popups[0].endsWith("look here"));
     }
 
-    void powerIsLostAtOnceAndComesBackOnRequest() {
+    void powerIsLostAtOnceAndReturnsOnRequest() {
         VirtualRobot robot;
         inject(robot, "power-loss");
         robot.controller.step();
@@ -405,7 +405,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
     }
 
-    void polyScopeXTellsNewClientsThatItsSafetyIsUnconfirmed() {
+    void polyScopeXReportsUnconfirmedSafetyToNewClients() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};
         VirtualRobot robot(options);

@@ -64,7 +64,7 @@ private Q_SLOTS:
         }
     }
 
-    void severalQuestionsInOnePieceAreAnsweredInOnePiece() {
+    void severalRequestsInOneSegmentAreAnsweredInOneSegment() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.send("GET ACT\nGET STA\nGET FLT\n");
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.take(3), QByteArray("ack"));
     }
 
-    void aProgramFindsItAtTheControllersOwnAddress() {
+    void programReachesTheGripperAtTheControllerAddress() {
         auto options = VirtualRobot::options();
         options.listenAddress = "127.0.0.7";  // of the controller; its programs use 127.0.0.1
         VirtualRobot robot(options);
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("PRE"), 42);
     }
 
-    void itIsActivatedBeforeItMoves() {
+    void activationIsRequiredBeforeMoves() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         QVERIFY(gripper.set("POS 100 GTO 1"));
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("FLT"), 0);
     }
 
-    void itMovesWithItsSpeed() {
+    void movesWithTheSetSpeed() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.activate();
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("POS"), 100);
     }
 
-    void anAutomaticReleaseOpensItSlowlyAndNeedsANewActivation() {
+    void automaticReleaseOpensSlowlyAndRequiresANewActivation() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.activate();
@@ -216,7 +216,7 @@ private Q_SLOTS:
     }
 
     // For a program its controller is 127.0.0.1 with the standard ports, independent of the address of this one.
-    void aProgramReachesTheGripperOfItsOwnController() {
+    void programReachesTheGripperOfItsController() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         RawPrimary secondary(robot.host(), robot.controller.ports().secondary);
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 5));
     }
 
-    void withoutPowerItAnswersNothingAndForgets() {
+    void withoutPowerTheGripperDoesNotAnswerAndLosesItsActivation() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.activate();

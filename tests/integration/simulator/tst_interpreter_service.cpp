@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(i.ask("stateunexecuted"), QByteArray("state: 0: stateunexecuted\n"));
         QCOMPARE(i.robot.programState(), RuntimeState::Playing);
     }
-    void whatDoesNotCompileIsDiscardedWithItsReason() {
+    void uncompilableStatementsAreDiscardedWithTheReason() {
         Interpreting i;
         QCOMPARE(i.ask("nosuch(1)"), QByteArray("discard: compile_error_name_not_found:nosuch: nosuch(1)\n"));
         QCOMPARE(i.ask("a = 1\r"), QByteArray("ack: 1: a = 1\n"));
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(i.robot.stepUntil([&] { return i.robot.programState() == RuntimeState::Stopped; }));
         QCOMPARE(i.ask("a = 1"), QByteArray("discard: no program is running: a = 1\n"));
     }
-    void aNewProgramCountsAnew() {
+    void newProgramRestartsTheCount() {
         Interpreting i;
         i.ask("a = 1");
         i.primary.send(kMode);

@@ -34,7 +34,7 @@ class TestModbus : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aSignalReadsWhatTheDeviceHas_data() {
+    void signalReadsTheDeviceValue_data() {
         QTest::addColumn<QByteArray>("signal");
         QTest::addColumn<QString>("values");
         QTest::addColumn<QByteArray>("before");
@@ -56,7 +56,7 @@ private Q_SLOTS:
             "[False, True]");
         row("registers by their function", "0, 16, \"s\", register_count=2)", "5 6", "[0, 0]", "[5, 6]");
     }
-    void aSignalReadsWhatTheDeviceHas() {
+    void signalReadsTheDeviceValue() {
         QFETCH(QByteArray, signal);
         QFETCH(QString, values);
         QFETCH(QByteArray, before);
@@ -79,7 +79,7 @@ private Q_SLOTS:
             QByteArrayList{"24"});
     }
 
-    void whatAProgramWritesIsReadBackByOtherSignals() {
+    void writtenValuesAreReadBackByOtherSignals() {
         Cell cell;
         QCOMPARE(cell.told(kAdd + "5, 16, \"out\", False, 4)\n" + kAdd +
                                "6, 3, \"one\")\nmodbus_set_output_register(\"out\", [10, 20, 30, 40])\n"
@@ -113,7 +113,7 @@ private Q_SLOTS:
                  (QByteArrayList{"[1, 2, 3]", "[8, 9]", "[256, 2, 3]"}));
     }
 
-    void errorsOfTheDeviceAreTold() {
+    void deviceErrorsAreReported() {
         Cell cell;
         const QByteArray errors =
             "textmsg(modbus_get_error(\"s\"))\ntextmsg(modbus_get_error(\"s\", 1))\n"

@@ -268,7 +268,7 @@ private Q_SLOTS:
     }
 
     // PolyScope X has no dashboard; there the Robot API must be consistent.
-    void theRobotApiOfPolyScopeXSaysTheSame() {
+    void robotApiOfPolyScopeXReportsTheSame() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};
         options.poweredOn = false;

@@ -17,7 +17,7 @@ class TestPersonalities : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyInterfaceTellsTheSame_data() {
+    void allInterfacesReportTheSame_data() {
         QTest::addColumn<QString>("model");
         QTest::addColumn<QString>("software");
         QTest::addColumn<int>("robotType");
@@ -39,7 +39,7 @@ private Q_SLOTS:
         QTest::newRow("PolyScope X") << "ur5e"
                                      << "10.12" << 1 << QByteArray();
     }
-    void everyInterfaceTellsTheSame() {
+    void allInterfacesReportTheSame() {
         QFETCH(QString, model);
         QFETCH(QString, software);
         QFETCH(int, robotType);
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QCOMPARE(seen.size(), qsizetype(robotModels().size()));
     }
 
-    void whatDoesNotFitIsRefused() {
+    void unsuitableValuesAreRefused() {
         for (const char* wrong :
              {"", "5", "new", "5.x", "4.2", "6.0", "5.1.2.3.4", "5.300", "-5.1", "10.12."}) {
             QVERIFY2(!simulator::parseSoftware(QString::fromLatin1(wrong)).ok(), wrong);

@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(int(partsOf(primary.next())[3].size()), size);
     }
 
-    void theProgramsVariablesAreToldOnceAndWhenTheyChange() {
+    void variablesAreReportedOnceAndOnChange() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         primary.send(

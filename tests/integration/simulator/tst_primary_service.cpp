@@ -26,7 +26,7 @@ class TestPrimaryService : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theSecondaryPortSaysNothingButItsVersionAndStates() {
+    void secondaryPortSendsOnlyItsVersionAndStates() {
         VirtualRobot robot;
         RawPrimary secondary(robot.host(), robot.controller.ports().secondary);
         QCOMPARE(int(secondary.next()[14]), int(kVersion));
@@ -113,12 +113,12 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
     }
 
-    void aNewProgramReplacesTheOneThatRuns_data() {
+    void newProgramReplacesTheRunningOne_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::newRow("by itself") << QByteArray();
         QTest::newRow("with a stop in the same write") << QByteArray("stop program\n");
     }
-    void aNewProgramReplacesTheOneThatRuns() {
+    void newProgramReplacesTheRunningOne() {
         QFETCH(QByteArray, before);
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QCOMPARE(robot.programState(), RuntimeState::Playing);
     }
 
-    void aSecondaryProgramRunsBesideWithoutAWord() {
+    void secondaryProgramRunsInParallelWithoutMessages() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         run(robot, primary, "def a():\n  while True:\n    sync()\n  end\nend\n", 0.1);
@@ -256,7 +256,7 @@ private Q_SLOTS:
     }
 
     // Clients wait for the message and then read the newest state.
-    void aSafetyModeIsToldBehindAStateThatShowsIt_data() {
+    void safetyModeIsReportedAfterTheMatchingState_data() {
         QTest::addColumn<QString>("fault");
         QTest::addColumn<QByteArray>("script");
         QTest::addColumn<QList<int>>("modes");
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QTest::newRow("stop category 0 of a path")
             << QString() << QByteArray("def p():\n  movel(p[10,0,0,0,0,0])\nend\n") << QList<int>{3};
     }
-    void aSafetyModeIsToldBehindAStateThatShowsIt() {
+    void safetyModeIsReportedAfterTheMatchingState() {
         QFETCH(QString, fault);
         QFETCH(QByteArray, script);
         QFETCH(QList<int>, modes);
@@ -308,7 +308,7 @@ private Q_SLOTS:
     }
 
     // Changes during a pause are reported once, with the current value.
-    void afterASilenceTheLastSafetyModeIsTold() {
+    void lastSafetyModeIsReportedAfterASilence() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         robot.controller.drainSockets();
@@ -348,7 +348,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.controller.truth().q[0] - -1.5) < 1e-3);
     }
 
-    void inLocalControlAGatedRobotReadsNoScriptsAndSaysSo() {
+    void gatedRobotRefusesScriptsInLocalControl() {
         auto options = VirtualRobot::options();
         options.gateLocalControl = true;
         VirtualRobot robot(options);
@@ -371,7 +371,7 @@ private Q_SLOTS:
         QCOMPARE(run(robot, remote, "def p():\n  sleep(1)\nend\n", 0.2).keys, QByteArrayList{"STARTED p"});
     }
 
-    void cb3KnowsNoLocalControl() {
+    void cb3HasNoLocalControl() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
         options.software = {3, 15, 8, 106339};

@@ -169,12 +169,12 @@ private Q_SLOTS:
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Paused; }, 3));
     }
 
-    void aProgramBeginsAnewAtItsEndUnlessItRunsOnce_data() {
+    void programRepeatsUnlessItRunsOnce_data() {
         QTest::addColumn<bool>("once");
         QTest::newRow("once") << true;
         QTest::newRow("again") << false;
     }
-    void aProgramBeginsAnewAtItsEndUnlessItRunsOnce() {
+    void programRepeatsUnlessItRunsOnce() {
         QFETCH(bool, once);
         Loaded cell(program(withChildren("SpecialSequence type=\"BeforeStart\"", assign("name=\"n\"", "0")) +
                             mainProgram(line("n = n + 1") + line("write_output_integer_register(3, n)") +
@@ -192,14 +192,14 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.programState() == RuntimeState::Stopped, once);
     }
 
-    void branchesAreTakenWhereTheyStandBesideOrWithinTheirIf_data() {
+    void branchesWorkNextToAndInsideTheirIf_data() {
         QTest::addColumn<int>("n");
         QTest::addColumn<quint64>("outputs");
         QTest::newRow("if") << 1 << quint64(0b10001);
         QTest::newRow("else if") << 2 << quint64(0b01010);
         QTest::newRow("else") << 3 << quint64(0b01100);
     }
-    void branchesAreTakenWhereTheyStandBesideOrWithinTheirIf() {
+    void branchesWorkNextToAndInsideTheirIf() {
         QFETCH(int, n);
         QFETCH(quint64, outputs);
         const auto set = [](int output) {
@@ -425,7 +425,7 @@ private Q_SLOTS:
         QTest::newRow("sub program that calls itself") << sub("round.urp");
         QTest::newRow("twice") << sub("one.urp") + sub("/programs/one.urp");
     }
-    void whatAProgramRefersToIsReadFromTheFolder() {
+    void referencedFilesAreReadFromTheFolder() {
         QFETCH(QString, node);
         const QString one =
             mainProgram("<Assignment><variable name=\"out\"><initializeExpression>" + signs("1") +
@@ -445,7 +445,7 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(0b10));
     }
 
-    void whatCannotBeToldIsRefusedAsAWholeAndSaysWhy_data() {
+    void untranslatableProgramIsRefusedWithTheReason_data() {
         QTest::addColumn<QString>("xml");
         QTest::addColumn<QString>("why");
         const QString good = line("sync()");
@@ -506,7 +506,7 @@ private Q_SLOTS:
                                 << "line 1: ";
         QTest::newRow("too deep") << "<URProgram>" + QString("<a>").repeated(500) << "too deep";
     }
-    void whatCannotBeToldIsRefusedAsAWholeAndSaysWhy() {
+    void untranslatableProgramIsRefusedWithTheReason() {
         QFETCH(QString, xml);
         QFETCH(QString, why);
         Loaded cell(program(mainProgram({})), {{"other.xml", "<Installation/>"}});

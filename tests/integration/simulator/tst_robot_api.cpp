@@ -68,7 +68,7 @@ class TestRobotApi : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void itDescribesItself() {
+    void apiDescribesItself() {
         VirtualRobot robot(polyScopeX());
         QCOMPARE(robot.controller.ports().dashboard, quint16(0));
         Web web(robot);
@@ -224,7 +224,7 @@ private Q_SLOTS:
     }
 
     // Clients query the new state, or request the next step, immediately after the answer.
-    void whatTakesTimeIsAnsweredWhenItIsDone() {
+    void slowRequestsAreAnsweredOnCompletion() {
         auto options = polyScopeX();
         options.time = simulator::Time::Real;
         options.fastTransitions = true;
@@ -260,7 +260,7 @@ private Q_SLOTS:
         }
     }
 
-    void onlyItsOwnConnectionWaitsForAnAnswer() {
+    void slowRequestBlocksOnlyItsConnection() {
         auto options = polyScopeX();
         options.time = simulator::Time::Real;
         options.poweredOn = false;
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QCOMPARE(web.next().json()["mode"].toString(), QStringLiteral("RUNNING"));
     }
 
-    void localControlRefusesWhatChangesAnything() {
+    void localControlRefusesAllChanges() {
         auto options = polyScopeX();
         options.remoteControl = false;
         VirtualRobot robot(options);
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QVERIFY(web.waitClosed());
     }
 
-    void whatIsNoRequestIsRefusedAndTheConnectionEnds_data() {
+    void malformedRequestIsRefusedAndEndsTheConnection_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<int>("status");
         QTest::newRow("no request line") << QByteArray("hello\r\n\r\n") << 400;
@@ -344,7 +344,7 @@ private Q_SLOTS:
         QTest::newRow("endless head") << "GET / HTTP/1.1\r\nA: " + QByteArray(100'000, 'x') << 431;
         QTest::newRow("broken escape") << QByteArray("GET /%zz HTTP/1.1\r\n\r\n") << 400;
     }
-    void whatIsNoRequestIsRefusedAndTheConnectionEnds() {
+    void malformedRequestIsRefusedAndEndsTheConnection() {
         QFETCH(QByteArray, bytes);
         QFETCH(int, status);
         VirtualRobot robot(polyScopeX());

@@ -173,20 +173,20 @@ private Q_SLOTS:
         QVERIFY(doubleAt(packages[0].payload, 0) >= 40.0);
     }
 
-    void aVersionThatDoesNotExistIsRejectedAndNothingChanges() {
+    void unknownVersionIsRejectedWithoutChanges() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QCOMPARE(rtde.request('V', bigEndian(quint16(3))).payload, QByteArray(1, '\0'));
         QCOMPARE(rtde.request('O', "timestamp").payload, QByteArray("DOUBLE"));
     }
 
-    void newerSoftwareTellsItsProperties_data() {
+    void newerSoftwareReportsItsProperties_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
         QTest::newRow("5.26") << 5 << 26;
         QTest::newRow("10.15") << 10 << 15;
     }
-    void newerSoftwareTellsItsProperties() {
+    void newerSoftwareReportsItsProperties() {
         QFETCH(int, major);
         QFETCH(int, minor);
         auto options = VirtualRobot::options();
@@ -240,7 +240,7 @@ private Q_SLOTS:
     }
 
     // Default recipe of the vendor's client, for any robot.
-    void whatIsRecordedByDefaultIsThereOnEverySoftware_data() {
+    void defaultRecordingFieldsExistOnEverySoftware_data() {
         QTest::addColumn<RobotModelId>("model");
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QTest::newRow("5.11") << RobotModelId::UR5e << 5 << 11;
         QTest::newRow("10.12") << RobotModelId::UR5e << 10 << 12;
     }
-    void whatIsRecordedByDefaultIsThereOnEverySoftware() {
+    void defaultRecordingFieldsExistOnEverySoftware() {
         QFETCH(RobotModelId, model);
         QFETCH(int, major);
         QFETCH(int, minor);
@@ -447,7 +447,7 @@ private Q_SLOTS:
         QCOMPARE(received, stepped);
     }
 
-    void silenceSaysNothingAndKeepsTheConnection() {
+    void silenceKeepsTheConnection() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());

@@ -83,7 +83,7 @@ private Q_SLOTS:
     }
 
     // Time does not advance for the program while the client writes: TCP blocks the client.
-    void whatTheProgramHasNoTimeForStaysWithTheClient() {
+    void unreadDataStayAtTheClient() {
         Cell cell;
         QTcpSocket* const client = cell.client();
         QVERIFY(client != nullptr);

@@ -54,7 +54,7 @@ private Q_SLOTS:
         }
     }
 
-    void aPortInUseIsNamedWithWhatToDo() {
+    void portInUseIsNamedWithASolution() {
         auto options = VirtualRobot::options();
         options.anyFreePorts = false;
         options.listenAddress = ownAddress(9);
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QVERIFY(second.start().ok());
     }
 
-    void anAddressThatIsNotOneIsRefused() {
+    void invalidAddressIsRefused() {
         auto options = VirtualRobot::options();
         options.listenAddress = "robot";
         QCOMPARE(simulator::Simulator(options).start().error().code, ErrorCode::AddressInvalid);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         }
     }
 
-    void anInputActsInTheStepThatFollowsIt() {
+    void inputTakesEffectInTheNextStep() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         send(robot, primary, kEchoScript);
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint64>(rtde.next().payload.constData() + 1), (1ULL << 3) | (1ULL << 16));
     }
 
-    void itMayBeStoppedAndStartedAgain() {
+    void simulatorCanBeStoppedAndRestarted() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());

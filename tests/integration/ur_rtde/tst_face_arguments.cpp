@@ -280,7 +280,7 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(RobotiqGripper(""), std::invalid_argument);
     }
 
-    void nobodyThereIsARuntimeError() {
+    void missingRobotIsARuntimeError() {
         const std::string nobody = test::ownAddress(9).toStdString();
         QVERIFY_EXCEPTION_THROWN(RTDEControlInterface{nobody}, std::runtime_error);
         QVERIFY_EXCEPTION_THROWN(RTDEReceiveInterface{nobody}, std::runtime_error);

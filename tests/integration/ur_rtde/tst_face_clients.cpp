@@ -260,7 +260,7 @@ private Q_SLOTS:
         QVERIFY(!gripper.isConnected());
     }
 
-    void utilitiesDoWhatTheySay() {
+    void utilitiesWorkAsDocumented() {
         QCOMPARE(RTDEUtility::split("a,b,,c,", ','), (std::vector<std::string>{"a", "b", "", "c"}));
         QVERIFY(RTDEUtility::split("", ',').empty());
         for (const char* yes : {"1", "-2.5", "+3", "0.25"}) {

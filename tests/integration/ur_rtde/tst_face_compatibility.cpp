@@ -22,7 +22,7 @@ private:
     }
 
 private Q_SLOTS:
-    void itKnowsWhomItTalksTo() {
+    void connectedRobotIsIdentified() {
         const auto& options = cell_->robot.options();
         QCOMPARE(control_->versions().major, options.software.major);
         QCOMPARE(control_->versions().minor, options.software.minor);
@@ -58,7 +58,7 @@ private Q_SLOTS:
         QCOMPARE(ended[2], ended[0]);
     }
 
-    void questionsNobodyAnswersThrow() {
+    void unansweredRequestsThrow() {
         control_->stopScript();
         QVERIFY(until([&] { return !control_->isProgramRunning(); }));
         const List pose{-0.1, -0.4, 0.2, 0, 3.1, 0};
@@ -85,14 +85,14 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(RTDEControlInterface{cell_->host()}, std::logic_error);
     }
 
-    void theConstructorSaysWhatStandsInTheWay_data() {
+    void constructorReportsWhatPreventsControl_data() {
         QTest::addColumn<QByteArray>("word");
         QTest::newRow("local") << QByteArray("local control");
         QTest::newRow("powered off") << QByteArray("POWER_OFF");
         QTest::newRow("protective stop") << QByteArray("PROTECTIVE_STOP");
         QTest::newRow("emergency stop") << QByteArray("EMERGENCY_STOP");
     }
-    void theConstructorSaysWhatStandsInTheWay() {
+    void constructorReportsWhatPreventsControl() {
         QFETCH(QByteArray, word);
         const QByteArray trouble = QTest::currentDataTag();
         control_->stopScript();
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(List(q.begin(), q.end())));
     }
 
-    void aContactAtTheStartIsTheOneSought() {
+    void contactAtTheStartCounts() {
         cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
         QVERIFY(until([&] { return control_->toolContact(List(6, 0.0)) > 0; }));
         const double z = cell_->robot.truth().tcpPose.position.z();
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(cell_->robot.truth().tcpPose.position.z() - z) < 0.005);
     }
 
-    void withoutASenseOfTouchNothingMoves() {
+    void contactMoveIsRefusedWithoutContactDetection() {
         control_.reset();
         cell_.reset();
         cell_ = std::make_unique<test::FaceCell>([](simulator::SimulatorOptions& options) {

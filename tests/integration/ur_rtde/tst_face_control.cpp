@@ -38,7 +38,7 @@ private Q_SLOTS:
         QVERIFY(near(joints(), with(kStart, 5, 0.1)));
     }
 
-    void upperRegistersAndAFrequencyOfItsOwn() {
+    void upperRegistersAndSeparateFrequency() {
         control_.reset();
         control_ = std::make_unique<RTDEControlInterface>(
             cell_->host(), 125.0,
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
     }
 
-    void stopScriptEndsTheProgramAndReuploadBringsItBack() {
+    void stopScriptEndsTheProgramAndReuploadRestartsIt() {
         control_->stopScript();
         QVERIFY(untilNotRunning());
         QVERIFY(!control_->isProgramRunning());
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
     }
 
-    void withoutUploadItUsesWhatRuns() {
+    void runningProgramIsUsedWithoutUpload() {
         control_->disconnect();
         RTDEControlInterface second(cell_->host(), -1.0, RTDEControlInterface::FLAG_NO_WAIT);
         QVERIFY(second.isConnected());
@@ -114,7 +114,7 @@ private Q_SLOTS:
     }
 
     // A program customized for ur_rtde, as far as the interface is concerned.
-    void aCustomProgramDoesWhatTheBuiltInOneDoes() {
+    void customProgramWorksLikeTheBuiltInOne() {
         QTemporaryDir folder;
         const std::string file = folder.filePath("custom.script").toStdString();
         std::ofstream(file) << R"(
@@ -208,7 +208,7 @@ $6.0   P = 6
         QVERIFY_EXCEPTION_THROWN(control_->movePath(path), std::invalid_argument);
     }
 
-    void asynchronousMotionTellsItsProgress() {
+    void asynchronousMotionReportsProgress() {
         QVERIFY(control_->getAsyncOperationProgress() < 0);
         const auto row = [](List position, double blend) {
             position.insert(position.end(), {0.5, 1.4, blend});
@@ -446,7 +446,7 @@ $6.0   P = 6
         QVERIFY(!control_->moveJ(kStart));
     }
 
-    void protectiveStopEndsWhatIsUnderWay() {
+    void protectiveStopEndsTheCurrentMotion() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
         QVERIFY(control_->triggerProtectiveStop());

@@ -45,7 +45,7 @@ private Q_SLOTS:
         cell_.reset();
     }
 
-    void followsAndComesBack() {
+    void followsAndReconnects() {
         QVERIFY(receive_->isConnected());
         receive_->receiveCallback();
         const double before = receive_->getTimestamp();

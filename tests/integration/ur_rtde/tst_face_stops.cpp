@@ -101,7 +101,7 @@ private Q_SLOTS:
     }
 
     // A command that waits for standstill reads its numbers afterwards: they must not be overwritten.
-    void aSetPointNobodyWantsAnyMoreIsNotFollowed() {
+    void obsoleteSetpointIsNotFollowed() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
         QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
         QVERIFY(control_->servoJ(with(kStart, 0, 0.5), 0.5, 0.5, 0.002, 0.1, 300));
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(kStart));
     }
 
-    void nobodyWaitsForACustomScriptThatWasInterrupted() {
+    void interruptedCustomScriptIsNotWaitedFor() {
         static std::atomic<bool> impatient;
         impatient = false;
         urrtde::setInterruptCheck([] { return impatient.load(); });
@@ -159,7 +159,7 @@ private Q_SLOTS:
     }
 
     // At run time and at compile time: the message of the controller contains the line of the program.
-    void aScriptThatFailsIsToldWithItsLine() {
+    void runtimeErrorOfAScriptIsReportedWithItsLine() {
         QVERIFY(!control_->sendCustomScript("def late():\n  sync()\n  a = [1, 2]\n  b = a[7]\nend\n"));
         const std::string late = control_->lastError();
         QVERIFY2(late.find("line 4") != std::string::npos, late.c_str());
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(kStart));
     }
 
-    void aStopOvertakesAMoveAnotherThreadWaitsFor() {
+    void stopInterruptsAMoveThatAnotherThreadWaitsFor() {
         auto waiting =
             std::async(std::launch::async, [&] { return control_->moveJ(with(kStart, 0, 1.0), 0.02, 1.4); });
         QVERIFY(untilMoving());
@@ -237,7 +237,7 @@ private Q_SLOTS:
     }
 
     // A loop that ignores return values must not restart the motion.
-    void setPointsDoNotTakeUpWhatAPauseHasEnded() {
+    void setpointsDoNotResumeAMotionEndedByAPause() {
         ur_rtde::DashboardClient pendant(cell_->host());
         pendant.connect();
         const auto turn = [&] { return control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0); };
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QVERIFY(!control_->lastError().empty());
     }
 
-    void aKickLeavesTheMoveAnotherThreadWaitsForAlone() {
+    void kickDoesNotAffectTheMoveOfAnotherThread() {
         std::atomic<bool> done{false};
         std::thread kicker([&] {
             while (!done) {

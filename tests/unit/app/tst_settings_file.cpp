@@ -67,7 +67,7 @@ class TestSettingsFile : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatGoesInComesOut() {
+    void roundTripPreservesAllSettings() {
         const SettingsBundle bundle = example();
         const Result<SettingsBundle> read = settingsFromJson(settingsToJson(bundle));
         QVERIFY2(read.ok(), qPrintable(read.error().toString()));
@@ -81,7 +81,7 @@ private Q_SLOTS:
         }
     }
 
-    void itIsWrittenAndReadAsAFile() {
+    void settingsFileRoundTrip() {
         QTemporaryDir folder;
         const QString path = folder.filePath("cell.json");
         QVERIFY(writeSettingsFile(path, example()).ok());
@@ -93,7 +93,7 @@ private Q_SLOTS:
                  ErrorCode::FileNotWritable);
     }
 
-    void whatBelongsToThisComputerStaysHere() {
+    void machineSpecificSettingsAreNotExported() {
         SettingsBundle bundle = example();
         bundle.values["projects/recent"] = QStringList{"/home/somebody/cell.tiller"};
         bundle.values["window/geometry"] = QByteArray("geometry");
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(read->values.size(), example().values.size());
     }
 
-    void aFileOfANewerTillerIsRefusedWithWhatToDo() {
+    void fileOfANewerVersionIsRefusedWithASolution() {
         QByteArray bytes = settingsToJson(example());
         bytes.replace("\"version\": 1", "\"version\": 2");
         const Result<SettingsBundle> read = settingsFromJson(bytes);
@@ -164,7 +164,7 @@ private Q_SLOTS:
         }
     }
 
-    void whateverTheBytesItIsRefusedOrSane() {
+    void arbitraryBytesAreRefusedOrValid() {
         const QByteArray whole = settingsToJson(example());
         const QByteArrayList words = {"\"",   "{",    "}",     "[",          "]",       ":",
                                       ",",    "null", "1e308", "-1",         "\\u0000", "\\ud800",
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY2(accepted > 0 && accepted < 5000, "some of the changes do no harm, some do");
     }
 
-    void importReplacesWholePartsAndKeepsWhatWasThere() {
+    void importReplacesWholePartsAndKeepsACopy() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         Settings settings(file);
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY(settings.theme().isEmpty());
     }
 
-    void aPortThatIsNoneAndANameWithoutEndAreNotTaken() {
+    void invalidPortsAndEndlessNamesAreRefused() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         Settings settings(file);
@@ -270,7 +270,7 @@ private Q_SLOTS:
         QVERIFY(settings.preferences().shortcuts.isEmpty());
     }
 
-    void whatWasExportedIsThereOnAnotherComputer() {
+    void exportedSettingsWorkOnAnotherComputer() {
         QTemporaryDir folder;
         Settings here(folder.filePath("here.ini"));
         here.setTheme("dark");

@@ -63,7 +63,7 @@ private Q_SLOTS:
         file_ = directory_->filePath("settings.ini");
     }
 
-    void whatIsWrittenIsReadAndQSettingsReadsItToo() {
+    void writtenValuesAreReadBackAlsoByQSettings() {
         const SettingsMap values = difficult();
         const SettingsMap read = settingsFromIni(settingsToIni(values));
         QCOMPARE(read.keys(), values.keys());
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QCOMPARE(first.recentProjects(), (QStringList{"/b.tiller", "/a.tiller"}));
     }
 
-    void aFullDiskKeepsTheSettingsAndSaysSo() {
+    void fullDiskKeepsTheSettingsWithAMessage() {
         const SmallDisk disk(SmallDisk::Kind::Tmpfs, 256);
         if (!disk.problem().isEmpty()) {
             QSKIP(qPrintable(disk.problem()));
@@ -182,7 +182,7 @@ private Q_SLOTS:
     }
 
 #ifdef Q_OS_UNIX
-    void aPipeAsSettingsBlocksNothing() {
+    void pipeAsSettingsFileDoesNotBlock() {
         QVERIFY(::mkfifo(file_.toLocal8Bit().constData(), 0600) == 0);
         Settings settings(file_);
         QCOMPARE(settings.theme(), QString());

@@ -15,7 +15,7 @@
 
 namespace {
 
-struct Room {
+struct Folder {
     const char* path;         ///< folder, longest match wins
     QStringList mayInclude;   ///< permitted folders or single headers in addition to its own
     QStringList forbiddenQt;  ///< forbidden Qt modules by the first letters of their headers
@@ -24,8 +24,8 @@ struct Room {
 const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
                           "QtCharts", "QChart",       "QColor",      "QIcon",    "QPixmap"};
 
-const QList<Room>& rooms() {
-    static const QList<Room> table = {
+const QList<Folder>& folders() {
+    static const QList<Folder> table = {
         {"robot/core", {}, kGui},
         {"robot/realtime", {"robot/core"}, kGui},
         {"robot/rtde", {"robot/core"}, kGui},
@@ -150,13 +150,13 @@ const QList<Room>& rooms() {
     return table;
 }
 
-const Room* roomOf(const QString& file) {
-    const Room* best = nullptr;
-    for (const Room& room : rooms()) {
-        const QString path = QString::fromLatin1(room.path);
+const Folder* folderOf(const QString& file) {
+    const Folder* best = nullptr;
+    for (const Folder& folder : folders()) {
+        const QString path = QString::fromLatin1(folder.path);
         if (file.startsWith(path + '/') &&
             (best == nullptr || path.size() > qsizetype(qstrlen(best->path)))) {
-            best = &room;
+            best = &folder;
         }
     }
     return best;
@@ -166,21 +166,21 @@ bool isDetail(const QString& file) {
     return file.contains(QLatin1String("/detail/"));
 }
 
-bool isAllowed(const Room& room, const QString& included) {
+bool isAllowed(const Folder& folder, const QString& included) {
     // Headers in detail/ are for the same folder only and change without notice; exceptions are listed in the
     // table.
     if (isDetail(included)) {
-        return included.startsWith(QString::fromLatin1(room.path) + '/') ||
-               room.mayInclude.contains(included);
+        return included.startsWith(QString::fromLatin1(folder.path) + '/') ||
+               folder.mayInclude.contains(included);
     }
-    if (roomOf(included) == &room) {
+    if (folderOf(included) == &folder) {
         return true;
     }
     // A subfolder belongs to its parent: the simulator may use its arm and interpreter.
-    if (included.startsWith(QString::fromLatin1(room.path) + '/')) {
+    if (included.startsWith(QString::fromLatin1(folder.path) + '/')) {
         return true;
     }
-    for (const QString& allowed : room.mayInclude) {
+    for (const QString& allowed : folder.mayInclude) {
         if (included == allowed || included.startsWith(allowed + '/')) {
             return true;
         }
@@ -283,17 +283,16 @@ QStringList publicHeaders() {
     return headers;
 }
 
-/// "12: int f();" for each that can be called by others and has no comment of its own, on its line or above it.
+/// Returns the public functions of a header that can fail and have no comment, as "12: Result<int> f();".
 QStringList functionsWithoutComment(const QByteArray& header) {
     static const QRegularExpression kScope("^(namespace|class|struct|template <.*> *(class|struct))\\b");
     static const QRegularExpression kFunction(
-        "^(?!return|if|for|while|using|friend|explicit|enum|static_assert|typedef|case|[:,?}])"
-        "[\\w:<>,&*\\[\\] ]+[ &*>]\\w+\\(");
+        "^(\\[\\[nodiscard\\]\\] |static |virtual |inline )*Result<.*> \\w+\\(");
     static const QRegularExpression kIterator("\\b(begin|end)\\(|operator|= default|= delete|\\boverride\\b");
     const QStringList lines = QString::fromUtf8(header).split('\n');
     QStringList found;
     struct Scope {
-        bool declares;  ///< a namespace or a class: what stands in it can be called
+        bool declares;  ///< a namespace or a class, whose functions can be called
         bool open;      ///< public
     };
     QList<Scope> scopes;
@@ -335,30 +334,31 @@ class TestLayering : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theTableItselfCatchesAForbiddenInclude() {
-        const Room* receive = roomOf("robot/receive/receiver.cpp");
+    void tableDetectsAForbiddenInclude() {
+        const Folder* receive = folderOf("robot/receive/receiver.cpp");
         QVERIFY(receive != nullptr);
         QVERIFY(!isAllowed(*receive, "robot/control/controller.h"));
         QVERIFY(isAllowed(*receive, "robot/rtde/codec.h"));
-        QVERIFY(!isAllowed(*roomOf("robot/simulator/simulator.cpp"), "robot/rtde/session.h"));
-        QVERIFY(!isAllowed(*roomOf("widgets/jog/jog_column.cpp"), "robot/simulator/simulator.h"));
+        QVERIFY(!isAllowed(*folderOf("robot/simulator/simulator.cpp"), "robot/rtde/session.h"));
+        QVERIFY(!isAllowed(*folderOf("widgets/jog/jog_column.cpp"), "robot/simulator/simulator.h"));
         for (const char* outside : {"robot/station/link/robot_session.cpp", "app/main.cpp",
                                     "robot/ur_rtde/detail/native_control.cpp",
                                     "robot/python/native_control.cpp", "robot/io/outputs.cpp"}) {
-            QVERIFY2(!isAllowed(*roomOf(outside), "robot/control/detail/mailbox.h"), outside);
+            QVERIFY2(!isAllowed(*folderOf(outside), "robot/control/detail/mailbox.h"), outside);
         }
-        QVERIFY(isAllowed(*roomOf("robot/control/motions.cpp"), "robot/control/detail/mailbox.h"));
-        QVERIFY(!isAllowed(*roomOf("robot/station/link/robot_session.cpp"),
+        QVERIFY(isAllowed(*folderOf("robot/control/motions.cpp"), "robot/control/detail/mailbox.h"));
+        QVERIFY(!isAllowed(*folderOf("robot/station/link/robot_session.cpp"),
                            "robot/station/history/signal_store.h"));
-        QVERIFY(!isAllowed(*roomOf("widgets/io/io_tab.cpp"), "robot/station/link/detail/session_backend.h"));
-        QVERIFY(roomOf("robot/station/new_folder/x.h") == nullptr);
-        QVERIFY(roomOf("widgets/new_folder/x.h") == nullptr);
+        QVERIFY(
+            !isAllowed(*folderOf("widgets/io/io_tab.cpp"), "robot/station/link/detail/session_backend.h"));
+        QVERIFY(folderOf("robot/station/new_folder/x.h") == nullptr);
+        QVERIFY(folderOf("widgets/new_folder/x.h") == nullptr);
     }
 
     void everyFolderHasARow() {
         QStringList missing;
         for (const QString& file : sourceFiles()) {
-            if (!file.startsWith("tests/") && roomOf(file) == nullptr) {
+            if (!file.startsWith("tests/") && folderOf(file) == nullptr) {
                 missing << file;
             }
         }
@@ -367,7 +367,7 @@ private Q_SLOTS:
 
     // The rows are in order: a folder of robot/station or widgets may include only folders above its own row.
     void stationAndWidgetsHaveNoCycle() {
-        const QList<Room>& table = rooms();
+        const QList<Folder>& table = folders();
         for (qsizetype i = 0; i < table.size(); ++i) {
             for (qsizetype later = i + 1; later < table.size(); ++later) {
                 const QString path = QString::fromLatin1(table[later].path);
@@ -385,18 +385,18 @@ private Q_SLOTS:
         QStringList violations;
         int includes = 0;
         for (const QString& file : sourceFiles()) {
-            const Room* room = roomOf(file);
-            if (room == nullptr) {
+            const Folder* folder = folderOf(file);
+            if (folder == nullptr) {
                 continue;  // tests may include everything
             }
             auto it = include.globalMatch(QString::fromUtf8(contentsOf(file)));
             while (it.hasNext()) {
                 const QString included = it.next().captured(1);
                 ++includes;
-                if (roomOf(included) != nullptr && !isAllowed(*room, included)) {
+                if (folderOf(included) != nullptr && !isAllowed(*folder, included)) {
                     violations << file + " includes " + included;
                 }
-                for (const QString& prefix : room->forbiddenQt) {
+                for (const QString& prefix : folder->forbiddenQt) {
                     if (included.startsWith(prefix)) {
                         violations << file + " includes " + included;
                     }
@@ -450,14 +450,16 @@ private Q_SLOTS:
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
     }
 
-    void theCheckerFindsAFunctionWithoutAComment() {
+    void checkerReportsUndocumentedFunctions() {
         const QByteArray header =
-            "namespace a {\nclass B {\npublic:\n    int said() const;  ///< [mm]\n    int unsaid() const;\n"
-            "private:\n    int hidden();\n};\n/// Said.\nint f();\nint g();\n}\n";
-        QCOMPARE(functionsWithoutComment(header), (QStringList{"5: int unsaid() const;", "11: int g();"}));
+            "namespace a {\nclass B {\npublic:\n    Result<int> f() const;  ///< [mm]\n"
+            "    Result<int> g() const;\n    int value() const;\nprivate:\n    Result<int> h();\n};\n"
+            "/// Documented.\nResult<int> i();\nResult<int> j();\n}\n";
+        QCOMPARE(functionsWithoutComment(header),
+                 (QStringList{"5: Result<int> g() const;", "12: Result<int> j();"}));
     }
 
-    void everyPublicFunctionSaysWhatItDoes() {
+    void publicFunctionsThatCanFailAreDocumented() {
         QStringList missing;
         for (const QString& file : publicHeaders()) {
             for (const QString& line : functionsWithoutComment(contentsOf(file))) {

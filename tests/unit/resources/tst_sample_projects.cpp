@@ -64,8 +64,8 @@ private Q_SLOTS:
                  (QStringList{"gluing.tiller", "measuring-round.tiller", "pick-and-place.tiller"}));
     }
 
-    void itIsAWholeFileOfTheCurrentFormat_data() { everySample(); }
-    void itIsAWholeFileOfTheCurrentFormat() {
+    void sampleIsACompleteFileOfTheCurrentFormat_data() { everySample(); }
+    void sampleIsACompleteFileOfTheCurrentFormat() {
         QFETCH(QString, name);
         const QByteArray bytes = contentOf(name);
         const Result<project::Project> parsed = project::parseProject(bytes);
@@ -81,8 +81,8 @@ private Q_SLOTS:
         QVERIFY(again.ok() && *project::parseProject(*again) == *parsed);
     }
 
-    void everyNameAndNumberIsItsOwn_data() { everySample(); }
-    void everyNameAndNumberIsItsOwn() {
+    void namesAndNumbersAreUnique_data() { everySample(); }
+    void namesAndNumbersAreUnique() {
         QFETCH(QString, name);
         const project::Project sample = load(name);
         QSet<QString> names;

@@ -149,7 +149,7 @@ bool HttpParser::readHead() {
     while (const auto text = line()) {
         if (!request_.method.empty() && text->empty()) {
             if (chunked_ && sawLength_) {
-                fail(400);  // two ways to tell where it ends are one too many
+                fail(400);  // two contradicting lengths are not permitted
                 return false;
             }
             inBody_ = true;
@@ -158,7 +158,7 @@ bool HttpParser::readHead() {
         }
         if (!request_.method.empty()) {
             readHeader(*text);
-        } else if (!text->empty()) {  // empty lines before a request are let pass
+        } else if (!text->empty()) {  // empty lines before a request are ignored
             const std::size_t first = text->find(' ');
             const std::size_t last = text->rfind(' ');
             const std::string_view version = last == std::string_view::npos ? "" : text->substr(last + 1);

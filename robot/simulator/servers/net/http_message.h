@@ -32,7 +32,7 @@ struct HttpResponse {
     std::string body;
     std::string contentType = "application/json";
     std::vector<std::pair<std::string, std::string>> headers;
-    std::function<bool()> due;  ///< the answer is kept back until it says so; empty: none
+    std::function<bool()> due;  ///< the answer is delayed until this returns true; empty: no delay
 
     std::string toBytes(bool keepAlive, bool withBody) const;
 };
@@ -44,7 +44,7 @@ public:
     static constexpr std::size_t kLargestBody = 16 * 1024 * 1024;
 
     void feed(std::string_view bytes);
-    /// The next whole request. Nothing when there is none yet, or after a fault.
+    /// The next complete request; nothing if there is none yet, or after an error.
     std::optional<HttpRequest> next();
     /// Status to answer with before the connection is closed, 0 while all is well: 400, 413, 431, 501, 505.
     int fault() const { return fault_; }
@@ -73,7 +73,7 @@ private:
     int fault_ = 0;
 };
 
-/// %41 and the like. Nothing when what follows a % is no number.
+/// Decodes %41 and similar; nothing if a % is not followed by a number.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 struct FormFile {

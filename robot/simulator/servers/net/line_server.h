@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A service that is spoken to in lines of text. What a client sends in one piece is answered in one piece:
-// there are clients that ask for several things at once and read once.
+// A service with a protocol of text lines. Requests sent in one segment are answered in one segment, because some
+// clients send several requests and read only once.
 
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ public:
 
 protected:
     struct LineAnswer {
-        std::string text;  ///< with its newline, where there is one
+        std::string text;  ///< including the newline, if there is one
         bool closes = false;
     };
     /// tag  a number of the service's choice, given to each connection when it is made

@@ -11,18 +11,20 @@
 #include <vector>
 
 #include "robot/core/native_socket.h"
-#include "robot/simulator/servers/net/doorbell.h"
+#include "robot/simulator/servers/net/socket_poller.h"
 
 namespace tiller::simulator {
 
 struct LinkConditions {
-    double delay = 0;         ///< [s] in each direction
-    double jitter = 0;        ///< [s] at most, added to the delay; the order of bytes is kept
-    std::size_t splitAt = 0;  ///< what is sent arrives in two pieces, the first of so many bytes; 0: whole
-    double coalesce = 0;      ///< [s] what is sent within so much time arrives together
-    double drop = 0;    ///< share of the RTDE data packages that a controller which is too busy never sends
-    bool lost = false;  ///< the cable is out: nothing passes, no connection notices; put back in, what the
-                        ///< two ends still hold goes through
+    double delay = 0;   ///< [s] in each direction
+    double jitter = 0;  ///< [s] at most, added to the delay; the order of bytes is kept
+    std::size_t splitAt =
+        0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
+    double coalesce = 0;  ///< [s] data sent within this time are delivered together
+    double drop = 0;      ///< share of the RTDE data packages that a controller which is too busy never sends
+    /// the cable is unplugged: no data pass and connections do not notice; when it is plugged in again, buffered
+    /// data are delivered
+    bool lost = false;
 };
 
 /// Threads  the simulator's.
@@ -39,20 +41,20 @@ public:
     void setTime(double now) { now_ = now; }
     double now() const { return now_; }
 
-    /// What arrives at the controller's end.
-    Doorbell& doorbell() { return doorbell_; }
+    /// Detects data at the controller.
+    SocketPoller& poller() { return poller_; }
     /// Bytes pass as they are.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
     /// This RTDE data package is one of those that are never sent.
     bool drops();
-    /// When what enters the cable now comes out of it [s].
+    /// Time at which data that enter the cable now arrive [s].
     double arrival();
-    /// The same for what the controller sends, which may wait for company.
+    /// The same for data of the controller, which may be delayed to be sent together.
     double departure();
 
-    /// Connections that the controller closes now do not tell the other end: they stay half open until the
-    /// cable has been put back in, or unbury().
+    /// Connections that the controller closes now do not notify the other end: they stay half open until the cable
+    /// is plugged in again, or until unbury().
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
     /// Takes a descriptor that the controller is done with, if the other end shall not notice.
     bool bury(native_socket::Descriptor descriptor);
@@ -61,7 +63,7 @@ public:
     std::size_t buried() const { return buried_.size(); }
 
 private:
-    Doorbell doorbell_;
+    SocketPoller poller_;
     LinkConditions conditions_;
     double now_ = 0;
     bool plain_ = true;

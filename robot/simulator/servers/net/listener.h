@@ -16,9 +16,9 @@ namespace tiller::simulator {
 /// Threads  the one that constructed it, which has to process events now and then.
 class Listener : public QTcpServer {
 public:
-    /// service  what is served there, for the message: "RTDE"
-    /// Errors   Rejected, naming port and address and what to do; AddressInvalid when the address is not one
-    ///          of this machine
+    /// service  name of the service for the message: "RTDE"
+    /// Errors   Rejected, naming port and address and a solution; AddressInvalid when the address is not one of
+    ///          this machine
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* service);
 
     /// Connections made since the last call, already prepared; the caller owns them.

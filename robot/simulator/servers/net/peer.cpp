@@ -10,14 +10,13 @@
 namespace tiller::simulator {
 
 namespace {
-/// What a pulled cable lets a system's own socket buffer take before it is full [bytes].
+/// Capacity of the socket buffer of the system while the cable is unplugged [bytes].
 constexpr std::size_t kSystemBuffer = 256 * 1024;
 /// The longest delay at the highest rate fits into this [bytes].
 constexpr std::size_t kMostOnTheWay = 16 * 1024 * 1024;
 /// More segments than this wait: splitting them one by one would never catch up.
 constexpr std::size_t kMostSplitWaiting = 64;
-/// The second piece of a split comes in the next control period, however often the loop goes round in this
-/// one.
+/// The second piece of a split is sent in the next control period, independent of the cycles of the loop.
 constexpr double kMoment = 1e-6;
 }  // namespace
 
@@ -30,7 +29,7 @@ Peer::~Peer() {
 
 void Peer::attach(Link* link) {
     link_ = link;
-    isWatched_ = link_ != nullptr && open_ && link_->doorbell().add(descriptor_, &hasArrived_);
+    isWatched_ = link_ != nullptr && open_ && link_->poller().add(descriptor_, &hasArrived_);
 }
 
 bool Peer::isPlain() const {
@@ -41,7 +40,7 @@ void Peer::close() {
     if (open_) {
         open_ = false;
         if (isWatched_) {
-            link_->doorbell().remove(descriptor_);
+            link_->poller().remove(descriptor_);
         }
         if (link_ == nullptr || !link_->bury(descriptor_)) {
             native_socket::close(descriptor_);
@@ -65,7 +64,7 @@ std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
     const native_socket::Transfer got = native_socket::receive(descriptor_, into);
     switch (got.status) {
         case native_socket::Status::Ok:
-            // Less than there was room for is all there was.
+            // A partial read means that all data have been read.
             hasArrived_ = !isWatched_ || got.bytes == into.size();
             return got.bytes;
         case native_socket::Status::WouldBlock:
@@ -128,7 +127,8 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// The client has hung up. What it said before counts all the same: a program whose sender did not wait for an answer.
+// The client has closed the connection. Data sent before still count: a program whose sender did not wait for an
+// answer.
 void Peer::endSending() {
     isMute_ = true;
     std::array<std::uint8_t, 16 * 1024> buffer;
@@ -158,7 +158,7 @@ void Peer::put(std::span<const std::uint8_t> bytes) {
 
 bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
     if (!open_ || closing_ || isMute_) {
-        return true;  // there is nobody to be told
+        return true;  // no client to notify
     }
     flush();
     if (!isPlain() || !held_.empty()) {

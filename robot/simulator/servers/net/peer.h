@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One accepted connection: reads what has come, sends what fits, keeps a bounded rest. Never blocks. What the
-// cable does to the bytes (see Link) is done here, so that no service needs to know.
+// One accepted connection: reads received data, sends as much as possible, buffers a limited rest. Never blocks.
+// The link conditions (see Link) are applied here, so that services do not need to know them.
 
 #include <cstdint>
 #include <deque>
@@ -44,7 +44,7 @@ public:
     std::uint16_t port() const { return port_; }  ///< Of the client's end.
     /// Sends what is due and what the socket takes now.
     void flush();
-    /// Bytes the socket did not take yet; what is under way on a slow cable does not count.
+    /// Bytes not yet accepted by the socket; data delayed by a slow link do not count.
     std::size_t pending() const { return out_.size() - sent_; }
 
     /// Closes once everything has gone out.
@@ -78,12 +78,12 @@ private:
     std::deque<Segment> held_;      ///< on their way to the client
     std::deque<Segment> arriving_;  ///< on their way from it
     std::size_t heldBytes_ = 0;
-    bool isWatched_ = false;  ///< by the link's doorbell, which sets:
+    bool isWatched_ = false;  ///< by the poller of the link, which sets:
     bool hasArrived_ = true;  ///< there may be something to read
     bool open_ = true;
     bool closing_ = false;
     bool isMute_ = false;  ///< nothing reaches the client any more
-    bool ended_ = false;   ///< the client has ended the connection; what arrives is from before
+    bool ended_ = false;   ///< the client has closed the connection; remaining data were sent before
 };
 
 }  // namespace tiller::simulator

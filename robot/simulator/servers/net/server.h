@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What every service of the controller has in common: one port, any number of clients, and two moments: being
-// read, whenever the loop comes round, and being written to after a control period.
+// Common part of all services of the controller: one port, any number of clients, and two steps: reading in each
+// cycle of the loop, and writing after each control period.
 
 #include <QHostAddress>
 #include <cstdint>
@@ -23,11 +23,12 @@ public:
 
     /// The cable its clients are connected by.
     void setLink(Link* link) { link_ = link; }
-    /// doorbell  is told of the port; outlives this object
-    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name, Doorbell& doorbell) {
+    /// poller  watches the port; must outlive this object
+    Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name,
+                      SocketPoller& poller) {
         auto opened = listener_.open(address, port, name);
         if (opened) {
-            doorbell.addPort(listener_.socketDescriptor());
+            poller.addPort(listener_.socketDescriptor());
         }
         return opened;
     }
@@ -39,7 +40,7 @@ public:
 
     /// Takes new clients, reads all and answers.
     virtual void service() = 0;
-    /// Sends what a control period brought.
+    /// Sends the data of a control period.
     virtual void publish() {}
     virtual void closeClients() = 0;
 
@@ -53,7 +54,7 @@ private:
     Listener listener_;
 };
 
-/// Removes the clients whose connection is over. leaving  is told each of them first.
+/// Removes clients whose connection has ended. leaving  is called for each of them first.
 template <class Client, class Leaving>
 void removeClosed(std::vector<std::unique_ptr<Client>>& clients, Leaving leaving) {
     std::erase_if(clients, [&leaving](const std::unique_ptr<Client>& client) {

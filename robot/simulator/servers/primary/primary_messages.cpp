@@ -25,7 +25,7 @@ enum Kind : unsigned {
     Exception = 10
 };
 
-/// Writes frame and header around what `body` adds.
+/// Writes frame and header around the content of `body`.
 template <class Body>
 Bytes message(std::uint64_t timestampNs, Source source, Kind kind, Body body) {
     Bytes bytes;

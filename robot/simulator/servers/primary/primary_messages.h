@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The messages of the primary interface as bytes: what the pendant would show, and what clients wait for.
-// Source: client interface manual; see each layout there.
+// The messages of the primary interface as bytes: those that the pendant shows, and those that clients wait for.
 
 #include <cstdint>
 #include <string>

@@ -78,7 +78,7 @@ void PrimaryServer::sendMessages(const std::vector<primary::Bytes>& messages) {
         }
         for (const auto& client : clients_) {
             if (!safety || client->hasState) {
-                client->peer.send(*message);  // kept as long as there is room
+                client->peer.send(*message);  // kept as long as the buffer permits
             }
         }
     }

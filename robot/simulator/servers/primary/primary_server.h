@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The primary and secondary services, ports 30001 and 30002, with their read-only twins 30011 and 30012:
-// RobotState ten times a second, messages when they happen, scripts the other way. A client that does not
-// read misses packages; it is never dropped for that and never makes the others wait.
+// The primary and secondary services, ports 30001 and 30002, and their read-only versions 30011 and 30012:
+// RobotState ten times a second, messages when they occur, scripts in the other direction. A client that does not
+// read misses packages; it is not disconnected for that and does not delay others.
 //
-// A safety mode message never comes before a RobotState that shows the same mode: clients wait for the
-// message and look at their newest state then. So a change of the safety mode brings a state out of turn,
-// and a client that has no room for that state does not get the message either.
+// A safety mode message is never sent before a RobotState with the same mode, because clients wait for the message
+// and then read their newest state. A change of the safety mode therefore triggers an additional state, and a
+// client whose buffer is too full for that state does not get the message either.
 // Source: client interface manual.
 
 #include "robot/simulator/servers/net/server.h"
@@ -23,8 +23,8 @@ public:
 
     void service() override;
     using Server::publish;
-    /// Sends what a control period brought: the robot's state when it is time for one, and behind it the
-    /// messages. Of several changes of the safety mode the last is told, which is the one the state shows.
+    /// Sends the data of a control period: the state of the robot when it is due, followed by the messages. Of
+    /// several changes of the safety mode the last one is reported, which matches the state.
     void publish(const std::vector<primary::Bytes>& messages);
     void closeClients() override { clients_.clear(); }
 
@@ -34,7 +34,7 @@ private:
             : peer(descriptor, 64 * 1024), intake(mayWrite) {}
         Peer peer;
         ScriptIntake intake;
-        std::uint64_t program = 0;  ///< whose variables it has been told
+        std::uint64_t program = 0;  ///< program whose variables it has received
         std::uint64_t knows = 0;    ///< the identity whose KinematicsInfo and ConfigurationData it has had
         bool hasState = false;      ///< the state of this control period was sent to it
     };

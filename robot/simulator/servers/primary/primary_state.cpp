@@ -10,7 +10,7 @@ namespace tiller::simulator::primary {
 namespace {
 
 constexpr unsigned kRobotState = 16;
-/// The same word in MasterboardData and SafetyData; its meaning is the vendor's own.
+/// The same word in MasterboardData and SafetyData; its meaning is specific to the manufacturer.
 constexpr std::uint32_t kInternalWord = 1475618907;
 
 /// The manual of "newer software" adds to the layouts recorded from 5.8; 5.10 is our reading of it.
@@ -18,8 +18,8 @@ bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
-/// The masterboard's data end in one byte more since then: clients take a package of another size for broken.
-/// Source: urcl reads all 75 bytes of a 3.14, ur_modern_driver 74 of a 3.2 and stumbles over a 3.10 and 5.4.
+/// Since then the masterboard data have one more byte: clients treat a package of another size as damaged. Source:
+/// urcl reads all 75 bytes of a 3.14, ur_modern_driver 74 of a 3.2 and fails with a 3.10 and 5.4.
 bool hasSafetyStatus(const SoftwareVersion& software) {
     return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
 }
@@ -153,7 +153,7 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.i32(6).i32(controllerBoxType(*now.model)).i32(now.model->robotType);
         out.i32(now.model->isCb3() ? 2 : 3);
         if (isNewer(now)) {
-            // Kind of control box and of tool flange, in software that tells them; reserved before.
+            // Type of control box and of tool flange, in software that reports them; reserved before.
             const bool told = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
                                                                            : SoftwareVersion{5, 26, 0, 0});
             out.u16(told ? 5 : 0).u16(told ? 1 : 0);

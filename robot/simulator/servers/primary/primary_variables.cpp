@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    /// How many elements of what is too long for a package are told.
+    /// Number of elements reported of a list that is too long for a package.
     std::size_t thatFit(std::size_t count, std::size_t bytesEach) const {
         const std::size_t room = kLargestValue - std::min(into_.size(), kLargestValue);
         return std::min(count, room / bytesEach);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The global variables of the running program as primary clients get them, package type 25: the names once,
-// the values as they change. Source: client interface manual, "Variable values", as clients that read it have
-// it: every value ends with a line break, the elements of a list do not; a struct, which it does not know,
-// goes as none.
+// The global variables of the running program for primary clients, package type 25: the names once, the values when
+// they change. Source: client interface manual, "Variable values", and clients that read it: every value ends with
+// a line break, the elements of a list do not; a struct, which has no encoding, is sent as None.
 
 #include <cstdint>
 #include <vector>

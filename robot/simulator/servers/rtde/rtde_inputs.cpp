@@ -85,7 +85,8 @@ std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
     std::vector<bool> late(count, false);
     const Assumptions::Inputs reading = plant_.assumptions().inputs;
     for (std::size_t i = 0; i < count; ++i) {
-        // Scattered: any pattern will do; it has to be the same each time, or a value would overtake another.
+        // Any pattern is acceptable, but it has to be the same each time, otherwise values would overtake each
+        // other.
         const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
         late[i] = reading == Assumptions::Inputs::FirstHalf   ? i >= count / 2
                   : reading == Assumptions::Inputs::LastHalf  ? i < count / 2
@@ -124,7 +125,7 @@ bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
     if (!rtde::decodeValues(recipe.layout, wire, values_)) {
         return false;
     }
-    // What is left of an earlier one must not come after this one.
+    // The rest of an earlier package must not be applied after this one.
     applyRest();
     const std::vector<bool> late = lateFields(recipe.fields.size());
     storeFields(recipe, values_, late);
@@ -182,7 +183,7 @@ void RtdeInputs::store(const rtde::Field& field, const double* value) {
 }
 
 void RtdeInputs::applyMasks(const InputRecipe& recipe) {
-    // Only what this package spoke of: another client's mask of long ago must not act again.
+    // Only the inputs of this package: an old mask of another client must not be applied again.
     bool slider = false, standard = false, configurable = false, tool = false, analog = false;
     for (const std::size_t index : recipe.fields) {
         const std::string_view name = rtde::inputFields()[index].name;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs RTDE clients write: who owns which, what they hold, and what they do to the robot. A value stays
-// until its owner changes it; a mask selects what a package applies. Source: RTDE guide.
+// The inputs written by RTDE clients: their owners, their values, and their effects on the robot. A value is kept
+// until its owner changes it; a mask selects the values that a package applies. Source: RTDE guide.
 
 #include <cstdint>
 #include <optional>
@@ -37,14 +37,14 @@ public:
     };
     /// Takes ownership of all names, or of none. protocol: the client's, on which some types depend
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees what the client owned; whether the values stay is an assumption.
+    /// Frees the inputs of the client; whether the values are kept is an assumption.
     void release(ClientId client);
 
     /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
-    /// Once a control period, before anything is read: applies what packages of the period before left over,
-    /// where they are not applied whole.
+    /// Runs once per control period before reading: applies the rest of packages of the previous period that were
+    /// applied only in part.
     void applyRest();
 
     /// Packages applied so far.
@@ -67,7 +67,7 @@ private:
 
     Plant& plant_;
     SoftwareVersion software_;
-    std::vector<ClientId> owners_;  ///< by field; 0: nobody
+    std::vector<ClientId> owners_;  ///< by field; 0: none
     std::vector<double> values_;    ///< scratch of apply()
     std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;

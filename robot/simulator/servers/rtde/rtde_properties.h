@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What newer controllers tell about themselves over RTDE besides their version: properties, by name.
-// Source: the vendor's clients in Python and C++.
+// Properties that newer controllers report over RTDE in addition to their version, by name.
 
 #include <string>
 #include <vector>
@@ -16,7 +15,7 @@ namespace tiller::simulator {
 /// takes no notice of the request.
 bool hasProperties(const SoftwareVersion& software);
 
-/// The reply: the types, NOT_FOUND for what there is not, and the values only when every name is known.
+/// Writes the reply: the types, NOT_FOUND for unknown names, and the values only if every name is known.
 void writeProperties(rtde::Bytes& out, const std::vector<std::string>& names,
                      const SoftwareVersion& software);
 

@@ -11,7 +11,7 @@
 //   means 1 Hz.
 // - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
 // - START without a valid output recipe is refused, PAUSE always accepted.
-// - PolyScope X tells new clients that its safety configuration has not been confirmed, while that is so.
+// - PolyScope X informs new clients while its safety configuration has not been confirmed.
 
 #include <QStringList>
 #include <atomic>

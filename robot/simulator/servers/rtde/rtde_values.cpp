@@ -215,7 +215,7 @@ OutputRecipe::OutputRecipe(const std::vector<std::string>& names, const Software
     values_.resize(layout_.components());
     package_.resize(rtde::dataPackageSize(layout_.wireBytes(), true));
     if (package_.size() > rtde::kMaxPackageSize) {
-        valid_ = false;  // its size could not be told to the client
+        valid_ = false;  // its size cannot be reported to the client
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where the value of each RTDE output field comes from. Real values throughout; what this robot has no
-// equipment for (Euromap, conveyor encoders) reads as an unconnected one.
+// Sources of the values of all RTDE output fields. All values are simulated; fields of missing equipment (Euromap,
+// conveyor encoders) have the values of unconnected equipment.
 
 #include <optional>
 #include <string_view>
@@ -29,7 +29,7 @@ std::optional<FieldSource> fieldSource(const rtde::Field& field);
 /// The fields of one output recipe.
 class OutputRecipe {
 public:
-    /// Of fields that exist on this software; answers() tells which of the names do.
+    /// Fields that exist on this software; answers() lists them.
     OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software);
 
     /// In the order of the names.

@@ -20,7 +20,7 @@ class DashboardCommands {
 public:
     DashboardCommands(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// What a connection may do is settled when it is made, and lost when the pendant's switch is turned.
+    /// Rights of a connection: set when it is opened, lost when the switch on the pendant is turned.
     using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 

@@ -26,7 +26,7 @@ std::string discard(std::string_view reason, std::string_view line) {
     return "discard: " + std::string(reason) + ": " + std::string(line) + "\n";
 }
 
-/// The answer to what is no statement but asks for, or does, something at once; empty when it is a statement.
+/// Answer to a command that is executed at once; empty if the line is a statement.
 std::string stateReply(InterpreterMode* mode, const std::string& line) {
     const InterpreterMode::Counts counts = mode == nullptr ? InterpreterMode::Counts() : mode->counts();
     std::uint32_t number = 0;
@@ -108,7 +108,7 @@ void InterpreterServer::answer(Client& client, int& lines) {
         }
         client.lines.pop_front();
         if (!client.peer.send(reply)) {
-            client.peer.close();  // reads none of its replies, and they cannot be kept for ever
+            client.peer.close();  // the client reads none of its replies, and they cannot be kept forever
             return;
         }
     }

@@ -18,7 +18,7 @@ class Plant;
 
 class InterpreterServer final : public Server {
 public:
-    /// Longest line [bytes]; a client that sends more without a newline is told so and loses it.
+    /// Longest line [bytes]; a longer line is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
     /// Lines of one client that may wait for a clear_interpreter(); reading stops there.
     static constexpr std::size_t kMostWaiting = 1000;

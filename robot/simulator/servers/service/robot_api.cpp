@@ -50,7 +50,7 @@ HttpResponse invalid(const QString& what) {
     return refuse(422, QStringLiteral("Validation error"), what);
 }
 
-/// What a program says of itself; a flat file written by hand may say it at its root.
+/// Description of a program in its own file; handwritten flat files may have it at the root.
 QJsonObject informationOf(const QJsonObject& root) {
     const QJsonObject program = root.value(QLatin1String("program")).toObject();
     const QString key = QStringLiteral("programInformation");
@@ -419,7 +419,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     if (!document.isObject()) {
         return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is no program (JSON)"));
     }
-    // The program's own word first; the name of the file is the sender's affair.
+    // The name inside the program has priority over the file name.
     const QJsonObject root = document.object();
     QString name = informationOf(root).value(QLatin1String("name")).toString();
     name = name.isEmpty() ? root.value(QLatin1String("name")).toString() : name;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The Robot API of PolyScope X: what each method on each path does and answers. Source: the vendor's Robot
-// API documentation and its client library's tests.
+// The Robot API of PolyScope X: action and answer of each method on each path. Source: Robot API documentation of
+// the manufacturer and the tests of its client library.
 
 #include <QJsonObject>
 #include <string>

@@ -30,7 +30,7 @@ void RobotApiServer::service() {
 void RobotApiServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    // What comes while an answer is kept back is left to the network, which holds only so much.
+    // Requests that arrive while an answer is delayed remain in the network buffers, which are limited.
     while (client.peer.isOpen() && !client.next && total < kRequestShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
@@ -75,7 +75,7 @@ bool RobotApiServer::sendNext(Client& client) {
         return true;
     }
     Client::HttpAnswer& answer = *client.next;
-    // In virtual time nobody could wait: time goes on only when whoever asks has been answered.
+    // In virtual time a client could not wait: time advances only after its request has been answered.
     if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
         if (plant_.elapsed() - answer.asked < kMostPatience) {
             return false;

@@ -186,7 +186,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatIsMetIsNamed() {
+    void obstacleIsNamed() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         Surroundings cell;
         cell.obstacles.push_back({"crate", Pose(0.5, 0, 0.2, 0, 0, 0), Eigen::Vector3d(0.2, 0.2, 0.4)});

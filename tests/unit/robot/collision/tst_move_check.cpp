@@ -33,7 +33,7 @@ class TestMoveCheck : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aFreeMoveSaysHowFarAndHowLong() {
+    void freeMoveReportsDistanceAndDuration() {
         JointPositions to = kStance;
         to[4] += 0.7156;
         to[0] -= 0.3;
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(report.limit->share - share) < 1e-9);
     }
 
-    void theFirstThingInTheWayIsTold() {
+    void firstObstacleIsReported() {
         const JointPositions to = shifted(kStance, {0, 0, -0.17});
         Surroundings cell;
         cell.borders.push_back({{}, Pose(0, 0, 0.08, 0, 0, 0)});

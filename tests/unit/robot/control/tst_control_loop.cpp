@@ -183,7 +183,7 @@ private Q_SLOTS:
     }
 
     // The host was suspended: the backlog does not mean that the program has ended.
-    void aHostThatWasAwayKeepsControlButNotTheMotion() {
+    void suspendedHostKeepsControlButNotTheMotion() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startMove(false);

@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(bench.mailbox.epoch().isActive(move));
     }
 
-    void theRobotsOwnTimeToLiveEndsTheMotionHereToo() {
+    void timeToLiveOnTheRobotEndsTheMotionOnTheHost() {
         Bench bench;
         bench.takeControl();
         const MotionId move = bench.startMove(false);
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QTest::newRow("TCP") << ScriptState::TcpTooFast << LimiterKind::TcpSpeed;
         QTest::newRow("elbow") << ScriptState::ElbowTooFast << LimiterKind::ElbowSpeed;
     }
-    void torquesGoOutWithTheCapAndEndAboveIt() {
+    void torquesAreSentWithTheCapAndEndAboveIt() {
         QFETCH(ScriptState, state);
         QFETCH(LimiterKind, limiter);
         Bench bench;
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastMotion, jog);
     }
 
-    void beingAskedToEndTellsTheProgram() {
+    void endRequestIsSentToTheProgram() {
         Bench bench;
         bench.takeControl();
         bench.startJog(0.1);
@@ -252,7 +252,7 @@ private Q_SLOTS:
     // Random presses, refreshes, hangs, stalls and stops. Two conditions must always be true: a package that moves
     // has the epoch of a motion that was active when it was created, and no motion moves again after it was seen
     // stopped.
-    void randomSequencesNeverMoveWhatWasStopped() {
+    void randomSequencesNeverResumeAStoppedMotion() {
         std::mt19937 random(20261121);
         const auto chance = [&](int oneIn) {
             return std::uniform_int_distribution<int>(1, oneIn)(random) == 1;
@@ -464,7 +464,7 @@ private Q_SLOTS:
         QVERIFY(!bench.command.forcePermitted);
     }
 
-    void aRequestNobodyWaitsForIsNotSentAnyMore() {
+    void abandonedRequestIsNotSent() {
         Bench bench;
         bench.takeControl();
         const auto number = bench.loop.ask({0, RequestKind::SetPayload, 0, {3, 0, 0, 0, 0, 0}});

@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(!torn);
     }
 
-    void aStopIsSeenByWhoBeginsAfterwards() {
+    void stopIsVisibleToLaterStarts() {
         Mailbox mailbox;
         const auto stops = mailbox.epoch().stops();
         const MotionId first = mailbox.startUnlessStopped(stops, {}, 1);

@@ -69,7 +69,7 @@ private Q_SLOTS:
         scene.evidence.inControl = false;
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    void dataFromBeforeTheStopConfirmNothing() {
+    void dataFromBeforeTheStopDoNotConfirmIt() {
         Scene scene;
         scene.evidence.moving = false;
         scene.evidence.restingEpoch = kEpoch;

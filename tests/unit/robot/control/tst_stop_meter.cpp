@@ -67,7 +67,7 @@ private Q_SLOTS:
     }
 
     // No data during the deceleration: the time until they resume is not a stopping time.
-    void aStopThatNobodySawIsNotMeasured() {
+    void unobservedStopIsNotMeasured() {
         StopMeter meter;
         Braking arm{meter, 0, 0, 0.1};
         arm.step(0);

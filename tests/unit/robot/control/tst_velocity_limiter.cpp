@@ -54,7 +54,7 @@ private Q_SLOTS:
     }
 
     // A robot that reports incomplete or implausible values gets the limits of its model, and can be moved.
-    void whatTheRobotDoesNotTellIsTheModels() {
+    void unreportedValuesComeFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration told;
         told.dh = ur5e().dh;
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(30 * kDeg * radius * limiter.scale <= 0.25 + 1e-9);
     }
 
-    void aJogIsHeldToItsOwnCap() {
+    void jogRespectsItsCap() {
         const JointPositions stretched(0, -10 * kDeg, 15 * kDeg, 0, 90 * kDeg, 0);
         JogTarget target = joint(0, 10 * kDeg);
         const double radius = tcpAt(stretched).position.head<2>().norm();

@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(client.isConnected());
     }
 
-    void aRobotInLocalSaysSo() {
+    void localControlIsReported() {
         RawPeer peer(
             answering({{"power on",
                         "Command is not allowed due to safety reasons, please switch robot to Remote "

@@ -57,16 +57,16 @@ private Q_SLOTS:
     void beforeTheFirstPackageThereIsNothing();
     void namesThatDoNotExistAreRefused();
     void waitsForData();
-    void waitingForDataSaysWhyNoneCame();
+    void waitingForDataReportsWhyNoneArrived();
     void waitingForDataWantsFreshOnes();
     void aRestartOfTheControllerIsWaitedFor();
     void subscribersWaitForTheNextOne();
     void waitingEndsWithTheReceiver();
     void samplesCarryTheClocksTime();
-    void whatLayInABacklogIsNotFresh();
+    void backlogSamplesAreNotFresh();
     void dataComeBackWithinTwoSeconds();
-    void countsWhatTheControllerSkipped();
-    void countsWhatCameLate();
+    void countsSkippedPackages();
+    void countsLatePackages();
     void fieldsTheRobotLacksAreAbsent();
     void addsTheTimestamp();
     void worksWithCb3();
@@ -165,7 +165,7 @@ void TestReceiver::waitsForData() {
     QCOMPARE(RobotState(*sample).q()[5], 6.0);
 }
 
-void TestReceiver::waitingForDataSaysWhyNoneCame() {
+void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
@@ -298,7 +298,7 @@ void TestReceiver::samplesCarryTheClocksTime() {
 }
 
 // After the host was suspended or the path was blocked, the age of the samples counts from their arrival.
-void TestReceiver::whatLayInABacklogIsNotFresh() {
+void TestReceiver::backlogSamplesAreNotFresh() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
@@ -334,7 +334,7 @@ void TestReceiver::dataComeBackWithinTwoSeconds() {
     QVERIFY(options.connectTimeout + longest < 2s);
 }
 
-void TestReceiver::countsWhatTheControllerSkipped() {
+void TestReceiver::countsSkippedPackages() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     Subscription subscription = receiver.subscribe();
@@ -352,7 +352,7 @@ void TestReceiver::countsWhatTheControllerSkipped() {
     }
 }
 
-void TestReceiver::countsWhatCameLate() {
+void TestReceiver::countsLatePackages() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
@@ -475,7 +475,7 @@ void TestReceiver::givesUpASilentConnection() {
     QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
-    // While the clock stands still no connection times out, however long the test takes.
+    // While the clock is stopped, no connection times out, however long the test takes.
     clock.advanceNs(2400 * kNsPerMs);
     QTest::qWait(120);
     QCOMPARE(peer.connections(), 1);

@@ -40,7 +40,7 @@ private Q_SLOTS:
     void componentsAreFoundByTheirRecordingName();
     void absentFieldsAreEmpty();
     void stateReadsWithTypes();
-    void absentStateIsTheCautiousOne();
+    void missingStateIsTreatedCautiously();
     void noDataIsNeverANumber_data();
     void noDataIsNeverANumber();
     void misspeltNamesAreExplained();
@@ -131,7 +131,7 @@ void TestSample::stateReadsWithTypes() {
     QVERIFY(!state.has("payload_inertia"));
 }
 
-void TestSample::absentStateIsTheCautiousOne() {
+void TestSample::missingStateIsTreatedCautiously() {
     const Sample sample = sampleOf({});
     const RobotState state(sample);
     QCOMPARE(state.robotMode(), RobotMode::Disconnected);

@@ -81,14 +81,14 @@ class TestBlackBox : public QObject {
 
 private Q_SLOTS:
     void aProtectiveStopBecomesAFile();
-    void whatComesAfterBelongsToIt();
+    void dataAfterTheStopBelongToTheIncident();
     void everyKindOfStopHasItsName_data();
     void everyKindOfStopHasItsName();
-    void whatWasThereOnConnectingIsNoIncident();
-    void anAlarmIsOne();
-    void stoppingTheBoxWritesWhatThereIs();
-    void onlySoManyAreKept();
-    void aFolderThatCannotBeMadeIsSaid();
+    void stopPresentOnConnectingIsNoIncident();
+    void alarmIsAnIncident();
+    void stoppingTheBoxWritesAvailableData();
+    void numberOfFilesIsLimited();
+    void folderErrorIsReported();
 };
 
 void TestBlackBox::aProtectiveStopBecomesAFile() {
@@ -130,7 +130,7 @@ void TestBlackBox::aProtectiveStopBecomesAFile() {
     QVERIFY(bench.incidents[1].path != incident.path);
 }
 
-void TestBlackBox::whatComesAfterBelongsToIt() {
+void TestBlackBox::dataAfterTheStopBelongToTheIncident() {
     Bench bench;
     bench.options.after = 0.05;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
@@ -168,7 +168,7 @@ void TestBlackBox::everyKindOfStopHasItsName() {
     QCOMPARE(QString::fromStdString(bench.incidents.front().reason), reason);
 }
 
-void TestBlackBox::whatWasThereOnConnectingIsNoIncident() {
+void TestBlackBox::stopPresentOnConnectingIsNoIncident() {
     Bench bench;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
     bench.send(5, 3);
@@ -179,7 +179,7 @@ void TestBlackBox::whatWasThereOnConnectingIsNoIncident() {
     QVERIFY(!QDir(bench.options.folder).exists());
 }
 
-void TestBlackBox::anAlarmIsOne() {
+void TestBlackBox::alarmIsAnIncident() {
     Bench bench;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
     bench.send(5, 1);
@@ -188,7 +188,7 @@ void TestBlackBox::anAlarmIsOne() {
     QCOMPARE(bench.incidents.front().reason, std::string("force---20-n"));
 }
 
-void TestBlackBox::stoppingTheBoxWritesWhatThereIs() {
+void TestBlackBox::stoppingTheBoxWritesAvailableData() {
     Bench bench;
     bench.options.after = 60;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
@@ -199,7 +199,7 @@ void TestBlackBox::stoppingTheBoxWritesWhatThereIs() {
     QCOMPARE(openRecording(bench.incidents.front().path).value()->rows(), std::uint64_t(8));
 }
 
-void TestBlackBox::onlySoManyAreKept() {
+void TestBlackBox::numberOfFilesIsLimited() {
     Bench bench;
     bench.options.keep = 2;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
@@ -212,7 +212,7 @@ void TestBlackBox::onlySoManyAreKept() {
     QCOMPARE(QDir(bench.options.folder).entryList(QDir::Files).size(), 2);
 }
 
-void TestBlackBox::aFolderThatCannotBeMadeIsSaid() {
+void TestBlackBox::folderErrorIsReported() {
     Bench bench;
     bench.options.folder = QString();
     QCOMPARE(bench.box.start(bench.options, bench.receiver).error().code, ErrorCode::InvalidArgument);

@@ -21,10 +21,10 @@ private Q_SLOTS:
     void aLineOfUnits();
     void unitsInTheHeading();
     void aClockThatStartsAnewGoesOn();
-    void whatIsNoNumberIsSaid();
-    void linesOfAnotherLengthAreLeftOutAndSaid();
-    void aLastLineWithoutEndIsSaid();
-    void whatIsNoTableSaysSo();
+    void nonNumericCellsAreReported();
+    void linesOfAnotherLengthAreOmittedAndReported();
+    void unterminatedLastLineIsReported();
+    void nonTableFilesAreReported();
     void summariesKeepSpikes();
     void thousandMutationsDoNoHarm();
 
@@ -123,7 +123,7 @@ void TestCsvRecording::aClockThatStartsAnewGoesOn() {
     QCOMPARE(recording->times({0, 5}).value(), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
 }
 
-void TestCsvRecording::whatIsNoNumberIsSaid() {
+void TestCsvRecording::nonNumericCellsAreReported() {
     const auto recording = open("timestamp,a\n0,1\n1,abc\n2,def\n3,True\n").value();
     QCOMPARE(recording->rows(), std::uint64_t(4));
     QVERIFY(std::isnan(column(*recording, "a")[1]));
@@ -131,7 +131,7 @@ void TestCsvRecording::whatIsNoNumberIsSaid() {
     QVERIFY(recording->problems().join(' ').contains("2 cells are not numbers"));
 }
 
-void TestCsvRecording::linesOfAnotherLengthAreLeftOutAndSaid() {
+void TestCsvRecording::linesOfAnotherLengthAreOmittedAndReported() {
     std::string text = "timestamp,a\n0,1\n";
     for (int i = 0; i < 50; ++i) {
         text += "1\n";
@@ -142,13 +142,13 @@ void TestCsvRecording::linesOfAnotherLengthAreLeftOutAndSaid() {
     QVERIFY(recording->problems().last().contains("30 more"));
 }
 
-void TestCsvRecording::aLastLineWithoutEndIsSaid() {
+void TestCsvRecording::unterminatedLastLineIsReported() {
     const auto recording = open("timestamp,a\n0,1\n1,2").value();
     QCOMPARE(recording->rows(), std::uint64_t(2));
     QCOMPARE(recording->problems().size(), 1);
 }
 
-void TestCsvRecording::whatIsNoTableSaysSo() {
+void TestCsvRecording::nonTableFilesAreReported() {
     QCOMPARE(open("").error().code, ErrorCode::FileCorrupt);
     QCOMPARE(open(std::string("\x89PNG\r\n\x1a\n\0\0", 10)).error().code, ErrorCode::FileCorrupt);
     QCOMPARE(open("hello\nworld\nthis is text\n").error().code, ErrorCode::FileCorrupt);

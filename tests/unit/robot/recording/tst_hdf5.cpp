@@ -39,10 +39,10 @@ class TestHdf5 : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatIsExportedIsReadBack();
+    void exportedDataAreReadBack();
     void anyNameOfAColumnIsWritten();
-    void aPartOfItIsAsked();
-    void givingUpLeavesWhatWasThere();
+    void partialExport();
+    void cancelledExportKeepsTheExistingFile();
     void brokenFilesEndInWords();
     void filesOfOthers();
     void episodesByProgram();
@@ -53,7 +53,7 @@ private:
     QTemporaryDir folder_;
 };
 
-void TestHdf5::whatIsExportedIsReadBack() {
+void TestHdf5::exportedDataAreReadBack() {
     const auto source = made(path("a.mcap"), 400);
     const auto report = exportHdf5(*source, {.path = path("a.h5")}).value();
     QCOMPARE(report.rows, kRows);
@@ -103,7 +103,7 @@ void TestHdf5::anyNameOfAColumnIsWritten() {
     }
 }
 
-void TestHdf5::aPartOfItIsAsked() {
+void TestHdf5::partialExport() {
     const auto source = made(path("b.mcap"));
     ExportChoice choice{
         .path = path("b.h5"), .columns = {"actual_q", "robot_mode"}, .from = 0.5, .until = 0.6};
@@ -115,7 +115,7 @@ void TestHdf5::aPartOfItIsAsked() {
     QVERIFY(openRecording(path("b.h5")).ok());
 }
 
-void TestHdf5::givingUpLeavesWhatWasThere() {
+void TestHdf5::cancelledExportKeepsTheExistingFile() {
     const auto source = made(path("c.mcap"));
     QVERIFY(test::writeFile(path("c.h5"), "precious"));
     ExportChoice choice{.path = path("c.h5")};

@@ -147,10 +147,10 @@ class TestLossyLink : public QObject {
 private Q_SLOTS:
     void everyGapIsInTheFileWithItsLength_data();
     void everyGapIsInTheFileWithItsLength();
-    void aFullDiskKeepsWhatWasWritten_data();
-    void aFullDiskKeepsWhatWasWritten();
-    void aDiskThatErrsKeepsWhatWasWritten_data();
-    void aDiskThatErrsKeepsWhatWasWritten();
+    void fullDiskKeepsWrittenData_data();
+    void fullDiskKeepsWrittenData();
+    void diskErrorKeepsWrittenData_data();
+    void diskErrorKeepsWrittenData();
     void theReceiverNeverWaitsForADisk_data();
     void theReceiverNeverWaitsForADisk();
 };
@@ -210,11 +210,11 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
     QVERIFY(before > 0);
 }
 
-void TestLossyLink::aFullDiskKeepsWhatWasWritten_data() {
+void TestLossyLink::fullDiskKeepsWrittenData_data() {
     everyGapIsInTheFileWithItsLength_data();
 }
 
-void TestLossyLink::aFullDiskKeepsWhatWasWritten() {
+void TestLossyLink::fullDiskKeepsWrittenData() {
 #ifdef __linux__
     QFETCH(QString, format);
     // A real file system of 128 kB, which only root can make.
@@ -248,11 +248,11 @@ void TestLossyLink::aFullDiskKeepsWhatWasWritten() {
 #endif
 }
 
-void TestLossyLink::aDiskThatErrsKeepsWhatWasWritten_data() {
+void TestLossyLink::diskErrorKeepsWrittenData_data() {
     everyGapIsInTheFileWithItsLength_data();
 }
 
-void TestLossyLink::aDiskThatErrsKeepsWhatWasWritten() {
+void TestLossyLink::diskErrorKeepsWrittenData() {
     QFETCH(QString, format);
     Bench bench;
     BadDisk::Story story;

@@ -19,15 +19,15 @@ class TestMcap : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatIsWrittenIsReadBack();
-    void aGapIsWhereItWas();
+    void writtenDataAreReadBack();
+    void gapKeepsItsPosition();
     void factsAttachmentsAndTheLogComeAlong();
     void summariesAreThoseOfTheRows();
-    void aCutFileGivesWhatIsWhole();
+    void truncatedFileYieldsCompleteParts();
     void aFileWithoutSummaryIsReadToItsEnd();
-    void aBrokenPartIsSaidAndTheRestRead();
+    void damagedPartIsReportedAndTheRestRead();
     void thousandMutationsDoNoHarm();
-    void whatIsNoRecordingSaysSo();
+    void nonRecordingFilesAreReported();
     void fieldsTheRobotDoesNotSendAreLeftOut();
     void theClockFollowsTheSoonestPackage();
     void theEndOfThePathChoosesTheFormat();
@@ -44,7 +44,7 @@ private:
     QTemporaryDir folder_;
 };
 
-void TestMcap::whatIsWrittenIsReadBack() {
+void TestMcap::writtenDataAreReadBack() {
     constexpr std::uint64_t kRows = 700;
     const auto recording = opened(test::madeFile(*mcapFormat(), kRows));
     QVERIFY(recording);
@@ -83,7 +83,7 @@ void TestMcap::whatIsWrittenIsReadBack() {
     QCOMPARE(recording->columns()[*recording->indexOf("actual_TCP_pose_2")].unit, std::string("m"));
 }
 
-void TestMcap::aGapIsWhereItWas() {
+void TestMcap::gapKeepsItsPosition() {
     const auto recording = opened(test::madeFile(*mcapFormat(), 5000, 4321));
     QVERIFY(recording);
     QCOMPARE(recording->gaps().size(), std::size_t(1));
@@ -146,7 +146,7 @@ void TestMcap::summariesAreThoseOfTheRows() {
 }
 
 // After a power failure the file ends at an arbitrary byte.
-void TestMcap::aCutFileGivesWhatIsWhole() {
+void TestMcap::truncatedFileYieldsCompleteParts() {
     MadeSamples samples;
     std::vector<std::string> fields;
     for (const auto& entry : samples.layout->entries()) {
@@ -196,7 +196,7 @@ void TestMcap::aFileWithoutSummaryIsReadToItsEnd() {
     QCOMPARE(recording->gaps().size(), std::size_t(1));
 }
 
-void TestMcap::aBrokenPartIsSaidAndTheRestRead() {
+void TestMcap::damagedPartIsReportedAndTheRestRead() {
     std::string file = test::madeFile(*mcapFormat({.compression = 0}), 6000);
     test::writeFile(path(), file);
     const auto reader = mcap::Reader::open(path()).value();
@@ -260,7 +260,7 @@ void TestMcap::thousandMutationsDoNoHarm() {
     QVERIFY2(readable > 300, qPrintable(QString::number(readable)));
 }
 
-void TestMcap::whatIsNoRecordingSaysSo() {
+void TestMcap::nonRecordingFilesAreReported() {
     test::writeFile(path(), "\x89MCAP0\r\n");
     QCOMPARE(openRecording(path()).error().code, ErrorCode::FileCorrupt);
     mcap::Writer writer("", "another tool");

@@ -126,9 +126,9 @@ private Q_SLOTS:
     void ringOverrunIsAGapToo();
     void rowsReachTheFileWhileRecording();
     void replacesAnOldFile();
-    void recordsOnlyWhatIsAskedFor();
+    void recordsOnlyRequestedFields();
     void fieldsThatDoNotComeAreRefused();
-    void recordsWhatTheReceiverFollows();
+    void recordsAllReceivedFields();
     void unnamedFieldsAreAllRecorded();
     void csvIsNotWrittenUnderTheNameOfAnotherFormat_data();
     void csvIsNotWrittenUnderTheNameOfAnotherFormat();
@@ -137,13 +137,13 @@ private Q_SLOTS:
     void unwritablePlacesAreErrors_data();
     void unwritablePlacesAreErrors();
     void fullDiskAtTheStartIsAnError();
-    void fullDiskKeepsWhatWasWritten();
+    void fullDiskKeepsRecordedData();
     void killedWriterLeavesAReadableFile();
     void anErrorOfWritingBackEndsInFailed();
     void anErrorOfTheLastWriteBackIsNotARecording();
     void anErrorOfClosingIsNotARecording();
     void aFolderThatLosesTheNameIsNoBeginning();
-    void whatCannotBeWrittenBackIsNoError();
+    void impossibleFlushIsNoError();
 };
 
 void TestRecorder::writesOneRowPerPackage() {
@@ -281,7 +281,7 @@ void TestRecorder::replacesAnOldFile() {
     QCOMPARE(table->rows(), std::size_t(0));
 }
 
-void TestRecorder::recordsOnlyWhatIsAskedFor() {
+void TestRecorder::recordsOnlyRequestedFields() {
     Bench bench;
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), {"robot_mode"}}, bench.receiver).ok());
@@ -311,7 +311,7 @@ void TestRecorder::fieldsThatDoNotComeAreRefused() {
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
 }
 
-void TestRecorder::recordsWhatTheReceiverFollows() {
+void TestRecorder::recordsAllReceivedFields() {
     RtdePeer peer;
     receive::ReceiverOptions options = to(peer.port());
     options.fields = {"robot_mode"};
@@ -422,7 +422,7 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
 }
 
-void TestRecorder::fullDiskKeepsWhatWasWritten() {
+void TestRecorder::fullDiskKeepsRecordedData() {
 #ifdef __linux__
     // A real file system of 64 kB, which only root can make.
     const QTemporaryDir folder;
@@ -555,7 +555,7 @@ void TestRecorder::aFolderThatLosesTheNameIsNoBeginning() {
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
 }
 
-void TestRecorder::whatCannotBeWrittenBackIsNoError() {
+void TestRecorder::impossibleFlushIsNoError() {
     if (!QFile::exists(QStringLiteral("/dev/null"))) {
         QSKIP("no /dev/null here");
     }

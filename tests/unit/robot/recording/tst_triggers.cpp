@@ -92,15 +92,15 @@ class TestTriggers : public QObject {
 private Q_SLOTS:
     void conditionsAreReadAsTheyAreWritten_data();
     void conditionsAreReadAsTheyAreWritten();
-    void whatIsNoConditionSaysWhatIs();
+    void invalidConditionListsValidOnes();
     void aConditionHasToComeTrue();
     void bitsAndChanges();
-    void theTimeAfterEndsIt();
+    void recordingEndsAfterTheSetTime();
     void eachTimeGetsAFileWithTheTimeBefore();
     void unknownColumnsAreRefused();
     void aStalledDiskNeverMakesTheReceiverWait();
     void lessFreeThanAskedEndsInOrder();
-    void recordsMcapAndWhatIsSaid();
+    void recordsMcapWithMessages();
 };
 
 void TestTriggers::conditionsAreReadAsTheyAreWritten_data() {
@@ -137,7 +137,7 @@ void TestTriggers::conditionsAreReadAsTheyAreWritten() {
     QTEST(trigger.value, "value");
 }
 
-void TestTriggers::whatIsNoConditionSaysWhatIs() {
+void TestTriggers::invalidConditionListsValidOnes() {
     for (const char* text :
          {"", "a", "a >", "> 3", "a > b", "a > nan", "a:64 = 1", "a >= 3", "a b = 3", "changes"}) {
         const auto trigger = RecordingTrigger::parse(text);
@@ -185,7 +185,7 @@ void TestTriggers::bitsAndChanges() {
     }
 }
 
-void TestTriggers::theTimeAfterEndsIt() {
+void TestTriggers::recordingEndsAfterTheSetTime() {
     using Verdict = TriggerWatch::Verdict;
     test::MadeSamples samples({"timestamp", "robot_mode"});
     auto trigger = RecordingTrigger::parse("robot_mode = 7").value();
@@ -290,7 +290,7 @@ void TestTriggers::lessFreeThanAskedEndsInOrder() {
     QCOMPARE(recording->rows(), std::uint64_t(20));
 }
 
-void TestTriggers::recordsMcapAndWhatIsSaid() {
+void TestTriggers::recordsMcapWithMessages() {
     Bench bench;
     Recorder recorder;
     QVERIFY(recorder.start({.path = bench.path("a.mcap"), .format = mcapFormat()}, bench.receiver).ok());

@@ -82,7 +82,7 @@ private Q_SLOTS:
     void componentsAreNamedAsInRecordings();
     void availabilityFollowsTheSoftware();
     void everyOutputExistsOnTheNewestSoftware();
-    void everyFieldSaysWhatItMeans();
+    void everyFieldIsDocumented();
 };
 
 void TestFields::listsAgree() {
@@ -182,7 +182,7 @@ void TestFields::everyOutputExistsOnTheNewestSoftware() {
     }
 }
 
-void TestFields::everyFieldSaysWhatItMeans() {
+void TestFields::everyFieldIsDocumented() {
     for (const auto fields : {outputFields(), inputFields()}) {
         for (const Field& field : fields) {
             QVERIFY2(field.meaning[0] != '\0', field.name);

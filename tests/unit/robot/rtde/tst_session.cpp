@@ -81,12 +81,12 @@ class TestSession : public QObject {
 private Q_SLOTS:
     void shakesHandsInOrder();
     void fallsBackToVersionOne();
-    void asksForWhatTheControllerOffers();
+    void requestsOfferedFields();
     void dropsUnknownOutputsAndAsksAgain();
     void failsWhenNoOutputIsKnown();
     void takesTheTypesTheRobotReports();
     void dropsUnknownInputsAndAsksAgain();
-    void inputsInUseEndItWithTheirNames();
+    void inputsInUseEndTheSessionWithTheirNames();
     void inputsInUseMayBeTolerated();
     void unknownInputsAloneAreNoFailure();
     void inputsAloneNeedNoStart();
@@ -146,7 +146,7 @@ void TestSession::fallsBackToVersionOne() {
     QCOMPARE(talk.session.period(), 0.008);
 }
 
-void TestSession::asksForWhatTheControllerOffers() {
+void TestSession::requestsOfferedFields() {
     struct Case {
         double wanted;
         SoftwareVersion version;
@@ -220,7 +220,7 @@ void TestSession::dropsUnknownInputsAndAsksAgain() {
     QCOMPARE(talk.session.inputs().at(0).absent(), std::vector<std::string>{"tool_digital_output_mask"});
 }
 
-void TestSession::inputsInUseEndItWithTheirNames() {
+void TestSession::inputsInUseEndTheSessionWithTheirNames() {
     SessionRequest request;
     request.inputs.push_back({{"input_int_register_0", "input_int_register_1", "speed_slider_mask"}, true});
     Talk talk(request);

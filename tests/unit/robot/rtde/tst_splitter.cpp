@@ -51,7 +51,7 @@ private Q_SLOTS:
     void takesRandomSegmentsOfALongStream();
     void reportsSizesThatCannotBe_data();
     void reportsSizesThatCannotBe();
-    void handsOutWhatCameBeforeAFault();
+    void packagesBeforeAnErrorAreReturned();
     void carriesTheLargestPackage();
     void resumesAfterReset();
     void hasNextSaysWhetherNextWouldGiveOne();
@@ -156,7 +156,7 @@ void TestSplitter::reportsSizesThatCannotBe() {
     QVERIFY(!splitter.next());
 }
 
-void TestSplitter::handsOutWhatCameBeforeAFault() {
+void TestSplitter::packagesBeforeAnErrorAreReturned() {
     PackageSplitter splitter;
     Bytes bytes = stream();
     bytes.insert(bytes.end(), {0, 1, 2});

@@ -109,7 +109,7 @@ void TestValues::wrongSizesAreRefusedAndTouchNothing() {
     QVERIFY(!encodeValues(layout, tooFew, out));
     QVERIFY(!encodeValues(layout, std::array{1.0, 2.0}, std::span(out).first(11)));
     QCOMPARE(out, std::vector<std::uint8_t>(12, 0xAA));
-    // No room for the header and the id.
+    // Too short for the header and the id.
     QCOMPARE(writeDataPackage(out, 1, layout, std::array{1.0, 2.0}), std::size_t(0));
 }
 

@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(reports, 10);
     }
 
-    void aFloodOfOneKindHidesNoOther() {
+    void floodOfOneMessageTypeHidesNoOther() {
         MessageLimiter limiter({.burst = 10, .perSecond = 5});
         auto messages = messagesOf(MessageKind::Popup, 10'000);
         messages.push_back(messagesOf(MessageKind::ErrorCode, 1).front());

@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(client.takeMessages().empty());
     }
 
-    void aRefusedPortIsTold() {
+    void refusedPortIsReported() {
         PrimaryClient client(to(RawPeer::deadPort()));
         client.start();
         QCOMPARE(client.waitForState(soon()).error().code, ErrorCode::ConnectionRefused);
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(client.waitForState(Deadline::after(milliseconds(50))).error().code, ErrorCode::Timeout);
     }
 
-    void garbageIsTold() {
+    void garbageIsReported() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(QByteArray(100, '\xff'));
             link.beMute();
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(client.connectionError().code, ErrorCode::None);
     }
 
-    void aHangUpIsToldAndReconnectedAfter() {
+    void closedConnectionIsReportedAndRestored() {
         RawPeer peer([](RawPeer::Link& link) { link.send(versionMessage()); });
         PrimaryClient client(to(peer.port(), true));
         client.start();
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(peer.clients() >= 2, 20000);
     }
 
-    void messagesNobodyTakesAreBounded() {
+    void unreadMessagesAreBounded() {
         RawPeer peer([](RawPeer::Link& link) {
             for (int i = 0; i < 100; ++i) {
                 link.send(message(0, QByteArray::number(i)));

@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(m.text, QStringLiteral("why"));
     }
 
-    void keyMessageTellsOfPrograms() {
+    void keyMessageReportsPrograms() {
         const auto m = only(
             message(7, Wire().i32(0).i32(0).u8(19).text("PROGRAM_XXX_STARTEDtiller_control").bytes(), 0xfe));
         QCOMPARE(m.kind, MessageKind::Key);

@@ -39,7 +39,7 @@ private Q_SLOTS:
 
     // Unread data of the controller would turn the end into a connection reset, which could discard the sent
     // program.
-    void itHangsUpInGoodOrder() {
+    void connectionIsClosedInOrder() {
         std::promise<bool> ended;
         std::promise<void> streamed;
         RawPeer peer([&](RawPeer::Link& link) {

@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(bench.run(300, false) <= kTimeoutFrames + 2);
     }
 
-    void aStopEndsItAtOnce() {
+    void stopEndsTheProgramAtOnce() {
         Bench bench(kMoving);
         bench.host.intOut[26] = 4321;  // left by an earlier program
         QCOMPARE(bench.run(300, true), 300);
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(bench.run(300, true) <= 3);
     }
 
-    void theControllersOwnWatchdogFollows() {
+    void supervisionFollowsTheWatchdogOfTheController() {
         const QString text = supervised(kEndless, heartbeat(), kVersion).text;
         QVERIFY(
             text.contains(QStringLiteral("rtde_set_watchdog(\"input_int_register_24\", 6.667, \"stop\")")));
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(count(QStringLiteral("\r\ndef a():\r\n  sync()\r\nend\r\n")), 1);
     }
 
-    void withoutSupervisionTheTextIsAsItWas() {
+    void textIsUnchangedWithoutSupervision() {
         const SupervisedProgram made = unsupervised(kEndless);
         QCOMPARE(made.text, kEndless);
         QCOMPARE(made.lineOf(3), 3);

@@ -44,7 +44,7 @@ const char* const kTurning =
     "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\n  stopj(4)\n"
     "  write_output_integer_register(0, 1)\n  while True:\n    sync()\n  end\nend\n";
 
-/// Periods from the first stop command until the joints stand still.
+/// Periods from the first stop command until the joints are at standstill.
 int brakingPeriods(const char* assumption, double slider) {
     Plant plant(with(assumption));
     plant.setSpeedSlider(slider);
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(unknown.context.contains(assumptionTable().back().name));
     }
 
-    void theReadmeListsThemAll() {
+    void readmeListsAllAssumptions() {
         QFile readme(QStringLiteral(TILLER_SOURCE_DIR "/robot/simulator/README.md"));
         QVERIFY(readme.open(QIODevice::ReadOnly));
         const QString text = QString::fromUtf8(readme.readAll());
@@ -134,7 +134,7 @@ private Q_SLOTS:
         }
     }
 
-    void theyChangeWhileItRuns() {
+    void assumptionsCanChangeAtRuntime() {
         ControlBox controlBox(with());
         QVERIFY(injectFault(controlBox, QStringLiteral("assume registers=zeroed")).ok());
         QVERIFY(controlBox.plant.assumptions().registers == Assumptions::Registers::Zeroed);
@@ -178,14 +178,14 @@ private Q_SLOTS:
     }
 
     // Independent of how far a pause has progressed and how long the arm moved before.
-    void whatAPauseSlowsDownGetsNoFasterWhenTheProgramEnds_data() {
+    void pausedMoveDoesNotAccelerateAtProgramEnd_data() {
         QTest::addColumn<QString>("words");
         QTest::newRow("as by default") << QString();
         QTest::newRow("scaled ends") << "program-stops=scaled";
         QTest::newRow("scaled ends, real speeds") << "program-stops=scaled speed-commands=real";
         QTest::newRow("real speeds") << "speed-commands=real";
     }
-    void whatAPauseSlowsDownGetsNoFasterWhenTheProgramEnds() {
+    void pausedMoveDoesNotAccelerateAtProgramEnd() {
         QFETCH(QString, words);
         SimulatorOptions options = with();
         for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
@@ -255,7 +255,7 @@ private Q_SLOTS:
         QCOMPARE(writer.third(), 4.0);
     }
 
-    void whatAScriptWritesMayBeSeenAPeriodLater() {
+    void scriptOutputsMayAppearOnePeriodLater() {
         for (const bool late : {false, true}) {
             Plant plant(with(late ? "outputs=next-period" : ""));
             submit(plant,
@@ -267,7 +267,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatHappensToTheProgram_data() {
+    void effectOnTheProgram_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<QByteArray>("fault");
         QTest::addColumn<RuntimeState>("during");
@@ -290,7 +290,7 @@ private Q_SLOTS:
         row("", "remote off", Playing, "remote on", Playing);
         row("remote-to-local=ends", "remote off", Stopped, "remote on", Stopped);
     }
-    void whatHappensToTheProgram() {
+    void effectOnTheProgram() {
         QFETCH(QByteArray, assumption);
         QFETCH(QByteArray, fault);
         QFETCH(RuntimeState, during);

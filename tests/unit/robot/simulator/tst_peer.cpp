@@ -47,7 +47,7 @@ struct Connected {
     std::string read() {
         std::array<std::uint8_t, 512> bytes;
         std::string all;
-        link.doorbell().look();
+        link.poller().poll();
         while (const std::size_t got = peer->receive(bytes)) {
             all.append(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(got));
         }
@@ -62,7 +62,7 @@ class TestPeer : public QObject {
 
 private Q_SLOTS:
     /// A cut is noticed when something is sent, possibly before the received data were read.
-    void whatWasSaidBeforeAClientHungUpIsHeard() {
+    void dataSentBeforeTheEndOfAConnectionAreRead() {
         Connected c;
         const QByteArray program(40'000, 'p');
         QCOMPARE(c.client.write(program), qint64(program.size()));
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(!c.peer->isOpen());
     }
 
-    void aClientThatSaidNothingIsGoneAtOnce() {
+    void closedIdleClientIsDetectedAtOnce() {
         Connected c;
         c.cut();
         QTRY_VERIFY_WITH_TIMEOUT((c.peer->send(std::string_view("a state")), !c.peer->isOpen()), 20'000);

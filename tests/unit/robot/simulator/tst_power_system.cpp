@@ -108,7 +108,7 @@ private Q_SLOTS:
         QCOMPARE(modes(power, 3).back(), 5);
     }
 
-    void aCutIsImmediateAndForgetsWhatWasUnderWay() {
+    void powerCutIsImmediateAndCancelsTransitions() {
         PowerSystem power(false);
         power.releaseBrakes();
         modes(power, 1);

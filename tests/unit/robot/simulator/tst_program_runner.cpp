@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(plant.programs().state(), RuntimeState::Playing);
     }
 
-    void whatPythonUrxSendsIsUnderstood() {
+    void commandsOfPythonUrxAreAccepted() {
         Plant plant(running());
         simulator::urscript::SourceSplitter splitter;
         for (const char* line :

@@ -348,7 +348,7 @@ private Q_SLOTS:
         QCOMPARE(robot.plant.safety().mode(), SafetyMode::Normal);
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Stopped);
     }
-    void whatTheSoftwareDoesNotHaveDoesNotCompile_data() {
+    void functionsMissingInTheSoftwareDoNotCompile_data() {
         QTest::addColumn<QString>("call");
         QTest::addColumn<QString>("software");
         QTest::addColumn<bool>("known");
@@ -368,7 +368,7 @@ private Q_SLOTS:
         row("interpreter_mode()", "5.10", true);
         row("get_steptime()", "3.15", true);
     }
-    void whatTheSoftwareDoesNotHaveDoesNotCompile() {
+    void functionsMissingInTheSoftwareDoNotCompile() {
         QFETCH(QString, call);
         QFETCH(QString, software);
         QFETCH(bool, known);

@@ -211,7 +211,7 @@ private Q_SLOTS:
         s.expectStopped(StopCause::EventLoopStalled);
     }
 
-    void refusedPressSaysWhyAndMovesNothing() {
+    void refusedPressGivesTheReasonWithoutMotion() {
         Scene s;
         s.target.refuse = true;
         QSignalSpy refused(&s.key->guard(), &HoldGuard::refused);

@@ -61,7 +61,7 @@ private Q_SLOTS:
         }
     }
 
-    void aMenuThatClosesElsewhereLeavesNothingLit() {
+    void closedMenuLeavesNoHoverState() {
         Bench bench;
         QMenu menu(&bench.window);
         menu.addAction(QStringLiteral("Rename"));
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.key.underMouse());
     }
 
-    void whatThePointerIsOverStaysLit() {
+    void widgetUnderThePointerKeepsItsHoverState() {
         Bench bench;
         QCursor::setPos(bench.key.mapToGlobal(bench.key.rect().center()));
         QCoreApplication::processEvents();

@@ -69,7 +69,7 @@ private Q_SLOTS:
                  QStringLiteral("X 120.00 Y 80.00 Z 150.00 mm RX 0.0000 RY 0.0000 RZ 1.5708"));
     }
 
-    void aFigureIsTypedWithEitherPointAndNeverByWheel() {
+    void valueAcceptsEitherDecimalSignAndIgnoresTheWheel() {
         FigureBox box;
         box.setRange(-1000, 1000);
         box.setDecimals(2);

@@ -42,7 +42,7 @@ private Q_SLOTS:
         QVERIFY(control.segment(1)->isChecked());
         QVERIFY(!control.segment(0)->isChecked());
     }
-    void disabledSegmentCannotBeChosenAndSaysWhy() {
+    void disabledSegmentShowsTheReason() {
         SegmentedControl control({QStringLiteral("Base"), QStringLiteral("Frame")});
         control.setSegmentEnabled(1, false, QStringLiteral("No frame taught yet"));
         QTest::mouseClick(control.segment(1), Qt::LeftButton);
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(tool != nullptr);
         QCOMPARE(tool->accessibleName(), QStringLiteral("Frame: Tool"));
     }
-    void longLabelGivesWayAndKeepsItsText() {
+    void longLabelIsElidedAndKeepsItsText() {
         const QString text = QStringLiteral("largest turn Wrist 2 41°, 2.4 s at 35 %");
         ElidedLabel label(text);
         label.resize(60, 20);
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(panel.title(), QStringLiteral("Jog"));
         QVERIFY(panel.isAncestorOf(content));
     }
-    void chipGivesWayButNotBelowItsLeast() {
+    void chipShrinksToItsMinimum() {
         StateChip chip(QStringLiteral("LINK"));
         chip.setState(QStringLiteral("500 Hz · 0 late · 4.0 ms"), StateChip::Shape::None,
                       StateChip::Emphasis::Normal);
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QVERIFY(!notice.isVisible());
     }
 
-    void aQuestionEndsWithWhatItWasComputedFrom() {
+    void questionEndsWhenItsDataChange() {
         NoticeBar notice;
         notice.show(NoticeBar::Kind::Question, "Path recorded", {});
         notice.dismissQuestion();

@@ -54,7 +54,7 @@ private Q_SLOTS:
         document_.reset();
     }
 
-    void theTableShowsWhatAnOperatorAsks() {
+    void tableShowsTheValuesAnOperatorNeeds() {
         QCOMPARE(model_->rowCount(), 2);
         QCOMPARE(cell(0, FrameModel::Name), QString("tray"));
         QCOMPARE(cell(0, FrameModel::Origin), QString("−100.0 −400.0 100.0"));
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().count(), 0);
     }
 
-    void whatWouldBeOutOfReachIsCounted() {
+    void unreachableWaypointsAreCounted() {
         QCOMPARE(model_->use(tray_).waypoints, 2);
         QCOMPARE(model_->use(tray_).outOfReach, 0);
         Pose far = tray_.T_base_frame;

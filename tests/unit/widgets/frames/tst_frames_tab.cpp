@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY((made.rotation - Eigen::Vector3d(0, 0, std::numbers::pi / 2)).norm() < 1e-9);
     }
 
-    void badPointsAreSaidPlainlyAndMakeNoFrame() {
+    void badPointsAreReportedAndCreateNoFrame() {
         feed(kCorner);
         click("frame.threePoints");
         auto* make = button("frame.teacher.make");
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(place("origin").contains("−200.00"));
     }
 
-    void theFrameToComeIsShownBeforeItIsMade() {
+    void newFrameIsPreviewed() {
         QSignalSpy marks(tab_.get(), &FramesTab::marksChanged);
         feed(kCorner);
         click("frame.threePoints");
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(names().isEmpty());
     }
 
-    void touchUpShowsTheDifferenceAndWhatMovesWithIt() {
+    void touchUpShowsTheDifferenceAndAffectedWaypoints() {
         teachWithWaypoints(2);
         const Pose before = frame(0).T_base_frame;
         const Pose place = placeOf(0);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-12);
     }
 
-    void touchUpSaysWhatWouldBeOutOfReach() {
+    void touchUpReportsUnreachableWaypoints() {
         teachWithWaypoints(1);
         feed(beside(2, 0));
         click("frame.touchUp");
@@ -214,7 +214,7 @@ private Q_SLOTS:
         QCOMPARE(names().size(), 1);
     }
 
-    void anotherSelectionTakesTheQuestionBack() {
+    void changedSelectionCancelsTheQuestion() {
         feed(kCorner);
         tab_->teachFromTcp();
         tab_->teachFromTcp();
@@ -254,7 +254,7 @@ private Q_SLOTS:
         QSignalSpy messages(tab_.get(), &FramesTab::message);
         type("y", "-450,5");
         QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoints moved"));
-        QVERIFY(box("y")->isVisible());  // the hand continues with the next figure
+        QVERIFY(box("y")->isVisible());  // the operator continues with the next field
         QVERIFY(std::abs(frame(0).T_base_frame.position.y() + 0.4505) < 1e-12);
         QCOMPARE(frame(0).T_base_frame.position.x(), tcp.position.x());
         QVERIFY(frame(0).T_base_frame.rotation == tcp.rotation);
@@ -271,7 +271,7 @@ private Q_SLOTS:
         QVERIFY(frame(0).T_base_frame == tcp);
     }
 
-    void theWheelChangesNoFigure() {
+    void wheelChangesNoValue() {
         feed(kCorner);
         tab_->teachFromTcp();
         box("x")->setFocus();

@@ -70,7 +70,7 @@ private Q_SLOTS:
         }
     }
 
-    void stateIsToldByAWord() {
+    void stateIsShownInWords() {
         feed(withBits(1, 0));
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
         QCOMPARE(tab_->input(1)->stateWord(), QString("off"));
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QTRY_VERIFY(tab_->output(2)->state() == State::Off);
     }
 
-    void aSecondClickTakesTheFirstBack() {
+    void secondClickRevertsTheFirst() {
         feed(withBits(0, 0));
         QTRY_VERIFY(!tab_->output(0)->isStale());
         QTest::mouseClick(tab_->output(0), Qt::LeftButton);
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(asked_, (QList<std::pair<int, bool>>{{0, true}, {0, false}}));
     }
 
-    void whatIsNeverConfirmedIsSaid() {
+    void missingConfirmationIsReported() {
         feed(withBits(0, 0));
         QTRY_VERIFY(!tab_->output(16)->isStale());
         QTest::mouseClick(tab_->output(16), Qt::LeftButton);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
     }
 
-    // The analog values belong to the sample of the bits beside them, never to a newer one.
+    // The analog values belong to the same sample as the bits, never to a newer one.
     void analogValuesAreOfTheSampleShown() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);

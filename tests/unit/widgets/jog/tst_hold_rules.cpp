@@ -328,7 +328,7 @@ private Q_SLOTS:
         QCOMPARE(names.size(), tried.size());
     }
 
-    void everyWayEndsByEveryRule_data() {
+    void everyHoldMethodEndsByEveryRule_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<int>("trial");
         for (int way = 0; way < kWayCount; ++way) {
@@ -339,7 +339,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyWayEndsByEveryRule() {
+    void everyHoldMethodEndsByEveryRule() {
         QFETCH(int, way);
         QFETCH(int, trial);
         Hands hands;

@@ -53,7 +53,7 @@ class TestJogColumnDisplay : public QObject {
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
-    void theKeysSayWhatIsLeftTheirWay() {
+    void keysShowTheRemainingTravel() {
         JogScene s;
         for (int i = 0; i < 12; ++i) {
             s.column.travel().look();
@@ -229,7 +229,7 @@ private Q_SLOTS:
         auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
         QVERIFY(pose->isVisible() && row->isVisible());
-        const auto settle = [] { QTest::qWait(250); };  // two update periods of the figures
+        const auto settle = [] { QTest::qWait(250); };  // two update periods of the values
         settle();
         PaintCount paints;
         for (int i = 1; i <= 20; ++i) {
@@ -290,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // A screen of 1600 x 900 has room for both.
+    // Both fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QTRY_VERIFY(joints->isVisible() && pose->isVisible());
     }
 
-    void nothingLiesOutsideTheColumn_data() {
+    void allContentIsInsideTheColumn_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1920x1080") << QSize(390, 948);
         QTest::newRow("1600x900") << QSize(360, 765);
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QTest::newRow("1280x720") << QSize(360, 588);
         QTest::newRow("least") << QSize(352, 560);
     }
-    void nothingLiesOutsideTheColumn() {
+    void allContentIsInsideTheColumn() {
         QFETCH(QSize, size);
         JogScene s(size);
         QCOMPARE(s.column.size(), size);
@@ -354,7 +354,7 @@ private Q_SLOTS:
             s.state.tcpPose.position.x() += 0.0124;
             s.state.q[2] = -351 * std::numbers::pi / 180;
             s.column.applyState(s.state);
-            QTest::qWait(150);  // the figures update ten times a second
+            QTest::qWait(150);  // the values update ten times a second
             QVERIFY(!s.column.grab().isNull());
             keepPicture(s.column, QStringLiteral("jog-") + scheme);
             s.release("jog.X+");

@@ -334,7 +334,7 @@ private Q_SLOTS:
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
     // A stop key held longer than the reaction time must not close the dialog in which it was pressed.
-    void theRepeatsOfAStopKeyMeanNothing() {
+    void repeatsOfAStopKeyAreIgnored() {
         Scene s;
         QTest::keyPress(s.edit, Qt::Key_Space);
         s.use = StopKeys::Use::StopAndControl;

@@ -86,13 +86,13 @@ private Q_SLOTS:
         QVERIFY(std::is_sorted(times.begin(), times.end()));
     }
 
-    void theSameWordsWithAnotherMeaningAreAnotherLine() {
+    void sameTextWithAnotherMeaningIsASeparateLine() {
         tab_->append(Severity::Error, "C157A1", Origin::Robot, "the elbow");
         tab_->append(Severity::Error, "C157A1", Origin::Robot, "the base");
         QCOMPARE(rows(), 2);
     }
 
-    void whatTheOperatorDidIsListedEveryTime() {
+    void operatorActionsAreListedEveryTime() {
         tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
         tab_->append(Severity::Info, "Output 1 off", Origin::Operator);
         tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 2);
     }
 
-    void theSelectedLineIsToldInFull() {
+    void selectedLineIsShownInFull() {
         auto* details = tab_->findChild<QLabel*>("log.details");
         QVERIFY(!details->isVisible());
         tab_->append(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QCOMPARE(cell(0, LogModel::Text), QString("Link lost: no packets"));
     }
 
-    void filtersThatLeaveNothingSaySo() {
+    void filtersWithoutMatchesAreReported() {
         const auto* nothing = tab_->findChild<NothingFound*>("log.table.nothingFound");
         QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
         tab_->append(Severity::Info, "Jog stopped: released");

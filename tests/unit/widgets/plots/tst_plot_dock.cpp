@@ -56,7 +56,7 @@ using namespace tiller;
 
 namespace {
 
-/// 500 Hz, Fz = time in newtons, so that every figure can be checked by mental arithmetic.
+/// 500 Hz, Fz = time in newtons, so that every value can be checked by mental arithmetic.
 struct Bench {
     RobotSession session;
     PlotDock dock{session};
@@ -253,7 +253,7 @@ private Q_SLOTS:
         QVERIFY(b.view().window().end() < end);
     }
 
-    void clicksPlaceTheCursorsAndTheReadoutSaysTheirDifference() {
+    void clicksPlaceTheCursorsAndTheReadoutShowsTheDifference() {
         Bench b;
         b.view().pause();
         QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, b.at(40));
@@ -389,7 +389,7 @@ private Q_SLOTS:
         QCOMPARE(b.view().window().span(), time);
     }
 
-    void zeroCountsTheForceFromNowAndSaysSo() {
+    void zeroTaresTheForceAndShowsIt() {
         Bench b;
         b.view().setCursor(PlotView::Cursor::A, 60.0);
         QVERIFY2(b.readout().contains("Fz +60.0 N"), qPrintable(b.readout()));
@@ -428,7 +428,7 @@ private Q_SLOTS:
         QVERIFY(!b.button("plots.zero")->isChecked());
     }
 
-    void withoutSamplesThereIsNothingToZero() {
+    void zeroNeedsSamples() {
         RobotSession session;
         PlotDock dock(session);
         dock.resize(900, 300);
@@ -518,7 +518,7 @@ private Q_SLOTS:
         QVERIFY(near(seen[1].end, 50, 1e-6));
     }
 
-    void anOutageIsGreyAndAsLongAsItLasted() {
+    void outageIsGreyWithItsDuration() {
         Bench b;
         Q_EMIT b.session.stateChanged(running(59, true));
         Q_EMIT b.session.stateChanged(running(60, true));
@@ -616,7 +616,7 @@ private Q_SLOTS:
         QVERIFY(Theme::current().isDark());
     }
 
-    void aFileOfAnotherKindIsRefusedAndLeftAlone() {
+    void unknownFileTypeIsRefusedAndUnchanged() {
         Bench b;
         QTemporaryDir folder;
         QFile file(folder.filePath("picture.gif"));
@@ -629,7 +629,7 @@ private Q_SLOTS:
         QCOMPARE(file.readAll(), QByteArray("mine"));
     }
 
-    void anExportThatFailsSaysWhy() {
+    void failedExportGivesTheReason() {
         Bench b;
         QSignalSpy messages(&b.session, &RobotSession::message);
         QVERIFY(!b.dock.exportTo("/nonexistent/folder/x.csv"));
@@ -641,7 +641,7 @@ private Q_SLOTS:
         }
     }
 
-    void recordingWithoutARobotSaysWhatToDo() {
+    void recordingWithoutARobotSuggestsASolution() {
         Bench b;
         QTemporaryDir folder;
         b.dock.setRecordingChoice({.folder = folder.path()});
@@ -663,7 +663,7 @@ private Q_SLOTS:
         QVERIFY(b.button("plots.record")->text().contains("Record"));
     }
 
-    void theMenuBesideRecordSaysWhatIsRecordedAndChangesIt() {
+    void recordMenuShowsAndChangesTheRecordedFields() {
         Bench b;
         QTemporaryDir folder;
         b.dock.setRecordingChoice({.folder = folder.path(), .fields = {"actual_q"}, .every = 7});
@@ -696,7 +696,7 @@ private Q_SLOTS:
     }
 
     // ---- spectrum, XY, time axis
-    void theSpectrumSaysItsWindowAndResolution() {
+    void spectrumShowsItsWindowAndResolution() {
         Bench b;
         b.menu("plots.layout.analysis")->trigger();
         auto* analysis = b.dock.findChild<PlotAnalysis*>();
@@ -786,7 +786,7 @@ private Q_SLOTS:
         QVERIFY2(analysis->title().contains("1000"), qPrintable(analysis->title()));
     }
 
-    /// Hours of recording: the figures beside the plots are calculated in the background, and the panel stays
+    /// Hours of recording: the values next to the plots are calculated in the background, and the panel stays
     /// responsive.
     void aLongRecordingIsMeasuredAsAWhole() {
         const test::Long recorded;
@@ -880,7 +880,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(b.dock.store().value(before, 1000) - 250) < 1e-3);
     }
 
-    void theTimeAxisCountsWhatIsChosen() {
+    void timeAxisUsesTheChosenOrigin() {
         Bench b;
         const auto choose = [&](TimeAxis axis) {
             b.menu("plots.layout.save");
@@ -941,7 +941,7 @@ private Q_SLOTS:
         QVERIFY2(b.forces().unit().isEmpty(), "newtons and radians");
     }
 
-    void theListFindsWordsInAnyOrderAndSaysWhenThereIsNone() {
+    void listFindsWordsInAnyOrderAndReportsEmptyResults() {
         Bench b;
         b.dock.setSignalsShown(true);
         b.list("elbow temperatures");
@@ -956,7 +956,7 @@ private Q_SLOTS:
         QVERIFY(!b.dock.findChild<QWidget*>("signals.nothingFound")->isVisible());
     }
 
-    void whereASignalIsDroppedDecidesWhereItGoes_data() {
+    void dropPositionDeterminesTheTarget_data() {
         QTest::addColumn<double>("along");
         QTest::addColumn<double>("down");
         QTest::addColumn<int>("panes");
@@ -967,7 +967,7 @@ private Q_SLOTS:
         QTest::newRow("above it") << 0.5 << 0.05 << 3 << 0 << 0;
         QTest::newRow("beside it") << 0.97 << 0.5 << 3 << 2 << 1;
     }
-    void whereASignalIsDroppedDecidesWhereItGoes() {
+    void dropPositionDeterminesTheTarget() {
         QFETCH(double, along);
         QFETCH(double, down);
         QFETCH(int, panes);
@@ -1011,7 +1011,7 @@ private Q_SLOTS:
         QVERIFY(b.view().signalLane(b.id("robot_mode")) != nullptr);
     }
 
-    void theMenuOfAPlotMovesAndTakesAway() {
+    void plotMenuMovesAndRemovesPlots() {
         Bench b;
         b.menuAt(b.forces().area().center(), "plots.menu.move");
         QCOMPARE(b.view().panes().size(), std::size_t{3});
@@ -1118,7 +1118,7 @@ private Q_SLOTS:
         QCOMPARE(kept, anew);
     }
 
-    void nothingIsDrawnWhileNobodySeesIt() {
+    void hiddenPlotsAreNotDrawn() {
         Bench b;
         b.dock.hide();
         const std::int64_t shown = b.view().panes()[0]->curves()[0]->raster();
@@ -1129,12 +1129,12 @@ private Q_SLOTS:
     }
 
     // Otherwise the button would move away from the pointer when the panel has its minimum height.
-    void noKeyMakesThePanelHigherThanItWas_data() {
+    void buttonsDoNotIncreaseThePanelHeight_data() {
         QTest::addColumn<QString>("key");
         QTest::newRow("values") << "plots.valuesKey";
         QTest::newRow("signals") << "plots.signals";
     }
-    void noKeyMakesThePanelHigherThanItWas() {
+    void buttonsDoNotIncreaseThePanelHeight() {
         QFETCH(QString, key);
         Bench b;
         QTRY_VERIFY(b.dock.minimumSizeHint().height() > 0);
@@ -1148,8 +1148,8 @@ private Q_SLOTS:
         QTRY_COMPARE(b.dock.minimumSizeHint().height(), before);
     }
 
-    // ---- figures, notes, alarms
-    void theTableTellsWhatLiesBetweenTheCursors() {
+    // ---- values, notes, alarms
+    void tableShowsStatisticsBetweenTheCursors() {
         Bench b;
         b.view().pause();
         QTest::mouseClick(b.button("plots.valuesKey"), Qt::LeftButton);
@@ -1180,7 +1180,7 @@ private Q_SLOTS:
         QVERIFY(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t50.0\t10.0"));
     }
 
-    void aNoteIsWrittenWithNAndStandsAtItsMoment() {
+    void noteIsWrittenWithNAtItsTime() {
         Bench b;
         b.view().pause();
         b.view().setCursor(PlotView::Cursor::A, 45.0);
@@ -1268,7 +1268,7 @@ private Q_SLOTS:
     }
 
     // ---- recordings
-    void aRecordingIsOpenedBesideWhatIsLive() {
+    void recordingIsOpenedNextToLiveData() {
         Bench b;
         QTemporaryDir folder;
         const QString path = folder.filePath("yesterday.csv");
@@ -1298,7 +1298,7 @@ private Q_SLOTS:
         QVERIFY(near(store.valueAt(force, end).value(), 49.99, 1e-3));
         QVERIFY2(!store.valueAt(force, end - 3).has_value(), "a gap of two seconds");
         QVERIFY(!b.curve(force).range().isEmpty());
-        // Live data beside it on the same axes, and its bits as lanes.
+        // Live data next to it on the same axes, and its bits as lanes.
         b.drop(b.view().panes()[0]->area().center(),
                {"actual_TCP_force_2", "yesterday.csv/actual_digital_input_bits.3", "yesterday.csv/mine"});
         QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
@@ -1437,7 +1437,7 @@ private Q_SLOTS:
         QVERIFY(!next.grab().isNull());
     }
 
-    void whatIsNoRecordingIsSaidAndChangesNothing() {
+    void invalidRecordingIsReportedWithoutChanges() {
         Bench b;
         QTemporaryDir folder;
         QSignalSpy messages(&b.session, &RobotSession::message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of the plots that need no window: time window, scale, lane, feed, CSV.
+// The parts of the plots that work without a window: time window, scale, lane, feed, CSV.
 #include <QFile>
 #include <QGraphicsScene>
 #include <QImage>
@@ -261,7 +261,7 @@ private Q_SLOTS:
                 if (column < 1 || column > kColumns - 2) {
                     continue;
                 }
-                // In its own column, or, where those hold many samples, in a neighbour at whose edge it is.
+                // In its own column, or, where columns hold many samples, at the edge of a neighbouring column.
                 bool isDrawn = false;
                 bool isKnown = false;
                 for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
@@ -362,7 +362,7 @@ private Q_SLOTS:
         Fed f;
         f.add(1.000, 1);
         f.add(1.002, 2);
-        f.add(1.100, 3);  // counted by nobody, but a hole in time
+        f.add(1.100, 3);  // not counted as lost, but a gap in time
         f.frame();
         QVERIFY(f.history.gapBefore(2));
         f.stream.add(1.102, 4).lostBefore = 1;
@@ -392,7 +392,7 @@ private Q_SLOTS:
         QVERIFY(f.history.time(2) > 500.002);
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
-    // The controller's time says nothing about a silence behind which it began anew, or is another one's.
+    // The time of the controller does not show the length of a silence after which it restarted.
     void aSilenceIsAsLongAsItWasOnThisComputer_data() {
         QTest::addColumn<double>("timeBehind");
         QTest::addColumn<bool>("newLink");
@@ -425,7 +425,7 @@ private Q_SLOTS:
         QVERIFY(f.feed.takeSilences().empty());
     }
 
-    // ---- what was asked for besides
+    // ---- additionally requested signals
     void furtherSignalsStandAtTheSameTimes() {
         Fed f;
         const int scalar = f.store.find("tcp_force_scalar");
@@ -448,14 +448,14 @@ private Q_SLOTS:
         };
         frame(0, 50, 100);
         QCOMPARE(f.store.valueAt(scalar, 100.02).value(), 10.0);
-        QCOMPARE(f.store.valueAt(scalar, 100.0215).value(), 10.0);  // the one before holds
-        // The controller begins its time anew: they stay together.
+        QCOMPARE(f.store.valueAt(scalar, 100.0215).value(), 10.0);  // the previous value is kept
+        // The controller restarts its time: both are handled together.
         f.feed.beginLink();
         frame(0, 50, 3);
         const double shown = f.feed.plotTime(3 + 49 * 0.002);
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
         QVERIFY(!f.store.valueAt(scalar, 100.15).has_value());
-        // Nobody wants it any more.
+        // The last subscriber has gone.
         QVERIFY(f.store.want(this, {}));
         QCOMPARE(asked.last()[0].toStringList(), QStringList());
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
@@ -514,7 +514,7 @@ private Q_SLOTS:
         QVERIFY2(segments.back().kind == LaneKind::NoData, "behind the newest sample");
     }
 
-    // ---- arrangement
+    // ---- layout
     void anArrangementIsReadAsItWasWritten() {
         PlotLayout layout;
         layout.pages = {PageLayout::standard(),
@@ -548,7 +548,7 @@ private Q_SLOTS:
         QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
         QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
         QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);
-        // Whatever is done to the text: an arrangement or an error.
+        // Any change to the text gives a layout or an error.
         PlotLayout good;
         good.pages.append({"Mine", {{{"actual_q_0"}, {}, 0, 2}}, {"robot_mode"}});
         const QByteArray text = good.toJson();

@@ -76,7 +76,7 @@ private Q_SLOTS:
         session_.reset();
     }
 
-    void powerAndBrakesTickWhenTheRobotSaysSo() {
+    void powerAndBrakesAreTickedOnRobotReport() {
         SessionState state = liveState();
         state.robotMode = RobotMode::PowerOff;
         show(state);
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(isDone(FirstStep::Teach));
     }
 
-    void goToTicksWhenTheArmHasComeToAWaypoint() {
+    void goToIsTickedWhenTheArmReachesAWaypoint() {
         document_->insertWaypoints(0, {taughtAt(moved(0, 0.5))}, "Teach");
         move(kReadyJoints, moved(0, 0.2));
         QVERIFY2(!isDone(FirstStep::GoTo), "let go on the way");
@@ -123,13 +123,13 @@ private Q_SLOTS:
         QVERIFY(isDone(FirstStep::GoTo));
     }
 
-    void standingOnAWaypointIsNoGoTo() {
+    void beingAtAWaypointDoesNotTickGoTo() {
         document_->insertWaypoints(0, {taughtAt(kReadyJoints)}, "Teach");
         move(kReadyJoints, kReadyJoints);
         QVERIFY(!isDone(FirstStep::GoTo));
     }
 
-    void joggingToAWaypointIsNoGoTo() {
+    void joggingToAWaypointDoesNotTickGoTo() {
         document_->insertWaypoints(0, {taughtAt(moved(0, 0.5))}, "Teach");
         SessionState state = liveState(moved(0, 0.1));
         state.motionActive = state.jogActive = state.moving = true;
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY(isDone(FirstStep::Record));
     }
 
-    void nothingTicksWhileItIsNotFollowedOrDataAreOld() {
+    void nothingIsTickedWithStaleOrMissingData() {
         SessionState state = liveState();
         state.motionActive = state.jogActive = state.moving = true;
         state.link = LinkState::Stale;
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QVERIFY2(steps_->done().isEmpty(), qPrintable(steps_->done().join(' ')));
     }
 
-    void whatWasDoneIsKeptByName() {
+    void progressIsSavedByName() {
         steps_->setDone({"jog", "record", "something else"});
         QCOMPARE(steps_->done(), (QStringList{"jog", "record"}));
         QVERIFY(!steps_->allDone());
@@ -169,7 +169,7 @@ private Q_SLOTS:
 
     // ---- the card
 
-    void theCardTicksAndNothingOfItMoves() {
+    void tickingDoesNotMoveTheCardContents() {
         QWidget view;
         view.resize(480, 280);
         FirstStepsCard card(*steps_, view);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(card.isFolded());
     }
 
-    void uninvitedItHidesLittleOfTheView() {
+    void automaticCardCoversLittleOfTheView() {
         QWidget view;
         view.resize(344, 280);
         FirstStepsCard card(*steps_, view);
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(!card.isFolded());
     }
 
-    void foldingKeepsTheKeyInItsPlace() {
+    void foldingDoesNotMoveTheButton() {
         QWidget view;
         view.resize(480, 400);
         FirstStepsCard card(*steps_, view);

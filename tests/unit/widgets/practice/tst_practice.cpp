@@ -67,7 +67,7 @@ private Q_SLOTS:
         session_.reset();
     }
 
-    void itIsRefusedWithAReason() {
+    void unavailableTaskIsRefusedWithAReason() {
         practice_->start();
         QVERIFY(!practice_->isRunning() && practice_->text().contains("simulated robot"));
         elsewhere_ = QStringLiteral("This is “Lab UR5e”.");
@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(setUp_, QList<PracticeTask>{PracticeTask::Recover});
     }
 
-    void doneCountsOnlyWhatTheCheckHasSeen() {
+    void onlyCheckedResultsCountAsDone() {
         QSignalSpy done(practice_.get(), &Practice::taskDone);
         show(liveState());
         practice_->start();
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(tidied_, 1);
     }
 
-    void theLastOneDoneStays() {
+    void lastCompletedTaskStaysShown() {
         practice_->setDone({"teachFrame", "touchUp", "findLimit", "measure"});
         show(liveState());
         practice_->start();
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(practice_->allDone() && practice_->task() == PracticeTask::Recover);
     }
 
-    void whatIsLeftIsTakenBack() {
+    void abandonedTaskIsReverted() {
         show(liveState());
         practice_->choose(PracticeTask::Measure);
         practice_->start();
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QCOMPARE(tidied_, 3);
     }
 
-    void touchUpBringsItsOwnWaypoint() {
+    void touchUpTaskProvidesItsWaypoint() {
         show(liveState());
         practice_->choose(PracticeTask::TouchUp);
         practice_->start();
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(practice_->done(), QStringList{"recover"});
     }
 
-    void theFigureIsEnteredWithReturn() {
+    void answerIsEnteredWithReturn() {
         QWidget view;
         view.setFocusPolicy(Qt::StrongFocus);
         view.resize(480, 400);

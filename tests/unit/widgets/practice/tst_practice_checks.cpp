@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY2(check->passed(), "what was done stays done");
     }
 
-    void dataThatAreGoneProveNoRecovery() {
+    void lostDataDoNotCountAsRecovery() {
         const auto check = practiceCheck(PracticeTask::Recover, project_);
         check->follow(stoppedState(), project_);
         SessionState lost = liveState();
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(!check->text().isEmpty());
     }
 
-    void aDeletedWaypointIsSaidToBeGone() {
+    void deletedWaypointIsReported() {
         project_.waypoints.append(practiceWaypoint(liveState(), project_));
         const auto check = practiceCheck(PracticeTask::TouchUp, project_, project_.waypoints.at(0).id);
         project_.waypoints.clear();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an operator is told about project files: damaged ones, those of another version, and where new ones
-// go.
+// Messages about project files: damaged files, files of another version, and the folder of new files.
 
 #include <QApplication>
 #include <QDir>
@@ -24,7 +23,7 @@ using namespace tiller;
 
 namespace {
 
-/// Presses this key of the question that comes up next.
+/// Presses this button of the next question.
 class Answer {
 public:
     explicit Answer(const char* key) {
@@ -101,7 +100,7 @@ private Q_SLOTS:
         files_->open(path_);
         QVERIFY(!notice_.has_value());
         QCOMPARE(document_->waypoints().at(0).name, QString("home"));
-        QCOMPARE(content(), old);  // looking at it changes nothing
+        QCOMPARE(content(), old);  // viewing does not change the file
         document_->insertWaypoints(1, {named("pick")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(content().contains("\"tiller-project\""));
@@ -109,7 +108,7 @@ private Q_SLOTS:
         QVERIFY2(!QFile::exists(path_ + ".damaged-1"), "the old file was whole");
     }
 
-    void anotherFileBehindTheProjectIsTold() {
+    void replacedProjectFileIsReported() {
         QSignalSpy other(&files_->store(), &ProjectStore::pathChanged);
         files_->open(path_);
         QCOMPARE(other.count(), 1);
@@ -138,8 +137,8 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    // The notice stands while a sample is opened and changed.
-    void whatIsReadOfADamagedFileTakesNoChangedCopyAway() {
+    // The notice stays while a sample is opened and changed.
+    void readingADamagedFileKeepsUnsavedCopies() {
         document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
         const QString sample = directory_->filePath("sample.tiller");
         files_->saveAs(sample);
@@ -166,7 +165,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    void aFileThatIsNoProjectOffersNothing() {
+    void nonProjectFileOffersNoRecovery() {
         QFile file(path_);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("hello");
@@ -176,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
-    // As after the start with a damaged file: there is no file that the work could go to.
+    // As after a start with a damaged file: there is no file in which the work could be saved.
     void workWithoutAFileIsAskedAbout() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");
@@ -202,7 +201,7 @@ private Q_SLOTS:
             QVERIFY(!files_->mayLeave(nullptr));
             QVERIFY(answer.wasAsked());
         }
-        // Once it can be saved, nothing is asked.
+        // When saving is possible again, no question is asked.
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(files_->mayLeave(nullptr));
         QVERIFY(QFile::exists(folder + "/x.tiller"));

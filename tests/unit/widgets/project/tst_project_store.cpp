@@ -44,7 +44,7 @@ private Q_SLOTS:
         document_.reset();
     }
 
-    void changesAreSavedByThemselves() {
+    void changesAreSavedAutomatically() {
         QVERIFY(store_->openOrStart(path_).ok());
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
         QVERIFY(!QFile::exists(path_));
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(store_->copyName().isEmpty() && !store_->isModified());
         QCOMPARE(store_->statusText(), QString("mine.tiller — saved"));
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 2);
-        // From here on it is saved by itself, and the file it came from is as it was.
+        // From here on the copy is saved automatically, and the original file is unchanged.
         document_->insertWaypoints(2, {named("home")}, "Teach");
         QTRY_VERIFY(!store_->isModified());
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 3);
@@ -99,12 +99,12 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(store_->openCopy(sample, "Sample").ok());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
-        // One that cannot be read changes nothing.
+        // An unreadable file changes nothing.
         QVERIFY(!store_->openCopy(directory_->filePath("nothing.tiller"), "Nothing").ok());
         QCOMPARE(store_->copyName(), QString("Sample"));
     }
 
-    void whatIsNotSavedYetIsSavedAtTheEnd() {
+    void unsavedChangesAreSavedAtExit() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("home")}, "Teach");
         store_.reset();
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 1);
         QVERIFY(!document_->undoStack().canUndo());
         QVERIFY(!store_->isModified());
-        // The arm it was taught with stays written in it.
+        // The file keeps the arm model it was taught with.
         document_->insertWaypoints(1, {named("b")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->robot, std::optional(RobotModelId::UR10e));
@@ -175,11 +175,11 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
     }
 
-    void failedSaveIsSaidAndTriedAgain() {
+    void failedSaveIsReportedAndRepeated() {
         const QString folder = directory_->filePath("gone");
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(store_->openOrStart(folder + "/x.tiller").ok());
-        QVERIFY(QDir(folder).removeRecursively());  // with the lock of the project
+        QVERIFY(QDir(folder).removeRecursively());  // including the lock of the project
         QSignalSpy failed(store_.get(), &ProjectStore::saveFailed);
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QTRY_COMPARE(failed.count(), 1);
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(!other.isModified());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
-        // The first window hears of it, and of the new content, and overwrites nothing.
+        // The first window is notified of the loss and of the new content, and does not overwrite it.
         QTRY_COMPARE(lost.count(), 1);
         QTRY_COMPARE(changed.count(), 1);
         document_->insertWaypoints(1, {named("lost?")}, "Teach");
@@ -258,14 +258,14 @@ private Q_SLOTS:
         document_->insertWaypoints(1, {named("more")}, "Teach");
         QVERIFY(!store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
-        // Both stay.
+        // Both versions are kept.
         const Result<QString> copy = store_->keepBoth();
         QVERIFY(copy.ok());
         QCOMPARE(*copy, directory_->filePath("cell-7-2.tiller"));
         QCOMPARE(project::loadProject(*copy)->waypoints.size(), 2);
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
         QCOMPARE(store_->statusText(), QString("cell-7-2.tiller — saved"));
-        // Or the other one is shown.
+        // Or the other version is shown.
         QVERIFY(project::saveProject(*copy, foreign).ok());
         QTRY_COMPARE(changed.count(), 2);
         QVERIFY(store_->reload().ok());
@@ -313,7 +313,7 @@ private Q_SLOTS:
         store_->setCopyFolder(folder);
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        // What a killed program leaves is what is on the disk now.
+        // A killed program leaves the present content of the disk.
         QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
         const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
         QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);
@@ -347,7 +347,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.at(0).name, QString("home"));
     }
 
-    void openingTheOpenFileAgainLosesNothing() {
+    void reopeningTheOpenFileLosesNoChanges() {
         const QString folder = directory_->filePath("Unsaved");
         store_->setCopyFolder(folder);
         QVERIFY(store_->openOrStart(path_).ok());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The housings that are drawn: whole, of every model, inside what the collision check takes the arm for. And a
-// picture of each model in two poses, for people to look at.
+// The drawn housings: closed, for every model, inside the shapes of the collision check. Also writes a picture of
+// each model in two poses for visual inspection.
 
 #include <QApplication>
 #include <QPainter>
@@ -22,7 +22,7 @@ namespace {
 const JointPositions kFolded(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
 const JointPositions kReaching(2.45, -0.75, 0.85, -1.67, -1.5707, 0.4);
 
-/// How far a place is outside of a rod; below 0 inside [m].
+/// Returns the distance of a point from the surface of a rod; negative inside [m].
 double outside(const collision::Capsule& rod, const Eigen::Vector3d& place) {
     const Eigen::Vector3d way = rod.to - rod.from;
     const double length2 = way.squaredNorm();
@@ -80,8 +80,8 @@ private Q_SLOTS:
         }
     }
 
-    // What seems to pass in the picture must not be told to collide, nor the other way round.
-    void whatIsDrawnIsInsideWhatIsChecked() {
+    // A pose that looks free of collisions in the picture must not be reported as a collision, and vice versa.
+    void drawnShapesAreInsideTheCheckedShapes() {
         for (const RobotModel& model : robotModels()) {
             const ArmMesh mesh = armMesh(model);
             const auto rods = collision::armCapsules(model);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         }
     }
 
-    // For people to look at. That something is drawn, of the arm's colours, is seen to by the machine.
+    // For visual inspection. The test only checks that something is drawn in the colours of the arm.
     void everyModelInTwoPoses() {
         constexpr int kWidth = 360;
         constexpr int kHeight = 340;

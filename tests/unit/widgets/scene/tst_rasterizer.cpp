@@ -44,7 +44,7 @@ class TestRasterizer : public QObject {
     Q_OBJECT
 
 private:
-    /// Behind and before the middle of the picture, on the line of sight.
+    /// Points behind and in front of the centre of the picture, on the line of sight.
     Eigen::Vector3d onSight(const Camera& eye, double nearer) {
         return eye.eye().target + eye.viewRotation().col(2) * nearer;
     }
@@ -68,7 +68,7 @@ private Q_SLOTS:
         }
     }
 
-    void glassLetsWhatIsBehindShineThrough() {
+    void transparentFacesShowTheBackground() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         const auto middle = [&](double glassNearer) {
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(before.alpha(), 255);
         const QColor behind = middle(-0.5);
         QCOMPARE(behind.blue(), 0);
-        // Alone it is as transparent as it was asked to be.
+        // A single face has exactly the requested transparency.
         raster.begin(kSize, eye);
         raster.add(cube(0.2), at(onSight(eye, 0)), plain(Qt::blue, 0.5));
         const int alpha = qAlpha(raster.render(QRect(QPoint(0, 0), kSize)).pixel(150, 100));
@@ -106,14 +106,14 @@ private Q_SLOTS:
         }
         QVERIFY(whole > 1000);
         QVERIFY(part > 60 && part < whole / 5);
-        // No background between its faces.
+        // No background is visible between its faces.
         QCOMPARE(qAlpha(image.pixel(150, 100)), 255);
         for (int x = 130; x < 170; ++x) {
             QCOMPARE(qAlpha(image.pixel(x, 100)), 255);
         }
     }
 
-    // Only the part that changed is drawn anew: it must fit to the rest without a seam.
+    // Only the changed part is redrawn: it must join the rest without a seam.
     void aPartIsAsInTheWhole() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
@@ -131,7 +131,7 @@ private Q_SLOTS:
         QVERIFY(raster.render(QRect(97, 0, 203, 200)) == whole);
     }
 
-    void whatReachesBehindTheEyeIsCutOff() {
+    void facesAreClippedAtTheCamera() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         raster.begin(kSize, eye);
@@ -154,7 +154,7 @@ private Q_SLOTS:
         raster.add(cube(0.3), at(onSight(eye, 0)), plain(Qt::white));
         QVERIFY(std::abs(raster.covered().width() - 2 * once.width()) <= 2);
         raster.render(raster.covered());
-        QVERIFY(raster.hides({150, 100}, 50));  // the camera's pixels, as before
+        QVERIFY(raster.hides({150, 100}, 50));  // pixels of the camera, as before
     }
 };
 

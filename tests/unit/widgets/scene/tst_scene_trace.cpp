@@ -47,7 +47,7 @@ private Q_SLOTS:
         }
     }
 
-    // Forth and back on one line: the end where it turned must stay.
+    // Back and forth on one line: the turning point must remain.
     void aTurnBackIsACorner() {
         SceneTrace trace;
         double time = 0;
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(farthest - 0.1) < 0.001);
     }
 
-    void minutesLaterItIsGone() {
+    void trailDisappearsAfterMinutes() {
         SceneTrace trace;
         trace.extend(0, {0, 0, 0});
         trace.extend(1, {0.1, 0, 0});
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(trace.points().size() <= 1);
     }
 
-    void timeThatGoesBackBeginsAnew() {
+    void backwardTimeRestartsTheTrail() {
         SceneTrace trace;
         trace.extend(50, {0, 0, 0});
         trace.extend(51, {0.1, 0, 0});

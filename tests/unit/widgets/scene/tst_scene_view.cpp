@@ -40,7 +40,7 @@ QImage picture(SceneView& view) {
     return image;
 }
 
-/// True when a pixel of about this colour is within `radius` of the place.
+/// Returns true if a pixel within `radius` of the point has approximately this colour.
 bool hasColorNear(const QImage& image, const QPointF& place, const QColor& color, int radius) {
     for (int dy = -radius; dy <= radius; ++dy) {
         for (int dx = -radius; dx <= radius; ++dx) {
@@ -72,12 +72,12 @@ int countBlue(const QImage& image) {
     return count;
 }
 
-/// Most of what is around the place is blue.
+/// Returns true if most of the surroundings of the point are blue.
 bool isBlueNear(const QImage& image, const QPointF& place) {
     return countBlue(image.copy(QRect(place.toPoint() - QPoint(3, 3), QSize(7, 7)))) > 25;
 }
 
-/// What an arm covers on the screen.
+/// Returns the area that an arm covers on the screen.
 QRectF coveredBy(const SceneView& view, const JointPositions& q) {
     QRectF covered;
     const RobotModel& model = robotModel(RobotModelId::UR5e);
@@ -91,7 +91,7 @@ QRectF coveredBy(const SceneView& view, const JointPositions& q) {
     return covered;
 }
 
-/// The part of the picture below the keys, with a margin.
+/// The part of the picture below the buttons, with a margin.
 QRectF inner(const SceneView& view, double margin) {
     const auto* keys = view.findChild<QWidget*>("scene.keys");
     return QRectF(view.rect()).adjusted(margin, margin + keys->geometry().bottom(), -margin, -margin);
@@ -123,8 +123,8 @@ struct ShownView : SceneView {
 class PaintCounter : public QObject {
 public:
     explicit PaintCounter(QWidget& watched) { watched.installEventFilter(this); }
-    /// Until nothing is under way any more, and counts from there: a wait that comes to its end late has not looked
-    /// again.
+    /// Waits until no update is pending and restarts the count, because a wait that ends late has not checked the
+    /// condition again.
     void waitForQuiet() {
         int quiet = 0;
         for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
@@ -171,7 +171,7 @@ private Q_SLOTS:
         const auto middle = camera.project({0, 0, 0.435 * 1.08});
         QVERIFY(std::hypot(middle.point.x() - 400, middle.point.y() - 300) < 1e-6);
         const Eigen::Vector3d target(0, 0, 0.435 * 1.08);
-        // The view's X is right, its Y up, its Z nearer: the jog frame "View" rests on it.
+        // X of the view points right, Y up, Z towards the viewer: the jog frame "View" depends on it.
         QVERIFY(camera.project(target + 0.1 * R.col(0)).point.x() > middle.point.x() + 10);
         QVERIFY(camera.project(target + 0.1 * R.col(1)).point.y() < middle.point.y() - 10);
         QVERIFY(camera.project(target + 0.1 * R.col(2)).depth < middle.depth);
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QVERIFY2(R.col(0).x() > 0.5, "base X goes to the right at first");
     }
 
-    void whatIsBehindTheEyeIsNotDrawn() {
+    void pointsBehindTheCameraAreNotDrawn() {
         Camera camera;
         camera.reset(1.08);
         const Eigen::Vector3d behind = 100 * camera.viewRotation().col(2);
@@ -218,7 +218,7 @@ private Q_SLOTS:
         QVERIFY(!hasColorNear(image, view.camera().project(off).point, Theme::light().axis(2), 1));
     }
 
-    void ghostIsShownWithItsFigures() {
+    void ghostIsShownWithItsValues() {
         SceneView view;
         view.resize(930, 520);
         view.setState(live(kStance));
@@ -235,11 +235,11 @@ private Q_SLOTS:
         state.speedFraction = 0.35;
         view.setState(state);
         view.setGhost(ghost);
-        // 41 deg = 0.7156 rad: never at full speed, 2 sqrt(0.7156) s, at 35 % 4.83 s.
+        // 41 deg = 0.7156 rad: full speed is not reached: 2 sqrt(0.7156) s; at 35 % 4.83 s.
         QCOMPARE(view.ghostText(),
                  QString("ghost “above tray” · reachable · largest rotation Wrist 2 41° · 4.8 s at 35 %"));
         QCOMPARE(texts.last().first().toString(), view.ghostText());
-        // Where the ghost's flange is, and only there, the picture has turned blue.
+        // The picture has turned blue at the flange of the ghost, and only there.
         const Eigen::Vector3d flange =
             kinematics::forward(robotModel(RobotModelId::UR5e).dh, ghost.q) * Eigen::Vector3d(0, 0, -0.04);
         const QPointF at = onScreen(view, flange);
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QVERIFY(view.ghostText().isEmpty());
     }
 
-    void staleDataAreGreyAndSaySo() {
+    void staleDataAreGreyAndLabelled() {
         SceneView view;
         view.resize(930, 520);
         view.setState(live(kStance));
@@ -261,7 +261,7 @@ private Q_SLOTS:
         state.link = LinkState::Stale;
         view.setState(state);
         const QImage stale = picture(view);
-        QVERIFY(countBlue(stale) < 300);  // the tool's axis
+        QVERIFY(countBlue(stale) < 300);  // axis of the tool
         state.link = LinkState::Lost;
         view.setState(state);
         QVERIFY(countColor(picture(view), Theme::light().secondary) >
@@ -292,14 +292,14 @@ private Q_SLOTS:
         QTest::mouseDClick(&view, Qt::LeftButton, {}, {300, 200});
         QCOMPARE(view.camera().distance(), before.distance());
         QCOMPARE(view.camera().azimuth(), before.azimuth());
-        // The right button turns nothing.
+        // The right button does not turn the view.
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
         QTest::mouseMove(&view, {400, 250});
         QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
         QCOMPARE(view.camera().azimuth(), before.azimuth());
     }
 
-    // At every size the arm is large, and no longer in the lower half.
+    // At every size the arm is large and not in the lower half.
     void theArmFillsThePicture_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("as designed") << QSize(930, 520);
@@ -317,12 +317,12 @@ private Q_SLOTS:
         QVERIFY(std::abs(arm.center().y() - inner(view, 8).center().y()) < 0.12 * size.height());
     }
 
-    void whatLiesOverTheLowerEdgeHidesNothing() {
+    void bottomOverlayDoesNotHideTheTcp() {
         ShownView view({340, 330});
         view.setCoveredBelow(48);
         picture(view);
         QVERIFY(inner(view, 4).adjusted(0, 0, 0, -48).contains(coveredBy(view, kStance)));
-        view.setCoveredBelow(1000);  // more than the picture has: the arm comes first
+        view.setCoveredBelow(1000);  // more than the height of the picture: the arm has priority
         picture(view);
         QVERIFY(inner(view, 4).contains(coveredBy(view, kStance)));
         QVERIFY(coveredBy(view, kStance).height() > 0.3 * view.height());
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY(inner(view, 6).contains(coveredBy(view, uprightGhost().q)));
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
         QVERIFY(view.camera().distance() > alone);
-        // Only a look: the picture is as it was before.
+        // After the preview the picture is the same as before.
         view.setGhost(std::nullopt);
         picture(view);
         QVERIFY(std::abs(view.camera().distance() - alone) < 1e-9);
@@ -346,7 +346,7 @@ private Q_SLOTS:
         for (const Eigen::Vector3d& place : places) {
             QVERIFY(inner(view, 6).contains(onScreen(view, place)));
         }
-        // One of another robot, far away, does not make a dot of the arm.
+        // A ghost of another robot far away does not reduce the arm to a dot.
         const double near = view.camera().distance();
         view.setWaypoints({{"far", Eigen::Vector3d(40, 0, 0), false}});
         picture(view);
@@ -365,8 +365,8 @@ private Q_SLOTS:
         }
     }
 
-    // Whoever comes nearer or moves the picture wants to see that place, until everything is asked for.
-    void whatTheOperatorChoseIsLeftAlone() {
+    // An operator who zooms or pans wants to see that place, until the complete view is requested.
+    void viewChosenByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
@@ -405,7 +405,7 @@ private Q_SLOTS:
 
     void theKeysLookFromTheStandardSides_data() {
         QTest::addColumn<QString>("key");
-        QTest::addColumn<int>("right");  // which base axis goes to the right, and which one up
+        QTest::addColumn<int>("right");  // base axis that points to the right, and base axis that points up
         QTest::addColumn<int>("up");
         QTest::newRow("front") << "scene.front" << 0 << 2;
         QTest::newRow("side") << "scene.side" << 1 << 2;
@@ -424,7 +424,7 @@ private Q_SLOTS:
         QVERIFY((view.viewRotation().col(1) - Eigen::Vector3d::Unit(up)).norm() < 1e-9);
         picture(view);
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
-        // Turned by hand it goes on from there, and 3D leads back.
+        // Turning by hand continues from there, and 3D leads back.
         QTest::keyClick(&view, Qt::Key_Right);
         QVERIFY(view.viewRotation().allFinite());
         QTest::mouseClick(view.findChild<QToolButton*>("scene.home"), Qt::LeftButton);
@@ -455,7 +455,7 @@ private Q_SLOTS:
         QCOMPARE(view.labels().size(), std::size_t(3));
         QCOMPARE(view.hiddenLabels(), 0);
         QVERIFY(view.hiddenText().isEmpty());
-        // Too many for one place: those without room are counted, and the selected one is never among them.
+        // Too many labels for one place: the hidden ones are counted, and the selected waypoint is always labelled.
         for (int i = 3; i < 40; ++i) {
             marks.push_back({QStringLiteral("above the tray %1").arg(i),
                              tcp + Eigen::Vector3d(0.0005 * i, 0, 0), i == 39});
@@ -473,7 +473,7 @@ private Q_SLOTS:
                 QVERIFY2(!labels[i].box.intersects(labels[j].box), qPrintable(labels[i].text));
             }
         }
-        // Nearer, they come apart.
+        // When the view is zoomed in, they separate.
         const int hidden = view.hiddenLabels();
         for (int i = 3; i < 40; ++i) {
             marks[static_cast<std::size_t>(i)].position =
@@ -484,7 +484,7 @@ private Q_SLOTS:
         QVERIFY(view.hiddenLabels() < hidden);
     }
 
-    void theEyeNeverGoesUnderTheGround() {
+    void cameraStaysAboveTheGround() {
         Camera camera;
         camera.reset(1.08);
         camera.orbit(0, -10);
@@ -495,8 +495,8 @@ private Q_SLOTS:
         QVERIFY(camera.distance() > 0.1);
     }
 
-    void theViewHasNoWayToMoveTheRobot() {
-        // It cannot even name the session; only the dock does, and listens.
+    void viewCannotMoveTheRobot() {
+        // The view does not depend on the session; only the dock does, and it only reads.
         for (const char* file : {"scene_view.h", "scene_view.cpp", "scene_painter.cpp", "scene_dock.cpp"}) {
             const QString folder = qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/";
             QFile source(QDir::cleanPath(folder) + '/' + QLatin1String(file));
@@ -537,9 +537,9 @@ private Q_SLOTS:
         QTRY_VERIFY(counter.paints > 0);
     }
 
-    // The TCP goes up by a twentieth of a pixel each time: most of these states are not worth a picture, and all
-    // of them together are.
-    void whatNobodySeesIsNotDrawn() {
+    // The TCP rises by a twentieth of a pixel each time: most of these states need no new picture, but all of them
+    // together do.
+    void hiddenViewsAreNotDrawn() {
         ShownView view;
         PaintCounter counter(view);
         counter.waitForQuiet();
@@ -565,7 +565,7 @@ private Q_SLOTS:
             view.setState(live(q, time += 0.02));
         }
         QTRY_VERIFY(counter.paints > 0);
-        // What turns in its place moves, too: the tool's axes.
+        // A rotation at the same position is a change as well: the axes of the tool turn.
         counter.waitForQuiet();
         q[5] += 0.3;
         view.setState(live(q, time += 0.02));

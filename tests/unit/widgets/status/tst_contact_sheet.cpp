@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Shows every mode of every enumeration on one sheet as in the header bar, and checks that people with red-green
-// colour blindness can distinguish them. The sheet is written beside the test program or to TILLER_SCREENSHOTS.
+// colour blindness can distinguish them. The sheet is written next to the test program or to TILLER_SCREENSHOTS.
 
 #include <QApplication>
 #include <QDir>
@@ -167,7 +167,7 @@ class TestContactSheet : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theMeasureItselfTellsColoursApart() {
+    void colourMeasureDistinguishesColours() {
         // A red and a green of the same lightness: different for most people, identical without the green receptor.
         const QColor red(196, 80, 80);
         const QColor green(122, 117, 65);
@@ -182,12 +182,12 @@ private Q_SLOTS:
         QCOMPARE(iconDifference(pictureOf({}, a, {}), pictureOf({}, b, {}), Vision::Normal), 0);
     }
 
-    void everyModeIsToldFromEveryOther_data() {
+    void allModesAreDistinguishable_data() {
         QTest::addColumn<bool>("dark");
         QTest::newRow("light") << false;
         QTest::newRow("dark") << true;
     }
-    void everyModeIsToldFromEveryOther() {
+    void allModesAreDistinguishable() {
         QFETCH(bool, dark);
         applyTheme(*qApp, dark ? Theme::dark() : Theme::light());
         const QVector<Cell> cells = allCells();
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QVERIFY2(alike.isEmpty(), qPrintable(alike.join('\n')));
     }
 
-    void everyIconAndWordIsReadableWithoutRedOrGreen_data() { everyModeIsToldFromEveryOther_data(); }
+    void everyIconAndWordIsReadableWithoutRedOrGreen_data() { allModesAreDistinguishable_data(); }
     void everyIconAndWordIsReadableWithoutRedOrGreen() {
         QFETCH(bool, dark);
         applyTheme(*qApp, dark ? Theme::dark() : Theme::light());
@@ -240,8 +240,8 @@ private Q_SLOTS:
         QVERIFY2(faint.isEmpty(), qPrintable(faint.join('\n')));
     }
 
-    void whatNeedsAPersonDiffersFromNormalByColourToo() {
-        // Colour is never the only sign, but where it is used everybody must be able to see it.
+    void modesThatNeedActionDifferInColourToo() {
+        // Colour is never the only sign, but where it is used it must be visible to all.
         for (const Theme& theme : {Theme::light(), Theme::dark()}) {
             for (const QColor& fill : {theme.stop, theme.operatorNeeded, theme.moving}) {
                 for (const Vision vision : kVisions) {

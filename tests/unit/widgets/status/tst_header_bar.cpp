@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(header.findChild<SpeedChip*>()->value(), 35);
     }
 
-    void aStopThatNobodySawHasNoFigure() {
+    void unobservedStopHasNoValue() {
         FakeSession session;
         HeaderBar header(session.port());
         SessionState state = movingState();
@@ -308,13 +308,13 @@ private Q_SLOTS:
     }
 
     // Power on, Release brakes, Take control: the second click goes to the position of the first one.
-    void nothingSlidesUnderASecondClick_data() {
+    void secondClickHitsTheSameButton_data() {
         QTest::addColumn<int>("width");
         for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {
             QTest::newRow(QByteArray::number(width).constData()) << width;
         }
     }
-    void nothingSlidesUnderASecondClick() {
+    void secondClickHitsTheSameButton() {
         QFETCH(int, width);
         FakeSession session;
         HeaderBar header(session.port());
@@ -360,8 +360,8 @@ private Q_SLOTS:
     }
 
     // Not only for a moment after a click: each button keeps its position.
-    void whateverTheWordsAreEachKeyHasOnePlace_data() { nothingSlidesUnderASecondClick_data(); }
-    void whateverTheWordsAreEachKeyHasOnePlace() {
+    void buttonsKeepTheirPositionsForAllTexts_data() { secondClickHitsTheSameButton_data(); }
+    void buttonsKeepTheirPositionsForAllTexts() {
         QFETCH(int, width);
         FakeSession session;
         HeaderBar header(session.port());
@@ -430,7 +430,7 @@ private Q_SLOTS:
         QTRY_VERIFY2(button->hasFocus(), "who walks by keyboard goes on where he was");
     }
 
-    void handOnTheSliderGoesBeforeTheReport() {
+    void draggingTakesPrecedenceOverTheReport() {
         SpeedChip slider;
         slider.resize(230, 47);
         slider.setReported(0.35, true);
@@ -508,8 +508,8 @@ private Q_SLOTS:
         }
     }
 
-    void whatTheLinkMeansIsNotCutOff_data() { everythingFitsAtEveryWidth_data(); }
-    void whatTheLinkMeansIsNotCutOff() {
+    void linkDescriptionIsNotTruncated_data() { everythingFitsAtEveryWidth_data(); }
+    void linkDescriptionIsNotTruncated() {
         QFETCH(int, width);
         FakeSession session;
         HeaderBar header(session.port());

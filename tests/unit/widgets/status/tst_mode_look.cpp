@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(nextStepText(NextStep::None).isEmpty());
     }
 
-    void linkSaysRateAndWhatIsWrong() {
+    void linkShowsRateAndProblem() {
         SessionState state;
         state.link = LinkState::Live;
         state.quality.rateHz = 499.7;
@@ -169,7 +169,7 @@ private Q_SLOTS:
     }
 
     // Packets that were late an hour ago say nothing about the present connection.
-    void onlyWhatIsLateNowIsNamed() {
+    void onlyRecentLatenessIsReported() {
         SessionState state;
         state.link = LinkState::Live;
         state.quality.rateHz = 500;
@@ -200,7 +200,7 @@ private Q_SLOTS:
         }
     }
 
-    void controlSaysWhoAndWhatFor() {
+    void controlChipNamesTheController() {
         SessionState state;
         state.link = LinkState::Live;
         state.remoteControl = true;

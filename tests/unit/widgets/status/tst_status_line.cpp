@@ -35,7 +35,7 @@ private Q_SLOTS:
         auto* label = line.findChild<QLabel*>(QStringLiteral("recordingState"));
         QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().recording);
     }
-    void failedRecordingSaysWhy() {
+    void failedRecordingGivesTheReason() {
         StatusLine line;
         line.show();
         SessionState state;

@@ -114,7 +114,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(4);
     }
 
-    void differenceToTheRobotIsAskedAboutOnceAndChangesNothing() {
+    void differenceToTheRobotIsReportedOnceWithoutChanges() {
         project::Tooling tooling;
         tooling.tools = {{QUuid::createUuid(), "gripper", Pose(0, 0, 0.15, 0, 0, 0), 0, {}, {}}};
         tooling.activeTool = tooling.tools.at(0).id;
@@ -194,7 +194,7 @@ private Q_SLOTS:
         QVERIFY(notice("payload.page")->isHidden());
     }
 
-    void settingWithoutControlSaysWhatToDo() {
+    void settingWithoutControlSuggestsASolution() {
         SessionState state = liveState();
         state.control = ControlState::None;
         state.controlReason = "Take control first.";
@@ -468,7 +468,7 @@ private Q_SLOTS:
 private:
     void feed(const SessionState& state) {
         Q_EMIT session_->stateChanged(state);
-        // The figures update ten times a second.
+        // The values update ten times a second.
         tab_->tcps().setState(state);
         tab_->positions().setState(state);
     }

@@ -258,7 +258,7 @@ private Q_SLOTS:
         thereAndBack(2);
     }
 
-    void patternWithoutCornersSaysWhatIsMissing() {
+    void patternWithoutCornersReportsMissingPoints() {
         select({0});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
             QVERIFY(!dialog.findChild<QPushButton*>("pattern.accept")->isEnabled());
@@ -291,7 +291,7 @@ private Q_SLOTS:
         thereAndBack(2);
     }
 
-    void historySaysWhoWhatAndWhenAndGoesBack() {
+    void historyListsChangesAndCanRevertThem() {
         project::Waypoint point = document_->waypoints().at(3);
         const Pose taught = point.pose;
         point.pose.position.z() += 0.05;
@@ -411,7 +411,7 @@ private Q_SLOTS:
         QVERIFY(!field->isVisible());
     }
 
-    void usesAreSaidInTheDetails() {
+    void usesAreListedInTheDetails() {
         makePattern();
         tab_->selectRow(0);
         QVERIFY(tab_->findChild<WaypointDetails*>()->headline().contains("corner of “tray”"));

@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(model_->headerData(5, Qt::Horizontal, Qt::DisplayRole).toString(), QString("Blend mm"));
     }
 
-    void placeOutOfReachSaysSoInWords() {
+    void unreachableWaypointIsLabelled() {
         Waypoint far = document_->waypoints().at(2);
         far.pose.position = Eigen::Vector3d(2, 0, 0.3);
         document_->changeWaypoint(2, far, "x");
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(document_->project().robot == RobotModelId::UR5e);
     }
 
-    void everyEditGoesThereAndBack() {
+    void everyEditCanBeUndoneAndRedone() {
         const project::Project before = document_->project();
         document_->insertWaypoints(1, {at("new", kStart)}, "Teach");
         document_->removeWaypoints({0, 3});
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().count(), 0);
     }
 
-    void badFiguresAreRefusedWithAReason() {
+    void invalidValuesAreRefusedWithAReason() {
         QSignalSpy refused(model_.get(), &WaypointModel::editRefused);
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Name), "  ", Qt::EditRole));
         QVERIFY(!model_->setData(model_->index(0, WaypointModel::Name), "pick", Qt::EditRole));
@@ -214,7 +214,7 @@ private Q_SLOTS:
         QCOMPARE(pick.data().toString(), QString("pick"));
     }
 
-    void tableOfTextComesBackTheSame() {
+    void pastedTableRoundTrip() {
         project::FrameList frames = document_->frames();
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
         std::vector<Waypoint> points(document_->waypoints().begin(), document_->waypoints().end());

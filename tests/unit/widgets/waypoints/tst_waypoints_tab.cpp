@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().at(1) == before);
     }
 
-    void anotherSelectionTakesTheQuestionBack() {
+    void changedSelectionCancelsTheQuestion() {
         teachThree();
         tab_->selectRow(1);
         click("waypoint.touchUp");
@@ -435,7 +435,7 @@ private Q_SLOTS:
         QCOMPARE(arm_.ends.size(), std::size_t(1));
     }
 
-    void refusedMoveSaysWhy() {
+    void refusedMoveGivesTheReason() {
         teachThree();
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
@@ -478,7 +478,7 @@ private Q_SLOTS:
         QVERIFY(!tab_->ghost().has_value());
     }
 
-    void detailsSayHowFarTheArmIs() {
+    void detailsShowTheDistanceOfTheArm() {
         teachThree();
         tab_->selectRow(0);
         SessionState state = liveState();
@@ -507,7 +507,7 @@ private Q_SLOTS:
                                     .arg(rpy.x())
                                     .arg(rpy.y())
                                     .arg(rpy.z());
-        // Six figures from a spreadsheet without a header line.
+        // Six numbers from a spreadsheet without a header line.
         paste(figures);
         QCOMPARE(document_->waypoints().size(), 2);
         project::Waypoint pasted = document_->waypoints().at(1);
@@ -595,7 +595,7 @@ private Q_SLOTS:
         QCOMPARE(frame->currentText(), QStringLiteral("—"));
     }
 
-    void damagedProjectIsNamedAndWhatIsLeftIsOffered() {
+    void damagedProjectOffersTheReadablePart() {
         teachThree();
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");

@@ -37,7 +37,7 @@ private Q_SLOTS:
     void freedriveKeepsTheLockedAxes();
     void freedriveIgnoresMoves();
     void wrongPayloadDriftsInFreedrive();
-    void freedriveStatusTellsOfSingularities();
+    void freedriveStatusReportsSingularities();
     void hardContactIsAProtectiveStop();
     void abortEndsBoth();
 };
@@ -255,7 +255,7 @@ void TestArmCompliance::wrongPayloadDriftsInFreedrive() {
     QVERIFY(arm.tcp().z() < z - 0.02);
 }
 
-void TestArmCompliance::freedriveStatusTellsOfSingularities() {
+void TestArmCompliance::freedriveStatusReportsSingularities() {
     WatchedArm arm;
     QCOMPARE(arm->compliance().freedriveStatus(), 0);
     arm->compliance().startFreedrive();

@@ -21,7 +21,7 @@ private Q_SLOTS:
     void gravityTorquesMatchTheRecordedRobot();
     void currentsMatchTheRecordedRobot();
     void massMatrixGivesTheTorquesOfAcceleration();
-    void whatPushesTheFlangeIsCarriedByTheJoints();
+    void forceOnTheFlangeLoadsTheJoints();
     void payloadAddsItsTorque();
     void zeroingBehindAPayloadTakesTheNewPayload();
     void configuredPayloadIsNotFelt();
@@ -33,7 +33,7 @@ private Q_SLOTS:
     void accelerometerFeelsGravityInTheToolFrame();
     void mountingChangesTheTorques();
     void noiseIsSmallSeededAndStandstillIsVisible();
-    void aSteadyAccelerationIsTheSameFigure();
+    void constantAccelerationHasConstantReadings();
     void actualFollowsWithALittleLag();
     void temperaturesRiseSlowly();
     void supplyFollowsThePower();
@@ -83,7 +83,7 @@ void TestArmSensors::massMatrixGivesTheTorquesOfAcceleration() {
     QVERIFY((dynamics.massMatrix(q) - dynamics.massMatrix(q).transpose()).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-void TestArmSensors::whatPushesTheFlangeIsCarriedByTheJoints() {
+void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
     const RobotModel& model = robotModel(RobotModelId::UR5e);
     Dynamics dynamics(model);
     ArmGeometry geometry(model);
@@ -240,7 +240,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     QVERIFY(speed < 1e-3);
     QVERIFY(current > 1e-3 && current < 0.1);
     QVERIFY(a.state().isSteady());
-    // All joints except the first one stand still, so their readings must not vary.
+    // All joints except the first one are at standstill, so their readings must not vary.
     a->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     b->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     double previous = a.state().actualQ[0];
@@ -262,7 +262,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
 
 // A script at a quarter of the frame rate gives a new acceleration every fourth period; the values in between must
 // be constant for clients, including the last digit.
-void TestArmSensors::aSteadyAccelerationIsTheSameFigure() {
+void TestArmSensors::constantAccelerationHasConstantReadings() {
     WatchedArm arm;
     arm->setSpeedFraction(0.25);
     arm.run(1);

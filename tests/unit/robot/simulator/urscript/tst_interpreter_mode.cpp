@@ -70,7 +70,7 @@ private Q_SLOTS:
         s.frames(1);
         QCOMPARE(s.value("shared"), "7");
     }
-    void badLinesAreDiscardedAndHarmNothing() {
+    void badLinesAreDiscardedWithoutEffect() {
         Session s;
         QCOMPARE(s.line("nosuch()"), "discard compile_error_name_not_found:nosuch:");
         QCOMPARE(s.line("x ="), "discard syntax_error_on_line:1:x =:");

@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(compile("sec s(): end").program->kind() == ProgramKind::Secondary);
         QVERIFY(compile("def prog(): end").program->kind() == ProgramKind::Main);
     }
-    void labelsAreTold() {
+    void labelsAreReported() {
         ScriptRun run("def m():\n  $ 1 \"Robot Program\"\n  $ 12 \"Move # 1\" \"noBreak\"\n x = 1\nend\n");
         run.frames(2);
         QCOMPARE(run.host.calls.size(), 2u);

@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(run.error(), "The XML-RPC server closed the connection");
         QCOMPARE(run.interpreter->error()->line, 11);
     }
-    void nobodyListeningEndsTheProgram() {
+    void missingServerEndsTheProgram() {
         ScriptRun run("def m():\n h = rpc_factory(\"xmlrpc\", \"http://127.0.0.1:40405\")\nend\n");
         run.host.sockets["\nrpc-1"].connectAtOnce = false;
         run.frames(3);

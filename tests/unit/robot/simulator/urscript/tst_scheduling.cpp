@@ -44,7 +44,7 @@ private Q_SLOTS:
         run.frames(1);
         QCOMPARE(run.value("x"), "1");
     }
-    void whoHasMostOfTheFrameLeftRunsFirst() {
+    void threadWithTheMostRemainingTimeRunsFirst() {
         // The main body has used half of its slice when the thread still has all of its own.
         ScriptRun run(
             "def m():\n order = \"\"\n thread t():\n order = order + \"t\"\n sync()\n order = order + \"t\"\n"
@@ -338,7 +338,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "(unset)");
         QCOMPARE(run.host.ended, 1);
     }
-    void destructionTellsTheHost() {
+    void destructionNotifiesTheHost() {
         ScriptRun run("def m():\nwhile True:\nsync()\nend\nend\n");
         run.frames(1);
         run.interpreter.reset();

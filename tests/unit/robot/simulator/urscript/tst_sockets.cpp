@@ -130,7 +130,7 @@ private Q_SLOTS:
             before = after;
         }
     }
-    void anEndlessLoopIsOneThoughItReadBefore() {
+    void endlessLoopIsDetectedAfterEarlierReads() {
         SocketRun run("a = socket_read_byte_list(1)\nwhile True:\nb = 1\nend", "xx");
         QCOMPARE(run.frames(3), State::Failed);
         QVERIFY(run.error().starts_with("Runtime is too much behind"));

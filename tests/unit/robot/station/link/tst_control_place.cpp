@@ -123,7 +123,7 @@ private Q_SLOTS:
     }
 
     // Or when it has refused; and a refusal is forgotten when the robot is in Remote.
-    void aRefusalInLocalIsRememberedUntilItIsInRemote() {
+    void refusalInLocalIsRememberedUntilRemote() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -161,7 +161,7 @@ private Q_SLOTS:
     }
 
     // Software that does not know the question.
-    void whereNobodyTellsThereIsNoTransition() {
+    void noTransitionWithoutReportedMode() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.software = {5, 5, 1, 0};
         Bench bench(options);
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
-    void withoutControlThereIsNothingToGiveBack() {
+    void noTransitionWithoutControl() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.knowsRemote());

@@ -23,7 +23,7 @@ class TestWaypointRoute : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void itBeginsBeforeTheFirst() {
+    void startsBeforeTheFirstWaypoint() {
         WaypointRoute route;
         QCOMPARE(route.coming(), Place());
         route.setWaypoints(someIds(3));
@@ -32,7 +32,7 @@ private Q_SLOTS:
         QVERIFY(!route.isUnderWay());
     }
 
-    void itGoesOnToTheLastAndIsDone() {
+    void continuesToTheLastWaypoint() {
         WaypointRoute route;
         route.setWaypoints(someIds(3));
         for (int place = 0; place < 3; ++place) {

@@ -19,7 +19,7 @@ private Q_SLOTS:
         QCOMPARE(format::signedNumber(-0.001, 2), QStringLiteral("0.00"));
         QCOMPARE(format::signedNumber(0.0, 2), QStringLiteral("0.00"));
     }
-    void whatIsNotANumberIsADash() {
+    void nanIsShownAsADash() {
         QCOMPARE(format::number(std::numeric_limits<double>::quiet_NaN(), 2), QStringLiteral("–"));
         QCOMPARE(format::number(std::numeric_limits<double>::infinity(), 2), QStringLiteral("–"));
     }

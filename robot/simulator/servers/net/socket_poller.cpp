@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/servers/net/doorbell.h"
+#include "robot/simulator/servers/net/socket_poller.h"
 
 #include <utility>
 
@@ -13,31 +13,31 @@ namespace tiller::simulator {
 
 #ifdef __linux__
 
-Doorbell::Doorbell() : descriptor_(epoll_create1(EPOLL_CLOEXEC)) {}
+SocketPoller::SocketPoller() : descriptor_(epoll_create1(EPOLL_CLOEXEC)) {}
 
-Doorbell::~Doorbell() {
+SocketPoller::~SocketPoller() {
     if (descriptor_ >= 0) {
         native_socket::close(descriptor_);
     }
 }
 
-bool Doorbell::add(native_socket::Descriptor descriptor, bool* rung) {
+bool SocketPoller::add(native_socket::Descriptor descriptor, bool* rung) {
     epoll_event event{};
-    event.events = EPOLLIN;  // the end of a connection, and its failure, are told with it
+    event.events = EPOLLIN;  // includes the end and the failure of a connection
     event.data.ptr = rung;
     return descriptor_ >= 0 &&
            epoll_ctl(static_cast<int>(descriptor_), EPOLL_CTL_ADD, static_cast<int>(descriptor), &event) == 0;
 }
 
-void Doorbell::remove(native_socket::Descriptor descriptor) {
+void SocketPoller::remove(native_socket::Descriptor descriptor) {
     if (descriptor_ >= 0) {
         epoll_event unused{};
         epoll_ctl(static_cast<int>(descriptor_), EPOLL_CTL_DEL, static_cast<int>(descriptor), &unused);
     }
 }
 
-bool Doorbell::look() {
-    // Whoever finds no place is told of at the next look: the system goes round.
+bool SocketPoller::poll() {
+    // The next call reports descriptors beyond this limit: the kernel returns them in turn.
     std::array<epoll_event, 64> events;
     const int count = descriptor_ < 0 ? 0
                                       : epoll_wait(static_cast<int>(descriptor_), events.data(),
@@ -45,28 +45,28 @@ bool Doorbell::look() {
     for (int i = 0; i < count; ++i) {
         *static_cast<bool*>(events[static_cast<std::size_t>(i)].data.ptr) = true;
     }
-    return std::exchange(knocked_, false) || isBlind_;
+    return std::exchange(hasClient_, false) || isBlind_;
 }
 
 #else
 
-Doorbell::Doorbell() = default;
-Doorbell::~Doorbell() = default;
+SocketPoller::SocketPoller() = default;
+SocketPoller::~SocketPoller() = default;
 
-bool Doorbell::add(native_socket::Descriptor, bool*) {
+bool SocketPoller::add(native_socket::Descriptor, bool*) {
     return false;
 }
 
-void Doorbell::remove(native_socket::Descriptor) {}
+void SocketPoller::remove(native_socket::Descriptor) {}
 
-bool Doorbell::look() {
-    return std::exchange(knocked_, false) || isBlind_;
+bool SocketPoller::poll() {
+    return std::exchange(hasClient_, false) || isBlind_;
 }
 
 #endif
 
-void Doorbell::addPort(native_socket::Descriptor descriptor) {
-    isBlind_ = !add(descriptor, &knocked_) || isBlind_;
+void SocketPoller::addPort(native_socket::Descriptor descriptor) {
+    isBlind_ = !add(descriptor, &hasClient_) || isBlind_;
 }
 
 }  // namespace tiller::simulator

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Detects received data and new connections with one system call for all clients and ports. In most control periods
+// there is neither.
+
+#include "robot/core/native_socket.h"
+
+namespace tiller::simulator {
+
+/// On systems without epoll, all clients and ports count as readable.
+/// Threads  the simulator's.
+class SocketPoller {
+public:
+    SocketPoller();
+    ~SocketPoller();
+    SocketPoller(const SocketPoller&) = delete;
+    SocketPoller& operator=(const SocketPoller&) = delete;
+
+    /// From now on poll() sets `rung` when data or the end of the connection can be read, until remove(), which must
+    /// be called before the descriptor is closed. Returns  false if the descriptor cannot be watched
+    bool add(native_socket::Descriptor descriptor, bool* rung);
+    void remove(native_socket::Descriptor descriptor);
+    /// Watches a listening port until it is closed.
+    void addPort(native_socket::Descriptor descriptor);
+
+    /// Returns  true if a client may be waiting to connect. Blocks: never
+    bool poll();
+
+private:
+    native_socket::Descriptor descriptor_ = -1;
+    bool isBlind_ = false;  ///< some ports cannot be watched
+    bool hasClient_ = false;
+};
+
+}  // namespace tiller::simulator
