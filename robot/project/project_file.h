@@ -24,7 +24,9 @@
 //                                                              "enabled"?: false } ],
 //                     "planes"?: [ { "id", "name", "frame", "pose": [6], "enabled"?: false } ],
 //                     "safetyDistance"?: 0.01 },
-//     "paths"?:     [ { "id", "name", "tcpOffset": [6], "tolerance", "points": [ { "t", "q": [6] } ], "note"? } ] }
+//     "paths"?:     [ { "id", "name", "tcpOffset": [6], "tolerance", "points": [ { "t", "q": [6] } ], "note"? } ],
+//     "programs"?:  [ { "id", "name", "parameters"?: [name], "steps"?: [ a step ], "note"? } ] }
+// and a step of a program is { "id", "do": kind, "disabled"?: true, "steps"?: [ a step ], and the fields of its kind }.
 //
 // Version 1 had frames and waypoints only; what has a question mark is left out where there is nothing to say.
 // "format" was "tiller-session" before: such files are read alike, and get the new name when they are saved.
@@ -43,6 +45,7 @@
 #include "robot/project/cell_geometry.h"
 #include "robot/project/named_position.h"
 #include "robot/project/pattern.h"
+#include "robot/project/program.h"
 #include "robot/project/recorded_path.h"
 #include "robot/project/tooling.h"
 #include "robot/project/waypoint_list.h"
@@ -62,6 +65,7 @@ struct Project {
     PatternList patterns;
     CellGeometry cell;
     PathList paths;
+    ProgramList programs;
     QJsonObject extra;  ///< fields of the file that this version does not know
     friend bool operator==(const Project&, const Project&) = default;
 };
@@ -80,7 +84,7 @@ struct RecoveredProject {
     QVector<FileProblem> problems;
     int lostWaypoints = 0;  ///< entries that were left out
     int lostFrames = 0;
-    int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes and paths
+    int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes, paths and programs
     QByteArray fingerprint;  ///< of the file's content; empty when it was not read from a file
 };
 

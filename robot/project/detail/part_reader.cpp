@@ -164,4 +164,54 @@ RecordedPath PartReader::path(const QString& where, const QJsonObject& object) {
     return path;
 }
 
+void PartReader::readSteps(const QString& where, const QJsonObject& object, std::vector<ProgramStep>& steps,
+                           QSet<QUuid>& ids, int depth) {
+    const QJsonArray entries = fields_.optionalList(where, object, "steps");
+    if (depth > kMaxProgramDepth && !entries.isEmpty()) {
+        fields_.addProblem(where, QStringLiteral("has steps nested deeper than %1").arg(kMaxProgramDepth));
+        return;
+    }
+    for (int i = 0; i < entries.size(); ++i) {
+        const QString at = fieldAt(fieldAt(where, "steps"), i);
+        if (!entries[i].isObject()) {
+            fields_.addProblem(at, isNot(entries[i], QStringLiteral("an object")));
+            continue;
+        }
+        const QJsonObject entry = entries[i].toObject();
+        ProgramStep step;
+        step.id = fields_.id(at, entry, "id");
+        if (ids.contains(step.id)) {
+            fields_.addProblem(fieldAt(at, "id"), QStringLiteral("is used by another step"));
+        }
+        ids.insert(step.id);
+        if (ids.size() == kMaxProgramSteps + 1) {
+            fields_.addProblem(where, QStringLiteral("has more than %1 steps").arg(kMaxProgramSteps));
+        }
+        step.kind = fields_.text(at, entry, "do");
+        step.disabled = entry.contains(QLatin1String("disabled")) && fields_.flag(at, entry, "disabled");
+        readSteps(at, entry, step.steps, ids, depth + 1);
+        step.fields = without(entry, {"id", "do", "disabled", "steps"});
+        steps.push_back(std::move(step));
+    }
+}
+
+Program PartReader::program(const QString& where, const QJsonObject& object) {
+    Program program;
+    program.id = fields_.id(where, object, "id");
+    program.name = fields_.text(where, object, "name");
+    const QJsonArray parameters = fields_.optionalList(where, object, "parameters");
+    for (int i = 0; i < parameters.size(); ++i) {
+        const QString at = fieldAt(fieldAt(where, "parameters"), i);
+        if (!parameters[i].isString()) {
+            fields_.addProblem(at, isNot(parameters[i], QStringLiteral("a text")));
+        }
+        program.parameters.append(parameters[i].toString());
+    }
+    QSet<QUuid> ids;
+    readSteps(where, object, program.steps, ids, 1);
+    program.note = fields_.optionalText(where, object, "note");
+    program.extra = without(object, {"id", "name", "parameters", "steps", "note"});
+    return program;
+}
+
 }  // namespace tiller::project

@@ -4,6 +4,8 @@
 // Frames, tools, payloads, positions, patterns, the cell and recorded paths, each from its JSON object. Private to
 // robot/project.
 
+#include <QSet>
+
 #include "robot/project/detail/field_reader.h"
 
 namespace tiller::project {
@@ -22,8 +24,12 @@ public:
     CellBox box(const QString& where, const QJsonObject& object);
     CellPlane plane(const QString& where, const QJsonObject& object);
     RecordedPath path(const QString& where, const QJsonObject& object);
+    Program program(const QString& where, const QJsonObject& object);
 
 private:
+    void readSteps(const QString& where, const QJsonObject& object, std::vector<ProgramStep>& steps,
+                   QSet<QUuid>& ids, int depth);
+
     FieldReader& fields_;
     const FrameList& frames_;
 };

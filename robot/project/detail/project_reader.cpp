@@ -74,9 +74,10 @@ void ProjectReader::read(const QJsonObject& root, bool waypointsRequired) {
     readPositions(root);
     readCell(root.value(QLatin1String("cell")));
     readList<RecordedPath>({}, root, "paths", document.paths, &PartReader::path);
-    document.extra =
-        without(root, {"format", "version", "robot", "frames", "waypoints", "tools", "activeTool", "payloads",
-                       "activePayload", "positions", "home", "safeHeight", "patterns", "cell", "paths"});
+    readList<Program>({}, root, "programs", document.programs, &PartReader::program);
+    document.extra = without(
+        root, {"format", "version", "robot", "frames", "waypoints", "tools", "activeTool", "payloads",
+               "activePayload", "positions", "home", "safeHeight", "patterns", "cell", "paths", "programs"});
 }
 
 void ProjectReader::readRobot(const QJsonValue& value) {
@@ -218,7 +219,7 @@ qsizetype endOfString(const QByteArray& bytes, qsizetype from) {
 
 bool isListOfEntries(const QByteArray& name) {
     static constexpr const char* kLists[] = {"frames",    "waypoints", "tools", "payloads",
-                                             "positions", "patterns",  "paths"};
+                                             "positions", "patterns",  "paths", "programs"};
     return std::any_of(std::begin(kLists), std::end(kLists), [&](const char* list) { return name == list; });
 }
 

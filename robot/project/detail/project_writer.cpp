@@ -215,6 +215,33 @@ QJsonObject entryOf(const RecordedPath& path) {
     return object;
 }
 
+QJsonObject entryOf(const ProgramStep& step) {
+    QJsonObject object = step.fields;
+    object["id"] = textOf(step.id);
+    object["do"] = step.kind;
+    if (step.disabled) {
+        object["disabled"] = true;
+    }
+    QJsonArray steps;
+    for (const ProgramStep& inner : step.steps) {
+        steps.append(entryOf(inner));
+    }
+    putList(object, "steps", steps);
+    return object;
+}
+
+QJsonObject entryOf(const Program& program) {
+    QJsonObject object = begun(program);
+    putList(object, "parameters", QJsonArray::fromStringList(program.parameters));
+    QJsonArray steps;
+    for (const ProgramStep& step : program.steps) {
+        steps.append(entryOf(step));
+    }
+    putList(object, "steps", steps);
+    putText(object, "note", program.note);
+    return object;
+}
+
 template <class List>
 QJsonArray entriesOf(const List& list) {
     QJsonArray result;
@@ -263,6 +290,7 @@ QJsonObject toJson(const Project& document) {
         root["cell"] = cell;
     }
     putList(root, "paths", entriesOf(document.paths));
+    putList(root, "programs", entriesOf(document.programs));
     return root;
 }
 

@@ -94,6 +94,15 @@ inline Project fullProject() {
     path.points = {{0, JointPositions(0, -1, 1, -1, -1, 0)}, {0.5, JointPositions(0.1, -1, 1, -1, -1, 0)}};
     path.note = QStringLiteral("shown by hand");
     document.paths.append(path);
+    Program program;
+    program.id = id();
+    program.name = QStringLiteral("load the tray");
+    program.parameters = {QStringLiteral("part")};
+    program.note = QStringLiteral("for the night");
+    const QJsonObject toCorner{{"waypoint", corner.id.toString(QUuid::WithoutBraces)}, {"speed", 1.0 / 3}};
+    program.steps = {{id(), "loop", {{"times", 3}}, false, {{id(), "moveJ", toCorner, true, {}}}},
+                     {id(), "kind of the future", {{"shape", QJsonArray{1, "two"}}}, false, {}}};
+    document.programs.append(program);
     return document;
 }
 

@@ -88,6 +88,7 @@ private Q_SLOTS:
         QVERIFY(read->patterns == document.patterns);
         QVERIFY(read->cell == document.cell);
         QVERIFY(read->paths == document.paths);
+        QVERIFY(read->programs == document.programs);
         QVERIFY(*read == document);
         QCOMPARE(*serializeProject(*read), *bytes);
     }
@@ -147,6 +148,7 @@ private Q_SLOTS:
              {"later", "waypoints[0].later", "waypoints[0].actions[0].later", "tools[0].later",
               "payloads[1].later", "positions[0].later", "patterns[0].later", "patterns[0].first.later",
               "cell.later", "cell.boxes[0].later", "cell.planes[0].later", "paths[0].later",
+              "programs[0].later", "programs[0].steps[0].later", "programs[0].steps[0].steps[0].later",
               "frames[0].later"}) {
             root = replaced(root, QLatin1String(path), QJsonArray{1, "two"});
         }
@@ -213,6 +215,13 @@ private Q_SLOTS:
         row("paths[0].points[1].t", -1, "paths[0].points[1].t: is -1 s");
         row("paths[0].points[0].q", QJsonArray{1}, "paths[0].points[0].q: has 1 numbers, not 6");
         row("paths[0].tolerance", QJsonValue::Undefined, "paths[0].tolerance: is missing");
+        row("programs[0].name", "", "programs[0].name: is empty");
+        row("programs[0].parameters[0]", 1, "programs[0].parameters[0]: is a number, not a text");
+        row("programs[0].steps[0].do", QJsonValue::Undefined, "programs[0].steps[0].do: is missing");
+        row("programs[0].steps[0].steps[0].id", "x", "programs[0].steps[0].steps[0].id: \"x\" is not an id");
+        row("programs[0].steps[0].steps[0].disabled", 1,
+            "programs[0].steps[0].steps[0].disabled: is a number, not ");
+        row("programs[0].steps[1]", 5, "programs[0].steps[1]: is a number, not an object");
     }
     void wrongFieldsAreNamed() {
         QFETCH(QString, path);
@@ -231,6 +240,41 @@ private Q_SLOTS:
         const QByteArray twice = QJsonDocument(replaced(root, "tools[1].id", id).toObject()).toJson();
         QVERIFY2(parseProject(twice).error().context.contains("tools[1].id: is used by another of tools"),
                  qPrintable(parseProject(twice).error().context));
+    }
+
+    void stepsOfAProgramHaveDifferentIds() {
+        const QJsonObject root = rootOfFull();
+        const QJsonValue id = root["programs"].toArray()[0].toObject()["steps"].toArray()[0].toObject()["id"];
+        const QByteArray twice =
+            QJsonDocument(replaced(root, "programs[0].steps[0].steps[0].id", id).toObject()).toJson();
+        QVERIFY2(
+            parseProject(twice).error().context.contains("steps[0].steps[0].id: is used by another step"),
+            qPrintable(parseProject(twice).error().context));
+    }
+
+    void nestedStepsAreLimited() {
+        Project document;
+        Program program;
+        program.id = QUuid::createUuid();
+        program.name = "deep";
+        std::vector<ProgramStep>* steps = &program.steps;
+        for (int depth = 0; depth < kMaxProgramDepth; ++depth) {
+            steps->push_back({QUuid::createUuid(), "folder", {}, false, {}});
+            steps = &steps->front().steps;
+        }
+        document.programs.append(program);
+        QVERIFY(serializeProject(document).ok());
+        steps->push_back({QUuid::createUuid(), "folder", {}, false, {}});
+        document.programs.replace(0, program);
+        QVERIFY2(serializeProject(document).error().context.contains("nested deeper than 50"),
+                 qPrintable(serializeProject(document).error().context));
+    }
+
+    void stepsReferToWaypointsByTheirIds() {
+        const Project document = fullProject();
+        const Program& program = document.programs.at(0);
+        QVERIFY(refersTo(program, document.waypoints.at(0).id));
+        QVERIFY(!refersTo(program, document.frames.at(0).id));
     }
 
     void pathRunsForward() {
