@@ -44,7 +44,9 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot CO
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
     # Those need more libraries than the backend has; they are the application's for now.
     PATTERN "mcap" EXCLUDE PATTERN "hdf5" EXCLUDE PATTERN "formats" EXCLUDE PATTERN "live" EXCLUDE
-    PATTERN "divergence" EXCLUDE)
+    PATTERN "divergence" EXCLUDE
+    # Internal to the programs for now.
+    PATTERN "station" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})
         cmake_path(GET header PARENT_PATH folder)

@@ -353,6 +353,7 @@ void Plant::protectiveStop(const primary::ErrorCode& cause) {
         return;
     }
     publish(primary::errorCode(timestampNs(), cause));
+    stopText_ = cause.text;
     safety_.protectiveStop();
     constexpr std::size_t kMostStops = 50;
     constexpr double kWithin = 8 * 3600.0;

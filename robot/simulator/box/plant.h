@@ -77,6 +77,8 @@ public:
     /// Stops at once, with the message that says why. The fiftieth of one joint within eight hours is a fault
     /// (C163); the joint is the cause's argument, from 1.
     void protectiveStop(const primary::ErrorCode& cause);
+    /// Words for the cause of the last protective stop; empty: there was none, or it has none.
+    const std::string& stopText() const { return stopText_; }
     /// fraction  held to 0..1; not a number is ignored
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
@@ -149,6 +151,7 @@ private:
     std::uint64_t controlEpoch_ = 0;
     std::uint64_t identity_ = 0;  ///< counts changes of what primary clients are told once
     bool disconnected_ = false;
+    std::string stopText_;
     std::array<std::deque<double>, kJointCount> jointStops_;  ///< when each joint was stopped [s]
     std::uint64_t boots_ = 0;                                 ///< how often the services came up anew
     double speedSlider_ = 1;

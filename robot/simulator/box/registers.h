@@ -8,6 +8,7 @@
 #include <bitset>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace tiller::simulator {
 
@@ -59,10 +60,17 @@ private:
     std::array<int, 48> periods_{};
 };
 
+/// Every value that programs write to one output integer register, also those overwritten within a period.
+struct WrittenIntegers {
+    std::optional<std::size_t> number;  ///< the register; nothing: none is followed
+    std::vector<std::int32_t> values;
+};
+
 struct Registers {
     RegisterBank input;   ///< written by RTDE clients
     RegisterBank output;  ///< written by scripts
     OverwrittenIntegers overwritten;
+    WrittenIntegers followed;
     std::array<bool, 33> flags{};
 };
 

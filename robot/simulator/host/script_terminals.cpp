@@ -54,6 +54,9 @@ void ScriptTerminals::setBoolOutput(int address, bool value) {
 void ScriptTerminals::setIntOutput(int address, std::int32_t value) {
     std::int32_t& number = plant_.registers().output.ints[at(address)];
     plant_.registers().overwritten.write(at(address), number);
+    if (WrittenIntegers& followed = plant_.registers().followed; followed.number == at(address)) {
+        followed.values.push_back(value);
+    }
     number = value;
 }
 void ScriptTerminals::setFloatOutput(int address, double value) {

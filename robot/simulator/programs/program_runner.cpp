@@ -152,6 +152,7 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
+    failure_.reset();
     state_ = RuntimeState::Playing;
     begun_ = plant_.elapsed();
     ++starts_;
@@ -216,6 +217,7 @@ void ProgramRunner::stepMain() {
     main_->runFrame();
     if (main_->ended()) {
         reportFailure(*main_);
+        failure_ = main_->error();
         if (main_->error() && main_->error()->overrun) {
             plant_.safety().protectiveStop();  // the controller has lost its program
         }

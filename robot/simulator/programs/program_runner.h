@@ -70,6 +70,8 @@ public:
     std::uint32_t currentLine() const;
     /// The main program; null when none runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
+    /// Why the last main program failed; nothing: it did not.
+    const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Main programs started so far.
     std::uint64_t starts() const { return starts_; }
     /// Of the main program; null when none runs.
@@ -116,6 +118,7 @@ private:
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
     std::string name_;  ///< of the main program
     RuntimeState state_ = RuntimeState::Stopped;
+    std::optional<urscript::RuntimeError> failure_;
     double stopping_ = 0;  ///< [s] in STOPPING
     double begun_ = 0;     ///< when the main program started [s]
     std::uint64_t starts_ = 0;

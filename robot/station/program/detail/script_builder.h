@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The script while it is being written. Private to robot/station/program.
+
+#include <QHash>
+#include <QMap>
+#include <QSet>
+#include <vector>
+
+#include "robot/station/program/detail/step_writer.h"
+#include "robot/station/program/program_script.h"
+
+namespace tiller::program {
+
+class StepWriter::Private {
+public:
+    Private(const project::Project& project, const ScriptOptions& options);
+
+    ProgramScript write(const QUuid& program);
+
+    struct Line {
+        QString text;
+        int step = 0;
+    };
+    using Lines = std::vector<Line>;
+    struct LastMove {
+        std::optional<Pose> target;
+        double blend = 0;
+    };
+    using Steps = std::vector<project::ProgramStep>;
+    /// The step being written, with what surrounds it.
+    struct Place {
+        const project::ProgramStep* step = nullptr;
+        const StepKind* kind = nullptr;
+        std::vector<StepField> fields;
+        const Steps* siblings = nullptr;
+        std::size_t index = 0;
+        int parent = 0;
+        const char* parentKind = "";
+    };
+
+    void add(const QString& text) {
+        lines->push_back(
+            {QString(2 * (indent + 1), QLatin1Char(' ')) + text, place.step ? numberOf(*place.step) : 0});
+    }
+    int numberOf(const project::ProgramStep& step) const { return numbers.value({program->id, step.id}); }
+    void numberSteps(const project::Program& program, const Steps& steps);
+    void writeSteps(const Steps& steps);
+    void writeStep();
+    bool checkFields();
+    QString fieldError(const StepField& field) const;
+    void checkPosition();
+    void report(const QString& field, const QString& text);
+    /// Index of the enabled sibling before (-1) or behind (1) the step that is no comment; -1: none.
+    std::ptrdiff_t neighbour(int direction) const;
+    const StepField* field(const char* key) const;
+    QJsonValue value(const char* key) const;
+    void writeFrom(const project::Program& program);
+
+    const project::Project& project;
+    const ScriptOptions options;
+    const RobotModel& model;
+    ProgramScript result;
+    const project::Program* program = nullptr;  ///< the one being written
+    Lines main;
+    Lines functions;
+    QMap<QString, QString> helpers;
+    std::vector<std::pair<QString, VariableType>> variables;
+    QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< by program and step
+    QStringList calls;                      ///< ids of the programs being written, the main program first
+    QHash<QString, QString> callFunctions;  ///< by program and scope
+    Scope scope;
+    Place place;
+    Lines* lines = nullptr;
+    int indent = 0;
+    LastMove lastMove;
+};
+
+}  // namespace tiller::program

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/program/preview/preview.h"
+
+#include <algorithm>
+#include <set>
+
+#include "robot/collision/collision_check.h"
+#include "robot/project/reachability.h"
+#include "robot/simulator/script_run.h"
+#include "robot/simulator/simulator_options.h"
+#include "robot/station/program/preview/project_cell.h"
+#include "robot/station/program/program_edit.h"
+#include "robot/station/program/program_text.h"
+
+namespace tiller::program {
+namespace {
+
+constexpr int kCancelEvery = 500;  ///< control periods
+
+RobotModelId modelFor(const project::Project& project, const ScriptOptions& options) {
+    return options.model.value_or(project.robot.value_or(RobotModelId::UR5e));
+}
+
+QString contactText(const collision::Contact& contact, const collision::Surroundings& around) {
+    const auto index = static_cast<std::size_t>(contact.other);
+    switch (contact.with) {
+        case collision::Contact::With::Arm:
+            return ProgramText::tr("The arm comes too close to itself.");
+        case collision::Contact::With::Obstacle:
+            return ProgramText::tr("The arm comes too close to “%1”.").arg(around.obstacles.at(index).name);
+        case collision::Contact::With::Border:
+            return around.borders.at(index).name.isEmpty()
+                       ? ProgramText::tr("The arm comes too close to the floor.")
+                       : ProgramText::tr("The arm comes too close to “%1”.")
+                             .arg(around.borders.at(index).name);
+    }
+    return {};
+}
+
+/// One run of a script, followed step by step.
+class Follower {
+public:
+    Follower(const project::Project& project, const ProgramScript& script, const ScriptOptions& scriptOptions,
+             const PreviewOptions& options)
+        : script_(script)
+        , options_(options)
+        , cell_(cellSurroundings(project.cell, project.frames, project.tooling))
+        , tcp_(tcpAtStart(project, script))
+        , check_(robotModel(modelFor(project, scriptOptions)), {tcp_, cell_.toolRadius}, cell_.around,
+                 cell_.safetyDistance)
+        , run_(runOptions(project, script, scriptOptions, options))
+        , inputs_(options.inputs) {
+        std::stable_sort(inputs_.begin(), inputs_.end(),
+                         [](const InputChange& a, const InputChange& b) { return a.time < b.time; });
+    }
+
+    Preview follow() {
+        result_.timings.resize(script_.steps.size());
+        applyInputs();
+        if (const auto fault = run_.start(script_.text)) {
+            find(Finding::Kind::ScriptError, script_.stepAt(fault->line), fault->text);
+            return std::move(result_);
+        }
+        sample();
+        while (run_.step() && !isOver()) {
+            followMarks();
+            applyInputs();
+            answerOperator();
+            if (run_.time() >= nextSample_) {
+                sample();
+            }
+        }
+        followMarks();
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    static Pose tcpAtStart(const project::Project& project, const ProgramScript& script) {
+        const project::Tool* active = project.tooling.tools.find(project.tooling.activeTool);
+        return active != nullptr ? active->tcpOffset : script.tcp.value_or(Pose());
+    }
+
+    static simulator::ScriptRunOptions runOptions(const project::Project& project,
+                                                  const ProgramScript& script,
+                                                  const ScriptOptions& scriptOptions,
+                                                  const PreviewOptions& options) {
+        simulator::ScriptRunOptions run;
+        run.model = modelFor(project, scriptOptions);
+        run.software = scriptOptions.version;
+        run.start = options.start.value_or(startPosition(project, script));
+        run.tcp = tcpAtStart(project, script);
+        run.followedRegister = kStepRegister;
+        return run;
+    }
+
+    void find(Finding::Kind kind, int step, const QString& text) {
+        result_.findings.push_back({kind, step, run_.time(), text});
+    }
+
+    void followMarks() {
+        for (const std::int32_t value : run_.takeWritten()) {
+            const double now = run_.time();
+            if (step_ > 0) {
+                timing(step_).total += now - stepBegan_;
+            }
+            const bool known = value > 0 && value <= static_cast<int>(script_.steps.size());
+            if (value < 0) {
+                failed_ = true;
+                find(Finding::Kind::StepFailed, -value,
+                     ProgramText::tr("The step failed and ended the program."));
+            }
+            step_ = known ? value : 0;
+            stepBegan_ = now;
+            if (known) {
+                result_.order.push_back(step_);
+                StepTiming& first = timing(step_);
+                first.first = first.count++ == 0 ? now : first.first;
+            }
+        }
+    }
+
+    StepTiming& timing(int step) { return result_.timings[static_cast<std::size_t>(step - 1)]; }
+
+    void applyInputs() {
+        while (nextInput_ < inputs_.size() && inputs_[nextInput_].time <= run_.time()) {
+            run_.setDigitalInput(inputs_[nextInput_].channel, inputs_[nextInput_].value);
+            ++nextInput_;
+        }
+    }
+
+    void answerOperator() {
+        if (!run_.waitsForOperator()) {
+            askedAt_.reset();
+        } else if (!askedAt_) {
+            askedAt_ = run_.time();
+        } else if (run_.time() - *askedAt_ >= options_.operatorTime) {
+            run_.answerOperator();
+            askedAt_.reset();
+        }
+    }
+
+    bool isOver() {
+        if (run_.time() > options_.timeLimit) {
+            find(Finding::Kind::TimeLimit, step_,
+                 ProgramText::tr("The program has not ended after %1 s.").arg(options_.timeLimit));
+            return true;
+        }
+        if (options_.isCancelled && ++steps_ % kCancelEvery == 0 && options_.isCancelled()) {
+            find(Finding::Kind::Cancelled, step_, ProgramText::tr("The preview was cancelled."));
+            return true;
+        }
+        return false;
+    }
+
+    /// Adds to the path, and examines the part since the sample before.
+    void sample() {
+        nextSample_ = run_.time() + options_.sampleInterval;
+        const PathSample now{run_.time(), step_, run_.q(), run_.tcpPose()};
+        const auto contact = result_.path.empty()
+                                 ? check_.at(now.q)
+                                 : check_.obstruction(std::array{result_.path.back().q, now.q});
+        if (contact &&
+            contactSteps_.insert({step_, static_cast<int>(contact->with), contact->other}).second) {
+            find(Finding::Kind::Collision, step_, contactText(*contact, cell_.around));
+        }
+        result_.path.push_back(now);
+    }
+
+    void finish() {
+        sample();
+        if (step_ > 0) {
+            timing(step_).total += run_.time() - stepBegan_;
+        }
+        const auto failure = run_.failure();
+        if (failure) {
+            find(Finding::Kind::RuntimeError, script_.stepAt(failure->line), failure->text);
+        }
+        const bool stopped = run_.safetyMode() != SafetyMode::Normal;
+        if (stopped) {
+            find(Finding::Kind::ProtectiveStop, step_, run_.stopText());
+        }
+        const bool cut =
+            std::any_of(result_.findings.begin(), result_.findings.end(), [](const Finding& finding) {
+                return finding.kind == Finding::Kind::TimeLimit || finding.kind == Finding::Kind::Cancelled;
+            });
+        result_.completed = !failure && !stopped && !cut && !failed_;
+        result_.duration = run_.time();
+        result_.endJoints = run_.q();
+        result_.endPose = run_.tcpPose();
+        result_.outputs = run_.digitalOutputs();
+    }
+
+    const ProgramScript& script_;
+    const PreviewOptions& options_;
+    collision::CellSurroundings cell_;
+    Pose tcp_;
+    collision::CollisionCheck check_;
+    simulator::ScriptRun run_;
+    std::vector<InputChange> inputs_;
+    std::size_t nextInput_ = 0;
+    Preview result_;
+    int step_ = 0;
+    double stepBegan_ = 0;
+    double nextSample_ = 0;
+    std::optional<double> askedAt_;
+    std::set<std::array<int, 3>> contactSteps_;  ///< each contact is one finding per step
+    int steps_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+JointPositions startPosition(const project::Project& project, const ProgramScript& script) {
+    for (const NumberedStep& numbered : script.steps) {
+        const project::Program* owner = project.programs.find(numbered.program);
+        const project::ProgramStep* step = owner != nullptr ? findStep(owner->steps, numbered.step) : nullptr;
+        const int index =
+            step != nullptr
+                ? project.waypoints.indexOf(QUuid(step->fields.value(QLatin1String("waypoint")).toString()))
+                : -1;
+        if (index >= 0) {
+            return project.waypoints.at(index).joints;
+        }
+    }
+    const project::NamedPosition* home = project.positions.homePosition();
+    return home != nullptr ? home->joints : simulator::kHomeJoints;
+}
+
+Preview previewProgram(const project::Project& project, const ProgramScript& script,
+                       const ScriptOptions& scriptOptions, const PreviewOptions& options) {
+    return Follower(project, script, scriptOptions, options).follow();
+}
+
+}  // namespace tiller::program

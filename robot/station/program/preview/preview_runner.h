@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A preview in the background.
+
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "robot/station/program/preview/preview.h"
+
+namespace tiller::program {
+
+/// Thread: one at a time, normal priority, started by start(), ended by cancel(), the next start() and the destructor.
+/// Copies of project and script cross into it, the preview out of it.
+class PreviewRunner {
+public:
+    PreviewRunner() = default;
+    ~PreviewRunner();
+    PreviewRunner(const PreviewRunner&) = delete;
+    PreviewRunner& operator=(const PreviewRunner&) = delete;
+
+    /// Cancels the preview under way and starts this one.
+    /// done     called in the thread of the preview, unless it is cancelled before
+    /// Threads  one. Blocks: for some milliseconds while another one ends
+    void start(project::Project project, ProgramScript script, ScriptOptions scriptOptions,
+               PreviewOptions options, std::function<void(const Preview&)> done);
+    void cancel();  ///< Ends the preview under way; `done` is not called afterwards.
+
+private:
+    std::thread thread_;
+    std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace tiller::program

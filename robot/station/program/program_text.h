@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The translation context of all texts about programs.
+
+#include <QCoreApplication>
+
+namespace tiller::program {
+
+struct ProgramText {
+    Q_DECLARE_TR_FUNCTIONS(ProgramText)
+};
+
+}  // namespace tiller::program

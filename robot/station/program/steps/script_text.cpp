@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/program/detail/fields.h"
+#include "robot/station/program/detail/step_kinds.h"
+#include "robot/station/program/detail/step_writer.h"
+
+namespace tiller::program {
+
+const StepKind& scriptTextStep() {
+    static const StepKind kind{
+        .id = "script",
+        .group = StepGroup::Structure,
+        .name = [] { return ProgramText::tr("URScript"); },
+        .fields =
+            [] {
+                return std::vector<StepField>{plainField("text", ProgramText::tr("Text"), FieldType::Lines)};
+            },
+        .write =
+            [](StepWriter& writer) {
+                const QString text = writer.text("text");
+                if (text.contains(QLatin1String("tiller_"))) {
+                    writer.error("text", ProgramText::tr("Names that begin with “tiller_” are reserved."));
+                }
+                for (const QString& line : text.split(QLatin1Char('\n'))) {
+                    writer.line(line);
+                }
+                writer.noteMove(std::nullopt, 0);
+            },
+    };
+    return kind;
+}
+
+}  // namespace tiller::program

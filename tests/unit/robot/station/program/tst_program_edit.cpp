@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+
+#include <QTest>
+#include <functional>
+
+#include "program_samples.h"
+#include "robot/station/program/program_edit.h"
+
+using namespace tiller;
+using namespace tiller::program;
+
+namespace {
+
+/// "a b(c d) e": the texts of log steps, and folders with what is in them.
+QString shapeOf(const Steps& steps) {
+    QStringList texts;
+    for (const project::ProgramStep& step : steps) {
+        const QString name = step.fields[step.kind == "folder" ? "name" : "text"].toString();
+        texts << name + (step.disabled ? "-" : "") +
+                     (step.steps.empty() ? QString() : '(' + shapeOf(step.steps) + ')');
+    }
+    return texts.join(' ');
+}
+
+project::ProgramStep leaf(const char* text) {
+    return step("log", {{"text", text}});
+}
+
+/// a b(c d(e) f) g
+project::Program sample() {
+    return makeProgram("p", {leaf("a"),
+                             step("folder", {{"name", "b"}},
+                                  {leaf("c"), step("folder", {{"name", "d"}}, {leaf("e")}), leaf("f")}),
+                             leaf("g")});
+}
+
+QUuid idOf(const project::Program& program, const QString& text) {
+    QUuid found;
+    const std::function<void(const Steps&)> search = [&](const Steps& steps) {
+        for (const project::ProgramStep& step : steps) {
+            if (step.fields["text"] == text || step.fields["name"] == text) {
+                found = step.id;
+            }
+            search(step.steps);
+        }
+    };
+    search(program.steps);
+    return found;
+}
+
+QSet<QUuid> idsOf(const project::Program& program, const QStringList& texts) {
+    QSet<QUuid> ids;
+    for (const QString& text : texts) {
+        ids.insert(idOf(program, text));
+    }
+    return ids;
+}
+
+}  // namespace
+
+class TestProgramEdit : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void stepsAreFound() {
+        const project::Program program = sample();
+        QCOMPARE(shapeOf(program.steps), QString("a b(c d(e) f) g"));
+        QCOMPARE(findStep(program.steps, idOf(program, "e"))->fields["text"].toString(), QString("e"));
+        QVERIFY(findStep(program.steps, QUuid::createUuid()) == nullptr);
+        QCOMPARE(positionOf(program, idOf(program, "f"))->row, 2);
+        QVERIFY(positionOf(program, idOf(program, "f"))->section == idOf(program, "b"));
+        QVERIFY(!positionOf(program, QUuid::createUuid()));
+        QCOMPARE(shapeOf(selectedSteps(program, idsOf(program, {"g", "d", "e"}))), QString("d(e) g"));
+    }
+
+    void stepsMove_data() {
+        QTest::addColumn<QStringList>("moved");
+        QTest::addColumn<QString>("section");
+        QTest::addColumn<int>("row");
+        QTest::addColumn<QString>("after");
+        QTest::newRow("to the end") << QStringList{"a"} << "" << 3 << "b(c d(e) f) g a";
+        QTest::newRow("to the front") << QStringList{"g"} << "" << 0 << "g a b(c d(e) f)";
+        QTest::newRow("where it is") << QStringList{"a"} << "" << 1 << "a b(c d(e) f) g";
+        QTest::newRow("into a section") << QStringList{"a", "g"} << "d" << 1 << "b(c d(e a g) f)";
+        QTest::newRow("out of one") << QStringList{"e", "c"} << "" << 1 << "a c e b(d f) g";
+        QTest::newRow("within one") << QStringList{"c"} << "b" << 3 << "a b(d(e) f c) g";
+        QTest::newRow("a section with its steps") << QStringList{"d", "e"} << "" << 0 << "d(e) a b(c f) g";
+        QTest::newRow("into itself") << QStringList{"b"} << "d" << 0 << "a b(c d(e) f) g";
+        QTest::newRow("into no section") << QStringList{"a"} << "g" << 0 << "a b(c d(e) f) g";
+        QTest::newRow("beyond the end") << QStringList{"a"} << "" << 99 << "b(c d(e) f) g a";
+    }
+    void stepsMove() {
+        QFETCH(QStringList, moved);
+        QFETCH(QString, section);
+        QFETCH(int, row);
+        QFETCH(QString, after);
+        const project::Program program = sample();
+        const StepPosition at{section.isEmpty() ? QUuid() : idOf(program, section), row};
+        QCOMPARE(shapeOf(withMovedSteps(program, idsOf(program, moved), at).steps), after);
+    }
+
+    void stepsAreAddedRemovedAndCopied() {
+        const project::Program program = sample();
+        QCOMPARE(shapeOf(withSteps(program, {idOf(program, "b"), 1}, {leaf("x"), leaf("y")}).steps),
+                 QString("a b(c x y d(e) f) g"));
+        QCOMPARE(shapeOf(withoutSteps(program, idsOf(program, {"d", "g"})).steps), QString("a b(c f)"));
+        const project::Program twice = withDuplicates(program, idsOf(program, {"c", "d"}));
+        QCOMPARE(shapeOf(twice.steps), QString("a b(c d(e) c d(e) f) g"));
+        QVERIFY(twice.steps[1].steps[0].id != twice.steps[1].steps[2].id);
+        QVERIFY(twice.steps[1].steps[1].steps[0].id != twice.steps[1].steps[3].steps[0].id);
+        QCOMPARE(shapeOf(withDisabled(program, idsOf(program, {"a", "d"}), true).steps),
+                 QString("a- b(c d-(e) f) g"));
+        QCOMPARE(shapeOf(withField(program, idOf(program, "e"), "text", "new").steps),
+                 QString("a b(c d(new) f) g"));
+        QVERIFY(!findStep(withField(program, idOf(program, "e"), "text", QJsonValue::Undefined).steps,
+                          idOf(program, "e"))
+                     ->fields.contains("text"));
+    }
+
+    void nestingIsLimited() {
+        project::Program program = makeProgram("p", {step("folder", {{"name", "0"}})});
+        for (int depth = 1; depth < project::kMaxProgramDepth; ++depth) {
+            program = withSteps(program, {idOf(program, QString::number(depth - 1)), 0},
+                                {step("folder", {{"name", QString::number(depth)}})});
+        }
+        const QUuid deepest = idOf(program, QString::number(project::kMaxProgramDepth - 1));
+        QVERIFY(!deepest.isNull());
+        QVERIFY(withSteps(program, {deepest, 0}, {leaf("x")}) == program);
+    }
+
+    void textBringsStepsBack() {
+        const project::Program program = sample();
+        const auto back = stepsFromText(textOf(program.steps));
+        QVERIFY(back.has_value());
+        QCOMPARE(shapeOf(*back), shapeOf(program.steps));
+        QVERIFY((*back)[0].id != program.steps[0].id);
+        for (const char* text :
+             {"", "hello", "{}", "{\"tillerSteps\": [1]}", "{\"tillerSteps\": [{\"do\": \"wait\"}]}"}) {
+            QVERIFY2(!stepsFromText(text), text);
+        }
+    }
+
+    void summariesHaveNamesAndUnits() {
+        const project::Project project = sampleProject();
+        QCOMPARE(
+            summaryOf(
+                project,
+                step("moveL", {{"waypoint", waypointId(project, "pick")}, {"before", 0.05}, {"speed", 0.1}})),
+            QString("pick, 50 mm, 100 mm/s, Actions of the waypoint"));
+        QCOMPARE(summaryOf(project, step("setOutput", {{"output", 9}})), QString("CO 1, On"));
+        QCOMPARE(summaryOf(project, step("forEachPlace", {{"pattern", idText(project.patterns.at(0).id)}})),
+                 QString("tray, place"));
+        QCOMPARE(summaryOf(project, step("moveL", {{"waypoint", idText(QUuid::createUuid())}})),
+                 QString("?, Actions of the waypoint"));
+        QCOMPARE(summaryOf(project, step("kind of the future")), QString());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProgramEdit)
+#include "tst_program_edit.moc"
