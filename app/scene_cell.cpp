@@ -4,56 +4,17 @@
 #include <algorithm>
 
 #include "robot/simulator/simulator.h"
+#include "robot/station/program/preview/project_cell.h"
 #include "widgets/project/project_document.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/session/robot_session.h"
 
 namespace tiller::app {
 
-namespace {
-
-/// In the base frame; what is given in a frame that is not in the project is nowhere.
-collision::Surroundings surroundingsOf(const project::CellGeometry& cell, const project::FrameList& frames) {
-    collision::Surroundings result;
-    const auto inBase = [&](const QUuid& frame, const Pose& pose) -> std::optional<Pose> {
-        const std::optional<Pose> T_base_frame = frames.pose(frame);
-        return T_base_frame ? std::optional(Pose(T_base_frame->transform() * pose.transform()))
-                            : std::nullopt;
-    };
-    if (cell.floor) {
-        result.borders.push_back({{}, Pose(0, 0, *cell.floor, 0, 0, 0)});
-    }
-    for (const project::CellPlane& plane : cell.planes) {
-        const auto pose = inBase(plane.frame, plane.pose);
-        if (pose && plane.enabled) {
-            result.borders.push_back({plane.name, *pose});
-        }
-    }
-    for (const project::CellBox& box : cell.boxes) {
-        const auto pose = inBase(box.frame, box.pose);
-        if (pose && box.enabled) {
-            result.obstacles.push_back({box.name, *pose, box.size});
-        }
-    }
-    return result;
-}
-
-double toolRadius(const project::Tooling& tooling) {
-    for (const project::Tool& tool : tooling.tools) {
-        if (tool.id == tooling.activeTool) {
-            return tool.radius;
-        }
-    }
-    return 0;
-}
-
-}  // namespace
-
 void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document) {
     const auto follow = [&view, &session, &document] {
-        const collision::CellSurroundings cell{surroundingsOf(document.cell(), document.frames()),
-                                               toolRadius(document.tooling()),
-                                               document.cell().safetyDistance};
+        const collision::CellSurroundings cell =
+            program::cellSurroundings(document.cell(), document.frames(), document.tooling());
         view.setSurroundings(cell);
         session.setSurroundings(cell);
     };
@@ -66,7 +27,8 @@ void followCell(SceneView& view, RobotSession& session, const ProjectDocument& d
 
 int simulateCell(simulator::Simulator& robot, const ProjectDocument& document) {
     using Environment = simulator::arm::Environment;
-    const collision::Surroundings around = surroundingsOf(document.cell(), document.frames());
+    const collision::Surroundings around =
+        program::cellSurroundings(document.cell(), document.frames(), document.tooling()).around;
     robot.changeWorld([around](Environment& world) {
         world.clearSurfaces();
         for (const collision::Border& border : around.borders) {

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "app/cli_command.h"
+#include "app/cli_program.h"
 #include "tiller_version.h"
 
 using namespace tiller;
@@ -23,6 +24,8 @@ const QString kHelp = QStringLiteral(
     "  fault                make something go wrong there (see 'tiller-cli fault --help')\n"
     "  doctor ADDRESS       say what stands between this PC and a robot that can be moved\n"
     "  record ADDRESS       write what a robot sends to a file (see 'tiller-cli record --help')\n"
+    "  run FILE             run a program of a project, simulated or on a robot\n"
+    "  script FILE          write a program of a project as URScript\n"
     "  info FILE            say what is in a recording\n"
     "  export FILE          a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
     "  serve ADDRESS        send on what a robot sends, to Foxglove or PlotJuggler\n"
@@ -65,6 +68,12 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("record")) {
         return app::record(arguments);
+    }
+    if (command == QLatin1String("run")) {
+        return app::run(arguments);
+    }
+    if (command == QLatin1String("script")) {
+        return app::script(arguments);
     }
     if (command == QLatin1String("info")) {
         return app::info(arguments);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_program.h"
+
+#include "robot/station/program/program_edit.h"
+#include "robot/station/program/step_kind.h"
+
+namespace tiller::app {
+
+namespace {
+
+Error noSuch(const QString& what) {
+    return {ErrorCode::InvalidArgument, what, {}};
+}
+
+}  // namespace
+
+Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep) {
+    Result<project::Project> project = project::loadProject(path);
+    if (!project) {
+        return project.error();
+    }
+    LoadedProgram loaded;
+    loaded.project = std::move(*project);
+    const project::ProgramList& programs = loaded.project.programs;
+    QStringList names;
+    for (const project::Program& program : programs) {
+        names.append(program.name);
+    }
+    const project::Program* chosen =
+        name.isEmpty() && programs.size() == 1 ? &programs.at(0) : programs.findByName(name);
+    if (chosen == nullptr) {
+        return noSuch(names.isEmpty()  ? QStringLiteral("%1 has no programs").arg(path)
+                      : name.isEmpty() ? QStringLiteral("--program NAME is missing; %1 has: %2")
+                                             .arg(path, names.join(QStringLiteral(", ")))
+                                       : QStringLiteral("%1 has no program '%2'; it has: %3")
+                                             .arg(path, name, names.join(QStringLiteral(", "))));
+    }
+    loaded.program = chosen->id;
+    if (fromStep > 0) {
+        const program::ProgramScript whole = program::writeScript(loaded.project, loaded.program);
+        if (fromStep > static_cast<int>(whole.steps.size())) {
+            return noSuch(QStringLiteral("the program has %1 steps").arg(whole.steps.size()));
+        }
+        loaded.options.from = whole.steps[static_cast<std::size_t>(fromStep - 1)].step;
+    }
+    loaded.script = program::writeScript(loaded.project, loaded.program, loaded.options);
+    return loaded;
+}
+
+QString stepName(const LoadedProgram& loaded, int number) {
+    if (number < 1 || number > static_cast<int>(loaded.script.steps.size())) {
+        return {};
+    }
+    const program::NumberedStep& numbered = loaded.script.steps[static_cast<std::size_t>(number - 1)];
+    const project::Program* owner = loaded.project.programs.find(numbered.program);
+    const project::ProgramStep* step =
+        owner != nullptr ? program::findStep(owner->steps, numbered.step) : nullptr;
+    const program::StepKind* kind = step != nullptr ? program::findStepKind(step->kind) : nullptr;
+    return kind != nullptr ? kind->name() : step != nullptr ? step->kind : QString();
+}
+
+QString problemText(const LoadedProgram& loaded, int step, const QString& text) {
+    return step == 0 ? text : QStringLiteral("step %1 (%2): %3").arg(step).arg(stepName(loaded, step), text);
+}
+
+}  // namespace tiller::app

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCommandLineParser>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <atomic>
+#include <thread>
+
+#include "app/cli_command.h"
+#include "app/cli_options.h"
+#include "app/cli_program.h"
+#include "app/termination.h"
+#include "robot/control/programs.h"
+#include "robot/kinematics/arm_kinematics.h"
+#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
+#include "robot/rtde/fields.h"
+#include "robot/station/program/preview/preview.h"
+
+namespace tiller::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+using program::Preview;
+
+const QString kRunHelp = QStringLiteral(
+    "tiller-cli run: run a program of a project\n"
+    "\n"
+    "Usage: tiller-cli run FILE.tiller --simulate [options]\n"
+    "       tiller-cli run FILE.tiller --robot ADDRESS [options]\n"
+    "\n"
+    "  --simulate           run the script in the simulated controller, faster than real time\n"
+    "  --robot ADDRESS      run it on a robot, after a simulated run from where the arm is\n"
+    "  --program NAME       the program; not needed if the project has only one\n"
+    "  --from STEP          begin at this step, by its number\n"
+    "  --input CHANNEL=on|off[@SECONDS]\n"
+    "                       a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
+    "repeated\n"
+    "  --time-limit SECONDS end after this time (default 3600)\n"
+    "  --port-offset N      added to every port number of the robot (default 0)\n"
+    "  --json               one JSON object instead of text\n"
+    "  --help               this text\n"
+    "\n"
+    "A run on a robot moves the arm at once, at the speeds of the program: keep clear of it. Ctrl-C, the "
+    "end\n"
+    "of this command and a lost connection stop it. It is refused if a simulated run of the first ten "
+    "minutes\n"
+    "finds a collision or a stop, or if the robot is another model than the project's.\n"
+    "Exit code: 0 the program came to its end without a finding, 1 it did not, 2 wrong arguments.\n");
+
+/// "DI3=on@2.5"
+std::optional<program::InputChange> inputFrom(const QString& text) {
+    static const QRegularExpression form(QStringLiteral("^([DCT])I([0-7])=(on|off)(?:@([0-9.]+))?\\z"));
+    const QRegularExpressionMatch match = form.match(text);
+    if (!match.hasMatch() || (match.captured(1) == QLatin1String("T") && match.captured(2).toInt() > 1)) {
+        return std::nullopt;
+    }
+    const project::IoGroup group = match.captured(1) == QLatin1String("D")   ? project::IoGroup::Standard
+                                   : match.captured(1) == QLatin1String("C") ? project::IoGroup::Configurable
+                                                                             : project::IoGroup::Tool;
+    bool isTime = true;
+    program::InputChange change;
+    change.channel = project::channelOf(group, match.captured(2).toInt());
+    change.value = match.captured(3) == QLatin1String("on");
+    change.time = match.captured(4).isEmpty() ? 0 : match.captured(4).toDouble(&isTime);
+    return isTime ? std::optional(change) : std::nullopt;
+}
+
+QJsonArray listOf(const std::array<double, 6>& values) {
+    QJsonArray list;
+    for (const double value : values) {
+        list.append(value);
+    }
+    return list;
+}
+
+QJsonArray findingsJson(const LoadedProgram& loaded, const std::vector<program::Finding>& findings) {
+    QJsonArray list;
+    for (const program::Finding& finding : findings) {
+        list.append(QJsonObject{{"kind", QString::fromStdString(toString(finding.kind))},
+                                {"step", finding.step},
+                                {"name", stepName(loaded, finding.step)},
+                                {"time", finding.time},
+                                {"text", finding.text}});
+    }
+    return list;
+}
+
+QJsonObject toJson(const LoadedProgram& loaded, const Preview& preview) {
+    QJsonArray steps;
+    for (std::size_t i = 0; i < preview.timings.size(); ++i) {
+        const program::StepTiming& timing = preview.timings[i];
+        steps.append(QJsonObject{{"number", static_cast<int>(i) + 1},
+                                 {"name", stepName(loaded, static_cast<int>(i) + 1)},
+                                 {"count", timing.count},
+                                 {"first", timing.first},
+                                 {"total", timing.total}});
+    }
+    return {{"simulated", true},
+            {"completed", preview.completed},
+            {"duration", preview.duration},
+            {"findings", findingsJson(loaded, preview.findings)},
+            {"steps", steps},
+            {"outputs", static_cast<double>(preview.outputs)},
+            {"endJoints", listOf(preview.endJoints.array())},
+            {"endPose", listOf(preview.endPose.array())}};
+}
+
+void print(const LoadedProgram& loaded, const Preview& preview) {
+    out() << QStringLiteral("simulated: %1 after %2 s\n")
+                 .arg(preview.completed ? QStringLiteral("completed") : QStringLiteral("ended"))
+                 .arg(preview.duration, 0, 'f', 3);
+    for (std::size_t i = 0; i < preview.timings.size(); ++i) {
+        const program::StepTiming& timing = preview.timings[i];
+        if (timing.count > 0) {
+            const int number = static_cast<int>(i) + 1;
+            out() << QStringLiteral("%1  %2  %3 x  %4 s\n")
+                         .arg(number, 4)
+                         .arg(stepName(loaded, number), -24)
+                         .arg(timing.count, 5)
+                         .arg(timing.total, 10, 'f', 3);
+        }
+    }
+    for (const program::Finding& finding : preview.findings) {
+        out() << QStringLiteral("%1 s  %2\n")
+                     .arg(finding.time, 0, 'f', 3)
+                     .arg(problemText(loaded, finding.step, finding.text));
+    }
+}
+
+int refuse(const LoadedProgram& loaded, bool json) {
+    if (json) {
+        QJsonArray problems;
+        for (const program::ProgramProblem& problem : loaded.script.problems) {
+            problems.append(QJsonObject{{"step", problem.number},
+                                        {"name", stepName(loaded, problem.number)},
+                                        {"field", problem.field},
+                                        {"text", problem.text}});
+        }
+        out() << QJsonDocument(QJsonObject{{"completed", false}, {"problems", problems}}).toJson();
+        out().flush();
+    }
+    for (const program::ProgramProblem& problem : loaded.script.problems) {
+        complain(problemText(loaded, problem.number, problem.text), kFailed);
+    }
+    return kFailed;
+}
+
+/// What makes a run on the robot unsafe. Unset inputs can end a simulated run early, which does not.
+bool isDangerous(const program::Finding& finding) {
+    using Kind = program::Finding::Kind;
+    return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
+           finding.kind == Kind::Collision;
+}
+
+/// How much of a program is simulated before it runs on a robot [s].
+constexpr double kCheckedTime = 600;
+
+/// Empty, or why the program must not run on the robot that sends this.
+QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) {
+    constexpr double kSameTcp = 1e-4;    // [m]
+    constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs by a few millimetres from its model
+    const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
+    const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
+    if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
+        return QStringLiteral("the robot is not a %1, which the project was taught with")
+            .arg(QLatin1String(model.name));
+    }
+    if (loaded.script.tcp &&
+        !((loaded.script.tcp->position - state.tcpOffset().position).norm() < kSameTcp)) {
+        return QStringLiteral("the robot has another TCP than the waypoints of the program");
+    }
+    return {};
+}
+
+int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
+               const program::PreviewOptions& given) {
+    receive::ReceiverOptions receiverOptions;
+    receiverOptions.host = address;
+    receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + portOffset);
+    receiverOptions.fields = {"timestamp", "actual_q", "actual_TCP_pose", "tcp_offset",
+                              rtde::intRegisterName(rtde::Direction::Output, program::kStepRegister)};
+    receive::Receiver receiver(receiverOptions);
+    if (const auto started = receiver.start(); !started) {
+        return complain(started.error().toString(), kFailed);
+    }
+    const auto first = receiver.waitForData(Deadline::after(5s));
+    if (!first) {
+        return complain(first.error().toString(), kFailed);
+    }
+    const receive::RobotState state(*first);
+    if (const QString why = mismatch(loaded, state); !why.isEmpty()) {
+        return complain(why, kFailed);
+    }
+    loaded.options.version = receiver.version();
+    loaded.script = program::writeScript(loaded.project, loaded.program, loaded.options);
+    if (!loaded.script.ok()) {
+        return refuse(loaded, false);
+    }
+    program::PreviewOptions previewOptions = given;
+    previewOptions.start = state.q();
+    previewOptions.timeLimit = std::min(given.timeLimit, kCheckedTime);
+    const Preview preview =
+        program::previewProgram(loaded.project, loaded.script, loaded.options, previewOptions);
+    bool dangerous = false;
+    for (const program::Finding& finding : preview.findings) {
+        if (isDangerous(finding)) {
+            complain(QStringLiteral("simulated: ") + problemText(loaded, finding.step, finding.text),
+                     kFailed);
+            dangerous = true;
+        }
+    }
+    if (dangerous) {
+        return kFailed;
+    }
+    control::ControllerOptions controllerOptions;
+    controllerOptions.host = address;
+    controllerOptions.portOffset = portOffset;
+    control::Controller controller(controllerOptions);
+    if (const auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
+        return complain(taken.error().toString(), kFailed);
+    }
+    control::Programs programs(controller);
+    Result<void> outcome;
+    std::atomic<bool> ended = false;
+    std::thread runner([&] {
+        outcome = programs.runScript(loaded.script.text,
+                                     Deadline::after(std::chrono::duration_cast<std::chrono::milliseconds>(
+                                         std::chrono::duration<double>(given.timeLimit))));
+        ended = true;
+    });
+    const auto registerNow = [&receiver] {
+        const receive::Sample sample = receiver.latest();
+        return receive::RobotState(sample).outputIntRegister(program::kStepRegister).value_or(0);
+    };
+    int shown = 0;
+    while (!ended) {
+        if (waitForTermination(10ms)) {
+            controller.stop();
+        }
+        const int now = registerNow();
+        if (now != shown && now > 0) {
+            out() << QStringLiteral("step %1 (%2)\n").arg(now).arg(stepName(loaded, now));
+            out().flush();
+        }
+        shown = now;
+    }
+    runner.join();
+    const int last = registerNow();
+    if (!outcome) {
+        return complain(problemText(loaded, shown, outcome.error().toString()), kFailed);
+    }
+    return last < 0 ? complain(problemText(loaded, -last, QStringLiteral("the step failed")), kFailed)
+                    : kSuccess;
+}
+
+}  // namespace
+
+int run(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const QCommandLineOption help(QStringList{"h", "help"});
+    const QCommandLineOption simulate("simulate");
+    const QCommandLineOption robot("robot", {}, "ADDRESS");
+    const QCommandLineOption name("program", {}, "NAME");
+    const QCommandLineOption from("from", {}, "STEP", "0");
+    const QCommandLineOption input("input", {}, "CHANNEL=on|off[@SECONDS]");
+    const QCommandLineOption timeLimit("time-limit", {}, "SECONDS", "3600");
+    const QCommandLineOption offset("port-offset", {}, "N", "0");
+    const QCommandLineOption json("json");
+    parser.addOptions({help, simulate, robot, name, from, input, timeLimit, offset, json});
+    if (!parser.parse(arguments)) {
+        return wrongArguments(parser.errorText());
+    }
+    if (parser.isSet(help)) {
+        out() << kRunHelp;
+        out().flush();
+        return kSuccess;
+    }
+    if (parser.positionalArguments().size() != 1) {
+        return wrongArguments(QStringLiteral("run: one project file is needed"));
+    }
+    if (parser.isSet(simulate) == parser.isSet(robot)) {
+        return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is needed"));
+    }
+    if (parser.isSet(robot) && !isHostName(parser.value(robot))) {
+        return wrongArguments(
+            QStringLiteral("run: '%1' is not an address or a host name").arg(parser.value(robot)));
+    }
+    program::PreviewOptions options;
+    for (const QString& text : parser.values(input)) {
+        const auto change = inputFrom(text);
+        if (!change) {
+            return wrongArguments(
+                QStringLiteral("--input takes, for example, DI3=on or DI3=off@2.5, not '%1'").arg(text));
+        }
+        options.inputs.push_back(*change);
+    }
+    const auto limit = numberIn(parser, timeLimit, 0.001, 1e6);
+    const auto first = numberIn(parser, from, 0, 1e6);
+    const auto ports = numberIn(parser, offset, -29000, 35000);
+    if (!limit || !first || !ports) {
+        return kWrongArguments;
+    }
+    options.timeLimit = *limit;
+    auto loaded =
+        loadProgram(parser.positionalArguments().constFirst(), parser.value(name), static_cast<int>(*first));
+    if (!loaded) {
+        return complain(loaded.error().toString(), kFailed);
+    }
+    if (!loaded->script.ok()) {
+        return refuse(*loaded, parser.isSet(json));
+    }
+    holdTerminationSignals();
+    if (parser.isSet(robot)) {
+        return runOnRobot(std::move(*loaded), parser.value(robot), static_cast<int>(*ports), options);
+    }
+    options.isCancelled = [] { return waitForTermination(std::chrono::milliseconds(0)); };
+    const Preview preview =
+        program::previewProgram(loaded->project, loaded->script, loaded->options, options);
+    if (parser.isSet(json)) {
+        out() << QJsonDocument(toJson(*loaded, preview)).toJson();
+    } else {
+        print(*loaded, preview);
+    }
+    out().flush();
+    return preview.isGood() ? kSuccess : kFailed;
+}
+
+}  // namespace tiller::app

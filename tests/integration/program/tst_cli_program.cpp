@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// tiller-cli run and script as their users type them, simulated and on the simulated controller through its real ports.
+
+#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "program_samples.h"
+#include "robot/simulator/simulator.h"
+
+using namespace tiller;
+using namespace tiller::program;
+
+namespace {
+
+constexpr int kProcessTimeoutMs = 60'000;
+
+QString ownAddress() {
+    const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
+    return QStringLiteral("127.%1.%2.23").arg(100 + pid % 100).arg((pid / 100) % 250);
+}
+
+struct Answer {
+    int code = -1;
+    QString out;
+    QString err;
+};
+
+Answer finished(QProcess& process) {
+    if (!process.waitForFinished(kProcessTimeoutMs)) {
+        process.kill();
+        process.waitForFinished();
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
+            QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+Answer run(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(TILLER_CLI), arguments);
+    return finished(process);
+}
+
+}  // namespace
+
+class TestCliProgram : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        project_ = sampleProject();
+        project_.programs.append(trayProgram(project_));
+        project_.programs.append(makeProgram("wrong", {step("wait"), step("moveL")}));
+        project_.programs.append(makeProgram(
+            "to and fro", {step("loop", {{"times", 20}},
+                                {step("moveL", {{"waypoint", waypointId(project_, "pick")}}),
+                                 step("moveL", {{"waypoint", waypointId(project_, "place")}})})}));
+        project_.programs.append(makeProgram(
+            "short",
+            {step("moveJ", {{"waypoint", waypointId(project_, "pick")}}), step("setOutput", {{"output", 2}}),
+             step("moveL", {{"waypoint", waypointId(project_, "place")}})}));
+        QVERIFY(project::saveProject(path(), project_).ok());
+        simulator_ = std::make_unique<simulator::Simulator>(
+            simulator::SimulatorOptions{.listenAddress = address_,
+                                        .poweredOn = true,
+                                        .startJoints = project_.waypoints.at(0).joints,
+                                        .fastTransitions = true});
+        QVERIFY(simulator_->start().ok());
+    }
+
+    void simulatesInVirtualTime() {
+        const Answer answer =
+            run({"run", path(), "--simulate", "--program", "Fill the tray", "--input", "DI0=on", "--json"});
+        QVERIFY2(answer.code == 0, qPrintable(answer.out + answer.err));
+        const QJsonObject result = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        QVERIFY(result["completed"].toBool() && result["simulated"].toBool());
+        QVERIFY(result["duration"].toDouble() > 20);
+        QVERIFY(result["findings"].toArray().isEmpty());
+        const QJsonArray steps = result["steps"].toArray();
+        QCOMPARE(steps.size(), 18);
+        QCOMPARE(steps[5]["count"].toInt(), 12);
+        const Answer again =
+            run({"run", path(), "--simulate", "--program", "Fill the tray", "--input", "DI0=on", "--json"});
+        QCOMPARE(again.out, answer.out);
+    }
+
+    void findingsFail() {
+        const Answer answer =
+            run({"run", path(), "--simulate", "--program", "to and fro", "--time-limit", "5"});
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.out.contains("has not ended after 5 s"), qPrintable(answer.out));
+    }
+
+    void programsWithErrorsAreRefused() {
+        for (const QStringList& target : {QStringList{"--simulate"}, QStringList{"--robot", address_}}) {
+            const JointPositions before = simulator_->truth().q;
+            const Answer answer = run(QStringList{"run", path(), "--program", "wrong"} + target);
+            QCOMPARE(answer.code, 1);
+            QVERIFY2(answer.err.contains("step 2 (MoveL): Set a waypoint"), qPrintable(answer.err));
+            QVERIFY((simulator_->truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-3);
+        }
+    }
+
+    void runsOnTheRobot() {
+        const Answer answer = run({"run", path(), "--robot", address_, "--program", "short"});
+        QVERIFY2(answer.code == 0, qPrintable(answer.out + answer.err));
+        QVERIFY2(answer.out.contains("step 1 (MoveJ)") && answer.out.contains("step 3 (MoveL)"),
+                 qPrintable(answer.out));
+        const Pose place = *project::poseInBase(project_.waypoints.at(2), project_.frames);
+        QVERIFY((simulator_->truth().tcpPose.position - place.position).norm() < 1e-3);
+        QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
+    }
+
+    // A process that was killed cannot stop anything: the heartbeat in the script does.
+    void armStopsWithTheProcess_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("interrupted") << SIGINT;
+        QTest::newRow("killed") << SIGKILL;
+    }
+    void armStopsWithTheProcess() {
+        QFETCH(int, signal);
+        QProcess process;
+        process.start(QStringLiteral(TILLER_CLI),
+                      {"run", path(), "--robot", address_, "--program", "to and fro"});
+        QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        const double killed = simulator_->truth().timestamp;
+        double rest = 0;  // when the arm came to rest, by the robot's own time
+        QTRY_VERIFY_WITH_TIMEOUT((rest = simulator_->truth().timestamp,
+                                  simulator_->truth().qd.values.cwiseAbs().maxCoeff() < 1e-3),
+                                 10'000);
+        QVERIFY2(rest - killed < 0.25, qPrintable(QString::number(rest - killed)));
+        QCOMPARE(finished(process).code == 0, false);
+        QTest::qWait(300);
+        QVERIFY(simulator_->truth().qd.values.cwiseAbs().maxCoeff() < 1e-3);
+        QVERIFY(simulator_->truth().runtimeState == RuntimeState::Stopped);
+    }
+
+    void otherModelsAreRefused() {
+        project::Project other = project_;
+        other.robot = RobotModelId::UR10e;
+        const QString file = folder_.filePath("other.tiller");
+        QVERIFY(project::saveProject(file, other).ok());
+        const Answer answer = run({"run", file, "--robot", address_, "--program", "short"});
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.err.contains("not a UR10e"), qPrintable(answer.err));
+    }
+
+    void writesTheScript() {
+        const QString file = folder_.filePath("short.script");
+        QCOMPARE(run({"script", path(), "--program", "short", "--out", file}).code, 0);
+        QFile written(file);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const Answer printed = run({"script", path(), "--program", "short"});
+        QCOMPARE(printed.code, 0);
+        QCOMPARE(QString::fromUtf8(written.readAll()), printed.out);
+        QVERIFY(printed.out.startsWith("def short():\n"));
+        const Answer later = run({"script", path(), "--program", "short", "--from", "3"});
+        QVERIFY(!later.out.contains("movej"));
+        QVERIFY(later.out.contains("movel"));
+    }
+
+    void wrongArguments_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("text");
+        const QString file = path();
+        QTest::newRow("no file") << QStringList{"run", "--simulate"} << 2 << "one project file";
+        QTest::newRow("nowhere") << QStringList{"run", file} << 2 << "--simulate or --robot";
+        QTest::newRow("address") << QStringList{"run", file, "--robot", "a b"} << 2 << "not an address";
+        QTest::newRow("input") << QStringList{"run", file, "--simulate", "--input", "TI2=on"} << 2
+                               << "--input takes";
+        QTest::newRow("no name") << QStringList{"run", file, "--simulate"} << 1
+                                 << "--program NAME is missing";
+        QTest::newRow("name") << QStringList{"script", file, "--program", "x"} << 1 << "no program 'x'";
+        QTest::newRow("step") << QStringList{"script", file, "--program", "short", "--from", "9"} << 1
+                              << "has 3 steps";
+        QTest::newRow("not a step") << QStringList{"script", file, "--program", "short", "--from", "x"} << 2
+                                    << "--from takes";
+        QTest::newRow("inside") << QStringList{"run",           file,     "--simulate", "--program",
+                                               "Fill the tray", "--from", "6"}
+                                << 1 << "top level";
+        QTest::newRow("missing") << QStringList{"run", folder_.filePath("none.tiller"), "--simulate"} << 1
+                                 << "none.tiller";
+        QTest::newRow("silent robot")
+            << QStringList{"run", file, "--robot", "127.0.0.1", "--port-offset", "9", "--program", "short"}
+            << 1 << "ConnectionRefused";
+    }
+    void wrongArguments() {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, code);
+        QFETCH(QString, text);
+        const Answer answer = run(arguments);
+        QVERIFY2(answer.code == code, qPrintable(answer.out + answer.err));
+        QVERIFY2(answer.err.contains(text), qPrintable(answer.err));
+    }
+
+    void helpIsThere() {
+        QVERIFY(run({"run", "--help"}).out.contains("--simulate"));
+        QVERIFY(run({"script", "--help"}).out.contains("--out"));
+    }
+
+private:
+    QString path() const { return folder_.filePath("cell.tiller"); }
+    QTemporaryDir folder_;
+    project::Project project_;
+    const QString address_ = ownAddress();
+    std::unique_ptr<simulator::Simulator> simulator_;
+};
+
+QTEST_GUILESS_MAIN(TestCliProgram)
+#include "tst_cli_program.moc"
