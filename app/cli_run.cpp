@@ -219,6 +219,9 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address;
     controllerOptions.portOffset = portOffset;
+    // Without a heartbeat for 100 ms the robot stops by itself. A pause of this PC that the robot did not notice ends nothing.
+    controllerOptions.dataTimeout = 2s;
+    controllerOptions.connectionTimeout = 2s;
     control::Controller controller(controllerOptions);
     if (const auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
         return complain(taken.error().toString(), kFailed);

@@ -6,6 +6,8 @@
 
 #include <QSet>
 
+#include <QSet>
+
 #include "robot/project/detail/field_reader.h"
 
 namespace tiller::project {

@@ -116,6 +116,16 @@ Expression parseExpression(const QString& text) {
     return result;
 }
 
+bool hasWholeBlocks(const QString& script) {
+    static const QRegularExpression text(QStringLiteral("\"[^\"\\n]*\"|#[^\\n]*"));
+    static const QRegularExpression word(QStringLiteral("(?<![\\w.])(?:(def|sec|thread|if|while)|(end))\\b"));
+    int depth = 0;
+    for (auto it = word.globalMatch(QString(script).remove(text)); it.hasNext() && depth >= 0;) {
+        depth += it.next().captured(1).isEmpty() ? -1 : 1;
+    }
+    return depth == 0;
+}
+
 bool isVariableName(const QString& name, QString* why) {
     static const QRegularExpression identifier(QStringLiteral("^[A-Za-z_][A-Za-z0-9_]*\\z"));
     QString reason;

@@ -15,6 +15,9 @@ struct Expression {
 /// Checks brackets, quotes and words; whether the names exist is found when the script is compiled.
 Expression parseExpression(const QString& text);
 
+/// Whether each block of several lines of URScript has its own `end`, so that the lines can be part of a program.
+bool hasWholeBlocks(const QString& script);
+
 /// Whether a variable may have that name; `why` is translated. Names that begin with "tiller_" are reserved.
 bool isVariableName(const QString& name, QString* why = nullptr);
 

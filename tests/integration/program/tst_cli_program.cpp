@@ -161,7 +161,7 @@ private Q_SLOTS:
         const Answer printed = run({"script", path(), "--program", "short"});
         QCOMPARE(printed.code, 0);
         QCOMPARE(QString::fromUtf8(written.readAll()), printed.out);
-        QVERIFY(printed.out.startsWith("def short():\n"));
+        QVERIFY(printed.out.startsWith("def program_short():\n"));
         const Answer later = run({"script", path(), "--program", "short", "--from", "3"});
         QVERIFY(!later.out.contains("movej"));
         QVERIFY(later.out.contains("movel"));

@@ -333,7 +333,7 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         report({}, ProgramText::tr("The project has no such program."));
         return result;
     }
-    result.name = scriptName(program->name);
+    result.name = QStringLiteral("program_") + scriptName(program->name);  // not the name of a function
     if (options.model && project.robot && *options.model != *project.robot) {
         report({}, ProgramText::tr("The project was taught with a %1, and the robot is a %2.")
                        .arg(QLatin1String(robotModel(*project.robot).name), QLatin1String(model.name)));

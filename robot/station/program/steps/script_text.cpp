@@ -2,6 +2,7 @@
 #include "robot/station/program/detail/fields.h"
 #include "robot/station/program/detail/step_kinds.h"
 #include "robot/station/program/detail/step_writer.h"
+#include "robot/station/program/expression.h"
 
 namespace tiller::program {
 
@@ -19,6 +20,9 @@ const StepKind& scriptTextStep() {
                 const QString text = writer.text("text");
                 if (text.contains(QLatin1String("tiller_"))) {
                     writer.error("text", ProgramText::tr("Names that begin with “tiller_” are reserved."));
+                }
+                if (!hasWholeBlocks(text)) {
+                    writer.error("text", ProgramText::tr("Each block of the script needs its own “end”."));
                 }
                 for (const QString& line : text.split(QLatin1Char('\n'))) {
                     writer.line(line);

@@ -49,6 +49,16 @@ private Q_SLOTS:
         QVERIFY(parsed.script.isEmpty());
     }
 
+    void blocksOfScripts() {
+        for (const char* whole :
+             {"", "sync()", "if a:\n  b()\nelif c:\n  d()\nend", "end_force_mode()", "x = \"end\" # end"}) {
+            QVERIFY2(hasWholeBlocks(whole), whole);
+        }
+        for (const char* broken : {"end", "while True:", "end\nif x:", "def f():\nend\nend"}) {
+            QVERIFY2(!hasWholeBlocks(broken), broken);
+        }
+    }
+
     void namesOfVariables() {
         for (const char* good : {"a", "part_count", "_x", "Place2"}) {
             QVERIFY2(isVariableName(good), good);

@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY2(script.problems.empty(), qPrintable(describe(script)));
         QVERIFY2(compileError(script.text).isEmpty(),
                  qPrintable(compileError(script.text) + '\n' + script.text));
-        QCOMPARE(script.name, QString("fill_the_tray"));
+        QCOMPARE(script.name, QString("program_fill_the_tray"));
     }
 
     // A step of each kind where it may be, with everything it refers to.
@@ -209,6 +209,8 @@ private Q_SLOTS:
         row("calls itself", "call", {{"program", "self"}}, "program");
         row("values", "call", {{"program", "helper"}, {"arguments", "1, (2, 3), 4"}}, "arguments");
         row("reserved name", "script", {{"text", "tiller_x = 1"}}, "text");
+        row("open block", "script", {{"text", "while True:\n  sync()"}}, "text");
+        row("leaves the program", "script", {{"text", "end\nmovej([0, 0, 0, 0, 0, 0])\ndef x():"}}, "text");
     }
     void problemsAreReportedAtTheirStep() {
         QFETCH(QString, kind);
@@ -313,6 +315,15 @@ private Q_SLOTS:
         const ProgramScript script = scriptOf(project, trayProgram(project), options);
         QVERIFY(!script.ok());
         QVERIFY(script.problems[0].text.contains("UR5e"));
+    }
+
+    void namesOfFunctionsAreNoObstacle() {
+        const project::Project project = sampleProject();
+        for (const char* name : {"if", "movej", "sync", "end", "7", "Käfig"}) {
+            const ProgramScript script =
+                scriptOf(project, makeProgram(QString::fromUtf8(name), {step("wait")}));
+            QVERIFY2(script.ok() && compileError(script.text).isEmpty(), qPrintable(script.text));
+        }
     }
 
     void missingAndEmptyProgramsAreRefused() {
