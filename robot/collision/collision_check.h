@@ -87,6 +87,9 @@ public:
         double margin = 0;      ///< safety distance between the two for obstruction() and jogs [m]
         /// Radius of the body about each joint axis; 0 if the joint has no effect [m].
         Vector6 radius = Vector6::Zero();
+        /// An end of the rod whose distance from the border no joint changes: it is not measured.
+        bool fixedFrom = false;
+        bool fixedTo = false;
     };
     static constexpr std::size_t kMaxBodies = 16;
     /// The capsules in the base frame.
@@ -113,6 +116,7 @@ private:
     void addPairs(std::size_t body, bool isTool);
     std::vector<std::pair<std::size_t, std::size_t>> findNeverMeeting() const;
     void dropPairsThatNeverMeet(NeverMeeting* known);
+    void dropWhatNeverNearsABorder();
     Vector6 radii(const LinkCapsule& body, int fromLink) const;
     /// threshold(pair, initial distance): a smaller distance counts as contact.
     template <class Threshold>

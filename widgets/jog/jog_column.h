@@ -197,6 +197,8 @@ private:
     double keyFactor_ = 1;  ///< speed factor at the start of the current motion
     LimiterAdvice nearest_;
     JointPositions limiterAt_;
+    std::shared_ptr<const collision::CollisionCheck> limiterWith_;
+    Eigen::Matrix3d limiterIn_ = Eigen::Matrix3d::Zero();
     control::Limiter limiterSeen_;
     JointPositions speedsAt_;   ///< position of the arm for which the speeds were computed
     bool speedsKnown_ = false;  ///< the speeds match the selection, the slider and the position

@@ -31,7 +31,10 @@ public:
     void setClock(const Clock& clock) { clock_ = &clock; }
     /// While armed, this key presses and releases this button of the column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
+    /// Refused while it is locked.
     void setArmed(bool armed);
+    /// why  it cannot be armed, as a sentence; empty when it can
+    void setLock(const QString& why);
     bool isArmed() const { return armed_; }
     /// Checks the timeout of half a minute. Called by a timer every second.
     void checkIdle();
@@ -40,6 +43,7 @@ public:
 
 Q_SIGNALS:
     void armedChanged(bool armed);
+    void refused(const QString& why);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -68,6 +72,7 @@ private:
     Qt::KeyboardModifiers modifiers_{};  ///< at the start of the motion
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;
+    QString lock_;
     QPointer<QFrame> frame_;
 };
 

@@ -30,14 +30,16 @@ public:
     /// Computes the next direction; while a button is held, every other time its direction. Called by a timer every
     /// 40 ms, and less often while the arm moves, because the values then change continuously.
     void look();
-    /// Discards all values and clears the buttons, e.g. after a change of units.
+    /// Writes what it knows again, in the operator's units.
     void reset();
     /// While a button is held: the remaining distance and the limit at its end; otherwise empty.
     QString heldText() const;
 
 private:
     void tick();
-    /// Index of a held button; empty if none is held.
+    void write(qsizetype index);
+    void setOutdated();
+    /// Index of a key that is held; nothing when none is.
     std::optional<qsizetype> heldKey() const;
 
     JogPad& pad_;
