@@ -11,7 +11,6 @@
 #include <QStandardPaths>
 #include <QTcpSocket>
 #include <QTest>
-#include <algorithm>
 
 namespace tiller::test {
 namespace {
@@ -91,19 +90,6 @@ void Child::signal(int number) {
     if (process_.processId() > 0) {
         ::kill(pid_t(process_.processId()), number);
     }
-}
-
-double Child::processorWait() const {
-    double longest = 0;
-    const QDir threads(QStringLiteral("/proc/%1/task").arg(process_.processId()));
-    for (const QString& thread : threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        // Time on a processor [ns], time waiting for one [ns], turns.
-        QFile statistics(threads.filePath(thread + QStringLiteral("/schedstat")));
-        if (statistics.open(QIODevice::ReadOnly)) {
-            longest = std::max(longest, statistics.readAll().split(' ').value(1).toDouble() * 1e-9);
-        }
-    }
-    return longest;
 }
 
 // ---- DesktopCell
@@ -347,19 +333,6 @@ bool DesktopCell::armKeyboard() {
     hand_->tap(kLetterJ);
     hand_->release(kControl);
     return untilShown("armedFrame");
-}
-
-Standstill DesktopCell::standstill(double contract) {
-    const auto waits = [this] {
-        return display_.processorWait() + windowManager_.processorWait() + controller_.processorWait() +
-               program_.processorWait();
-    };
-    const double before = waits();
-    Standstill result = arm_->standstill(contract);
-    if (result.verdict == Standstill::Verdict::Late && result.seconds <= contract + waits() - before) {
-        result.verdict = Standstill::Verdict::Stood;
-    }
-    return result;
 }
 
 bool DesktopCell::fault(const QString& words) {

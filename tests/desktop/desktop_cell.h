@@ -31,8 +31,6 @@ public:
     /// Waits until it has printed this; returns the line, empty when it ended or never did.
     QString waitForLine(const QString& beginning);
     void signal(int number);
-    /// How long its threads have waited for a processor so far: the longest of them [s].
-    double processorWait() const;
     bool isRunning() const { return process_.state() == QProcess::Running; }
     bool waitForEnd(int ms) {
         return process_.state() == QProcess::NotRunning || process_.waitForFinished(ms);
@@ -77,9 +75,6 @@ public:
     QSize screen() const { return screen_; }
     XHand& hand() { return *hand_; }
     ArmWatch& arm() { return *arm_; }
-    /// As ArmWatch::standstill(). A stop may be late by the time for which display, window manager, controller and program
-    /// had to wait for a processor meanwhile; without other load that is nothing.
-    Standstill standstill(double contract);
     QString displayName() const { return displayName_; }
     /// Of the simulated controller.
     QString host() const { return host_; }

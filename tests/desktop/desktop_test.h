@@ -64,7 +64,7 @@ protected:
     }
     /// The arm stands for good, now that nothing is held. What only came late on a busy machine is told.
     void verifyStands(double contract = kContract) {
-        const Standstill stop = cell().standstill(contract);
+        const Standstill stop = arm().standstill(contract);
         qInfo("%s", words(stop).constData());
         QVERIFY2(stop.verdict != Standstill::Verdict::GoesOn && stop.verdict != Standstill::Verdict::Blind,
                  words(stop).constData());
