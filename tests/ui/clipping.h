@@ -7,6 +7,7 @@
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
@@ -214,6 +215,25 @@ inline bool isViewport(const QWidget& widget) {
     return area != nullptr && area->viewport() == &widget;
 }
 
+/// Widgets of one box layout whose rectangles overlap, because the layout has less height than they need.
+inline QStringList overlaps(const QWidget& parent) {
+    QStringList found;
+    for (const QBoxLayout* layout : parent.findChildren<QBoxLayout*>(Qt::FindDirectChildrenOnly)) {
+        const QWidget* before = nullptr;
+        for (int i = 0; i < layout->count(); ++i) {
+            const QWidget* widget = layout->itemAt(i)->widget();
+            if (widget == nullptr || !widget->isVisible()) {
+                continue;
+            }
+            if (before != nullptr && before->geometry().intersects(widget->geometry())) {
+                found << nameOf(*before) + QStringLiteral(" overlaps ") + nameOf(*widget);
+            }
+            before = widget;
+        }
+    }
+    return found;
+}
+
 }  // namespace clipping
 
 /// All that is cut off in a window that is shown.
@@ -221,7 +241,7 @@ inline QStringList clipped(const QWidget& window) {
     if (!window.isWindow()) {
         return {clipping::nameOf(window) + QStringLiteral(" is no window: nothing in it was looked at")};
     }
-    QStringList found;
+    QStringList found = clipping::overlaps(window);
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
         if (!widget->isVisibleTo(&window) || widget->window() != &window || clipping::isInner(*widget)) {
             continue;
@@ -247,6 +267,7 @@ inline QStringList clipped(const QWidget& window) {
         if (const QString problem = clipping::problemOf(*widget); !problem.isEmpty()) {
             found << clipping::nameOf(*widget) + QStringLiteral(": ") + problem;
         }
+        found << clipping::overlaps(*widget);
     }
     return found;
 }

@@ -140,7 +140,7 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     hint_->setWordWrap(true);
     hint_->setProperty("role", "secondary");
     direction_->setFont(textFont(19, QFont::Bold));
-    direction_->setMinimumWidth(440);
+    direction_->setMinimumWidth(600);
     direction_->setWordWrap(true);
 
     auto* form = new QFormLayout;
@@ -218,6 +218,7 @@ void DeviceTrainer::refresh() {
         way_ = QStringLiteral("–");
         direction_->setText(way_);
         bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
+        makeRoom(*this);
         return;
     }
     const DeviceShape shape = devices_.shape(*device);
