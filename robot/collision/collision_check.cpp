@@ -114,6 +114,7 @@ CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Su
         addPairs(i, i >= armBodies);
     }
     dropPairsThatNeverMeet();
+    dropWhatNeverNearsABorder();
 }
 
 void CollisionCheck::addPairs(std::size_t body, bool isTool) {
@@ -212,6 +213,41 @@ void CollisionCheck::dropPairsThatNeverMeet() {
     std::erase_if(pairs_, [&](const Pair&) { return least[i++] > kNeverNearer; });
 }
 
+/// The shoulder of an arm that is mounted upright keeps its height, in every position: no joint can move it towards a
+/// horizontal border, or away from it, even where it is nearer than the safety distance.
+void CollisionCheck::dropWhatNeverNearsABorder() {
+    constexpr int kSteps = 4;              // of a whole turn: the height is a sine of each joint
+    constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
+    constexpr int kLastFixedLink = 2;      // the third joint already goes up and down
+    std::array<Placement, kSteps * kSteps> placements;
+    for (std::size_t n = 0; n < placements.size(); ++n) {
+        constexpr double kStep = 2 * std::numbers::pi / kSteps;
+        JointPositions q;
+        q[0] = kStep * static_cast<double>(n / kSteps);
+        q[1] = kStep * static_cast<double>(n % kSteps);
+        placements[n] = place(q);
+    }
+    const auto isFixed = [&](const Pair& pair, Vector3d Capsule::*end) {
+        const Vector3d& normal = planes_[pair.other].normal;
+        double low = 1e9;
+        double high = -1e9;
+        for (const Placement& placement : placements) {
+            const double height = normal.dot(placement[pair.body].*end);
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        return high - low < kSameHeight;
+    };
+    std::erase_if(pairs_, [&](Pair& pair) {
+        if (pair.with != Contact::With::Border || capsules_[pair.body].link > kLastFixedLink) {
+            return false;
+        }
+        pair.fixedFrom = isFixed(pair, &Capsule::from);
+        pair.fixedTo = isFixed(pair, &Capsule::to);
+        return pair.fixedFrom && pair.fixedTo;
+    });
+}
+
 /// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();
@@ -255,7 +291,10 @@ double CollisionCheck::distance(const Pair& pair, const Placement& placement, do
         case Contact::With::Border: {
             // Of a rod, one of the ends is nearest to a plane.
             const Plane& plane = planes_[pair.other];
-            return std::min(plane.normal.dot(rod.from), plane.normal.dot(rod.to)) - plane.offset - rod.radius;
+            const double from = plane.normal.dot(rod.from);
+            const double to = plane.normal.dot(rod.to);
+            const double nearest = pair.fixedFrom ? to : pair.fixedTo ? from : std::min(from, to);
+            return nearest - plane.offset - rod.radius;
         }
     }
     return 0;

@@ -69,6 +69,9 @@ public:
         double margin = 0;      ///< that obstruction() and jogs keep between the two [m]
         /// Of the body about each joint's axis, 0 where it does not matter [m].
         Vector6 radius = Vector6::Zero();
+        /// An end of the rod whose distance from the border no joint changes: it is not measured.
+        bool fixedFrom = false;
+        bool fixedTo = false;
     };
     static constexpr std::size_t kMaxBodies = 16;
     /// The rods in the base frame.
@@ -93,6 +96,7 @@ private:
 
     void addPairs(std::size_t body, bool isTool);
     void dropPairsThatNeverMeet();
+    void dropWhatNeverNearsABorder();
     Vector6 radii(const LinkCapsule& body, int fromLink) const;
     /// threshold(pair, its distance at the start): below it the two count as in contact.
     template <class Threshold>

@@ -157,6 +157,34 @@ class TestCollisionCheck : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // The floor may be at any height below the shoulder. The housing of the shoulder cannot come nearer to it.
+    void whatNoJointMovesTowardsTheFloorIsNotMeasured_data() {
+        QTest::addColumn<RobotModelId>("id");
+        for (const RobotModel& model : robotModels()) {
+            QTest::newRow(model.name) << model.id;
+        }
+    }
+    void whatNoJointMovesTowardsTheFloorIsNotMeasured() {
+        QFETCH(const RobotModelId, id);
+        const RobotModel model = robotModel(id);
+        const double height = model.dh.d[0] - 0.05;
+        const Surroundings floor{{}, {{{}, Pose(0, 0, height, 0, 0, 0)}}};
+        const CollisionCheck check(model, {}, floor);
+        const JointPositions upright(0.3, -kPi / 2, 0, -kPi / 2, 0, 0);
+        const auto placed = check.place(upright);
+        for (const CollisionCheck::Pair& pair : check.pairs()) {
+            if (pair.with == Contact::With::Border) {
+                QVERIFY2(check.distance(pair, placed) > 0.1,
+                         qPrintable(QStringLiteral("link %1").arg(pair.link)));
+            }
+        }
+        QVERIFY(!check.at(upright));
+        JointPositions down = upright;
+        down[1] = 0.6;
+        const auto contact = check.at(down);
+        QVERIFY2(contact && contact->with == Contact::With::Border && contact->link == 2,
+                 "the upper arm still meets the floor");
+    }
     void ordinaryStancesAreFree() {
         for (const RobotModel& model : robotModels()) {
             const CollisionCheck check(model, {}, {{}, {floorAt(0)}});
