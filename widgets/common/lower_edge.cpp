@@ -6,12 +6,14 @@
 #include <QScopedValueRollback>
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 
 namespace tiller {
 
 namespace {
 
 constexpr int kEdgeMargin = 8;  // [px]
+constexpr int kKept = 64;       // of an area, its header and a row [px]
 
 }  // namespace
 
@@ -26,11 +28,34 @@ LowerEdge::LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas
     }
 }
 
+/// The margin of an area is as high as the highest of the widgets shown in it.
+void LowerEdge::reserve(QWidget* area, int height) {
+    QWidget* before = std::exchange(reservedIn_, area);
+    reserved_ = height;
+    const QList<LowerEdge*> all = page_.findChildren<LowerEdge*>();
+    for (QWidget* changed : {before, area}) {
+        if (changed == nullptr) {
+            continue;
+        }
+        int margin = 0;
+        for (const LowerEdge* edge : all) {
+            margin = edge->reservedIn_ == changed ? std::max(margin, edge->reserved_) : margin;
+        }
+        if (changed->contentsMargins().bottom() != margin) {
+            changed->setContentsMargins(0, 0, 0, margin);
+        }
+    }
+}
+
 void LowerEdge::place() {
-    if (placing_ || !shown_.isVisibleTo(&page_)) {
+    if (placing_) {
         return;
     }
     const QScopedValueRollback<bool> once(placing_, true);
+    if (!shown_.isVisibleTo(&page_)) {
+        reserve(nullptr, 0);
+        return;
+    }
     const auto area = std::find_if(areas_.cbegin(), areas_.cend(),
                                    [this](const QWidget* a) { return a->isVisibleTo(&page_); });
     const QRect room =
@@ -46,6 +71,10 @@ void LowerEdge::place() {
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
+    // A low area keeps a row; below that it is covered.
+    const int left = room.height() - kKept;
+    reserve(area == areas_.cend() ? nullptr : *area,
+            std::clamp(height + 2 * kEdgeMargin, 0, std::max(0, left)));
 }
 
 bool LowerEdge::eventFilter(QObject* watched, QEvent* event) {

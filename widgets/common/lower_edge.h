@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keeps a widget at the lower edge of another, over it and not beside it: what comes and goes while a hand is on
-// its way to a row pushes no row away.
+// Keeps a widget at the lower edge of another, which ends above it as long as it is shown: no row moves, and none is
+// covered.
 
 #include <QList>
 #include <QObject>
@@ -24,10 +24,13 @@ protected:
 
 private:
     void place();
+    void reserve(QWidget* area, int height);
 
     QWidget& shown_;
     QWidget& page_;
     QList<QWidget*> areas_;
+    QWidget* reservedIn_ = nullptr;  ///< of the areas; it ends above the widget
+    int reserved_ = 0;               ///< [px]
     bool placing_ = false;
 };
 

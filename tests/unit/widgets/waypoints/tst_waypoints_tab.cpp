@@ -218,9 +218,11 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 4);
     }
 
-    // What comes while a hand is on its way to a row pushes no row away.
-    void aNoticeMovesNoRow() {
+    // A notice takes its height from the lower end of the table: no row moves, and none is covered.
+    void aNoticeMovesAndCoversNoRow() {
         teachThree();
+        tab_->resize(tab_->width(), 700);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         tab_->selectRow(0);
         const QModelIndex second = table()->model()->index(1, WaypointModel::Name);
         const QRect list(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size());
@@ -228,7 +230,10 @@ private Q_SLOTS:
         click("waypoint.touchUp");
         QVERIFY(notice()->isVisible());
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-        QCOMPARE(QRect(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size()), list);
+        const QRect below(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size());
+        QCOMPARE(below.topLeft(), list.topLeft());
+        QCOMPARE(below.width(), list.width());
+        QVERIFY2(!below.intersects(notice()->geometry()), "it covers the table");
         QCOMPARE(table()->visualRect(second), row);
         QVERIFY2(tab_->rect().contains(notice()->geometry()), "whole on the page");
         QVERIFY2(notice()->height() >= notice()->heightForWidth(notice()->width()), "with all its words");
@@ -239,7 +244,9 @@ private Q_SLOTS:
                 qPrintable(key->objectName()));
         }
         click("notice.dismiss");
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         QCOMPARE(table()->visualRect(second), row);
+        QCOMPARE(QRect(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size()), list);
     }
 
     void duplicateDeleteAndOrderByKeys() {
