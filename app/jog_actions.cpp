@@ -7,6 +7,7 @@
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
+#include "widgets/session/texts.h"
 
 namespace tiller::app {
 namespace {
@@ -31,10 +32,12 @@ QString stepName(const StepPreset& step) {
 
 void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
                        const std::function<void()>& showTrainer) {
-    table.add({"jog.keyboard", tr("Arm or disarm the keyboard"),
-               tr("While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after "
-                  "30 s without use."),
-               QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); }});
+    table.add(
+        {"jog.keyboard", tr("Arm or disarm the keyboard"),
+         tr("While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after "
+            "30 s without use."),
+         QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); },
+         [](const SessionState& s) { return s.monitorOnly ? texts::monitorOnlyObstacle() : QString(); }});
     table.add({"jog.devices",
                tr("Gamepad and SpaceMouse…"),
                tr("Shows the live values of each device and the direction in which the arm would move."),

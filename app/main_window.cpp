@@ -87,6 +87,7 @@ namespace {
 constexpr QSize kStart{1600, 900};
 /// Between panels [px].
 constexpr int kGap = 10;
+constexpr int kKeepLayoutMs = 2000;
 
 /// The room around a panel, so that the header and the status line can reach from edge to edge.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
@@ -173,6 +174,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
                        "rotate, 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
+    connect(keyboard_, &KeyboardJog::refused, this,
+            [this](const QString& why) { Q_EMIT session_->message(Severity::Warning, why); });
     connectDevices(clock);
     stops_ = new StopRecorder(*session_, this);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
@@ -188,6 +191,12 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
+    // A process that is killed has no time to keep them.
+    layoutTimer_.setSingleShot(true);
+    layoutTimer_.setInterval(kKeepLayoutMs);
+    connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
+    connect(stage_, &DockStage::rearranged, &layoutTimer_, qOverload<>(&QTimer::start));
+    connect(perspectives_, &Perspectives::currentChanged, &layoutTimer_, qOverload<>(&QTimer::start));
 }
 
 MainWindow::~MainWindow() {
@@ -267,6 +276,12 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     setRoomForTouch(*qApp, height() >= kRoomForTouch);
+    layoutTimer_.start();
+}
+
+void MainWindow::moveEvent(QMoveEvent* event) {
+    QMainWindow::moveEvent(event);
+    layoutTimer_.start();
 }
 
 Panel* MainWindow::buildTabs() {
@@ -759,6 +774,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::keepLayout() {
+    layoutTimer_.stop();
     settings_.setWindowGeometry(saveGeometry());
     if (layoutRestored_) {
         perspectives_->keep(findChild<QDockWidget*>("jogDock")->width());
@@ -1217,6 +1233,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
             tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
+    keyboard_->setLock(session_->isMonitorOnly() ? texts::monitorOnlyObstacle() : QString());
     holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
     // A copy: whoever hears of it may write into the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;

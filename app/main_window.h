@@ -124,6 +124,7 @@ protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void moveEvent(QMoveEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -170,6 +171,7 @@ private:
 
     Settings settings_;
     Preferences preferences_;         ///< as they hold now
+    QTimer layoutTimer_;              ///< the layout is kept when it has not changed for a time
     bool monitorOnlyLocked_ = false;  ///< by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;

@@ -28,6 +28,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
+#include "widgets/jog/joint_rows.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -263,6 +264,22 @@ private Q_SLOTS:
                      qPrintable(action->text()));
         }
         menu.close();
+    }
+
+    // Names and values of the joints share a row.
+    void jointNamesDoNotOverlapTheValues() {
+        applyDensity(*qApp, Density::Mouse);
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.resize(1920, 1040);
+        bench.cell.advanceMs(100);
+        auto& rows = bench.find<JointRows>("jointRows");
+        rows.setJoints(JointPositions(-6.28, -6.28, -6.28, -6.28, -6.28, -6.28), false, true, false);
+        QTest::qWait(150);
+        keepPicture(bench.window, QStringLiteral("joint-rows"));
+        for (const JointRow* row : rows.rows()) {
+            QVERIFY2(row->isNameApart(), qPrintable(row->accessibleName()));
+        }
     }
 
     // The key for the next step, whichever it is.

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QTest>
+#include <algorithm>
 
 #include "app/action_table.h"
 #include "robot/collision/collision_check.h"
@@ -142,6 +143,7 @@ private Q_SLOTS:
         addCrate(between, 0.06);
         QTRY_VERIFY2(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)));
         drive();
+        verifyRefused("waypoint.goTo", QStringLiteral("Move refused: "));
         verifyRefused("waypoint.goTo", QStringLiteral("collides with “crate” after"));
         verifyRefused("waypoint.goThrough", QStringLiteral("collides with “crate” after"));
         verifyRefused("waypoint.stepOn", QStringLiteral("collides with “crate” after"));
@@ -250,6 +252,52 @@ private Q_SLOTS:
                  qPrintable(window().findChild<LimiterLine*>()->limiter().what));
         QVERIFY2(isShown(QStringLiteral("jog Z+")), "and the way out");
         keepPicture(window(), QStringLiteral("collision-limiter"));
+    }
+
+    // The arm is at standstill all the time.
+    void theLimiterLineFollowsAnEditOfTheCell() {
+        cell_ = &cell();
+        cell_->advanceMs(300);
+        const auto* line = window().findChild<LimiterLine*>();
+        QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
+        addTable(0.015);
+        cell_->advanceMs(200);
+        QVERIFY2(isShown(QStringLiteral("is 15 mm from “table”")), qPrintable(line->limiter().what));
+        document().changeCell({}, QStringLiteral("no table"));
+        cell_->advanceMs(200);
+        QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
+    }
+    // Never empty in between: the old number, marked, or a sign that it is being calculated.
+    void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
+        cell_ = &cell();
+        addTable(0.08);
+        TravelWatch& travel = window().jogColumn().travel();
+        const auto lookAtAll = [&] {
+            for (int i = 0; i < 12; ++i) {
+                travel.look();
+            }
+        };
+        lookAtAll();
+        auto& down = static_cast<JogKey&>(key("jog.Z-"));
+        QCOMPARE(down.travel(), QStringLiteral("70 mm"));
+        QVERIFY(!down.isTravelOutdated());
+        addTable(0.05);
+        travel.look();
+        const auto& keys = window().findChild<JogPad*>()->keys();
+        QVERIFY(
+            std::any_of(keys.begin(), keys.end(), [](const JogKey* any) { return any->isTravelOutdated(); }));
+        QVERIFY(!down.travel().isEmpty());
+        lookAtAll();
+        QCOMPARE(down.travel(), QStringLiteral("40 mm"));
+        QVERIFY(std::none_of(keys.begin(), keys.end(),
+                             [](const JogKey* any) { return any->isTravelOutdated(); }));
+        travel.reset();  // other units
+        QVERIFY2(!down.travel().isEmpty(), "the distances are still known");
+        cell_->robot.protectiveStop();
+        cell_->advanceMs(200);
+        travel.look();
+        QVERIFY(!window().session().state().canMove());
+        QVERIFY2(down.isTravelOutdated(), "nothing is known after a stop");
     }
 
     void theCellIsEditedInTheWindow() {

@@ -46,6 +46,16 @@ private:
     }
 
 private Q_SLOTS:
+    // A process that is killed does not close its window.
+    void theSizeIsKeptWithoutClosing() {
+        VirtualClock clock;
+        app::MainWindow window(settings(), clock);
+        window.resize(1333, 777);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.resize(1340, 780);
+        QTRY_COMPARE(settings().windowGeometry(), window.saveGeometry());
+    }
     void initTestCase() { initResources(); }
 
     void nothingIsCutOffAtTheSmallestSize_data() {

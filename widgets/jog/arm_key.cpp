@@ -28,14 +28,23 @@ ArmKey::ArmKey(QWidget* parent) : QAbstractButton(parent) {
     setArmed(false);
 }
 
+void ArmKey::setLock(const QString& why) {
+    if (why != lock_) {
+        lock_ = why;
+        setArmed(isArmed());
+        update();
+    }
+}
+
 void ArmKey::setArmed(bool armed) {
     setChecked(armed);
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
-    setToolTip(armed ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + "
-                          "and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.")
-                     : tr("While armed, the arrow keys move the arm as long as they are held. A frame "
-                          "surrounds the window."));
+    setToolTip(!lock_.isEmpty() ? lock_
+               : armed ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + "
+                            "and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.")
+                       : tr("While armed, the arrow keys move the arm as long as they are held. A frame "
+                            "surrounds the window."));
 }
 
 QSize ArmKey::sizeHint() const {
@@ -51,7 +60,7 @@ void ArmKey::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const bool armed = isArmed();
     const QColor fill = armed ? theme.operatorNeeded : isDown() || underMouse() ? theme.hover : theme.raised;
-    const QColor ink = armed ? theme.operatorNeededText : theme.text;
+    const QColor ink = armed ? theme.operatorNeededText : lock_.isEmpty() ? theme.text : theme.disabledText;
     painter.setPen(armed ? theme.operatorNeeded : theme.border);
     painter.setBrush(fill);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius - 1,

@@ -15,6 +15,8 @@ public:
     explicit ArmKey(QWidget* parent = nullptr);
 
     void setArmed(bool armed);
+    /// why  the keyboard cannot be armed, as a sentence; empty when it can
+    void setLock(const QString& why);
     bool isArmed() const { return isChecked(); }
 
     QSize sizeHint() const override;
@@ -29,6 +31,7 @@ protected:
 
 private:
     bool focusByKey_ = false;
+    QString lock_;
 };
 
 }  // namespace tiller

@@ -235,6 +235,7 @@ void JogColumn::applyState(const SessionState& state) {
     state_ = state;
     ghosts_->setState(state);
     travel_->setState(state);
+    armKey_->setLock(state.monitorOnly ? texts::monitorOnlyObstacle() : QString());
     const bool canMove = state.canMove();
     if (!canMove) {
         stopMotion(stopCauseFor(state));
@@ -545,8 +546,9 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
         // Our own refusal is a whole sentence already.
-        const bool own =
-            !state_.canMove() || error.code == ErrorCode::UnsafeState || error.code == ErrorCode::Cancelled;
+        const bool own = !state_.canMove() || error.code == ErrorCode::UnsafeState ||
+                         error.code == ErrorCode::Cancelled ||
+                         (error.code == ErrorCode::NoSolution && error.controllerMessage.isEmpty());
         refusal_ = !state_.canMove() ? cannotMoveReason(state_)
                    : own             ? error.context
                                      : texts::errorText(error);
@@ -718,13 +720,19 @@ void JogColumn::showLimiter() {
     const double unchanged = state_.motionActive ? 0.02 : 0.002;
     const bool sameLimit = state_.limiter.kind == limiterSeen_.kind &&
                            std::abs(state_.limiter.scale - limiterSeen_.scale) < 0.03;
+    const Eigen::Matrix3d axes = frameAxes(selection(), state_.tcpPose);
+    const bool sameFrame = state_.motionActive || axes.isApprox(limiterIn_, 1e-3);
     if (!state_.hasData()) {
         nearest_ = {};
         limiterAt_ = {};
-    } else if (!sameLimit || !near(state_.q, limiterAt_, unchanged)) {
-        nearest_ = nearestLimiter(state_, frameAxes(selection(), state_.tcpPose));
+        limiterWith_.reset();
+    } else if (!sameLimit || !sameFrame || state_.check != limiterWith_ ||
+               !near(state_.q, limiterAt_, unchanged)) {
+        nearest_ = nearestLimiter(state_, axes);
         limiterAt_ = state_.q;
         limiterSeen_ = state_.limiter;
+        limiterWith_ = state_.check;
+        limiterIn_ = axes;
     }
     limiter_->setLimiter(nearest_);
 }
@@ -735,7 +743,7 @@ QString JogColumn::quietText() const {
     }
     const control::StopMeasurement& stop = state_.lastStop;
     if (!state_.lastStopSeen) {
-        return tr("Last stop: not measured, data stopped while the arm was moving");
+        return tr("Last stop: not measured (data lost)");
     }
     if (stop.count == 0) {
         return {};

@@ -196,6 +196,8 @@ private:
     double keyFactor_ = 1;  ///< with which the motion of a key was begun
     LimiterAdvice nearest_;
     JointPositions limiterAt_;
+    std::shared_ptr<const collision::CollisionCheck> limiterWith_;
+    Eigen::Matrix3d limiterIn_ = Eigen::Matrix3d::Zero();
     control::Limiter limiterSeen_;
     JointPositions speedsAt_;   ///< where the arm stood when the keys' speeds were worked out
     bool speedsKnown_ = false;  ///< they are those of the selection, the slider and the place now

@@ -30,10 +30,18 @@ void JogKey::paintEvent(QPaintEvent*) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);
-    if (high && isEnabled() && !travel_.isEmpty()) {
-        painter.setFont(textFont(13, near_ ? QFont::Bold : QFont::Normal));
-        painter.setPen(near_ ? theme.warning : theme.secondary);
-        painter.drawText(QRect(0, bar + 5, width(), height() - bar - 6), Qt::AlignCenter, travel_);
+    const QString travel = outdated_ && travel_.isEmpty() ? QString(QChar(0x2026)) : travel_;
+    if (high && isEnabled() && !travel.isEmpty()) {
+        painter.setFont(textFont(13, near_ && !outdated_ ? QFont::Bold : QFont::Normal));
+        painter.setPen(outdated_ ? theme.disabledText : near_ ? theme.warning : theme.secondary);
+        painter.drawText(QRect(0, bar + 5, width(), height() - bar - 6), Qt::AlignCenter, travel);
+    }
+}
+
+void JogKey::setTravelOutdated(bool outdated) {
+    if (outdated != outdated_) {
+        outdated_ = outdated;
+        update();
     }
 }
 

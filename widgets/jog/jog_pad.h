@@ -23,6 +23,9 @@ public:
     /// What is left to go this way: "312 mm"; near: little is left. Empty: nothing is shown.
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
+    /// The travel is being calculated again: it is shown greyed until then, and as "…" where there is none.
+    void setTravelOutdated(bool outdated);
+    bool isTravelOutdated() const { return outdated_; }
     QSize sizeHint() const override { return {85, 72}; }
     QSize minimumSizeHint() const override { return {56, 56}; }
 
@@ -33,6 +36,7 @@ private:
     CartesianKey key_;
     QString travel_;
     bool near_ = false;
+    bool outdated_ = false;
 };
 
 class JogPad : public QWidget {

@@ -20,6 +20,7 @@ namespace tiller {
 namespace {
 
 constexpr double kWarnAngle = toRadians(15);
+constexpr int kNameSize = 15;   // [px]
 constexpr int kRowMargin = 12;  // as the panel's content
 constexpr int kNumberPeriodMs = 100;
 constexpr int kSpeedWidth = 56;    // [px] of "0.36 °/s" before the bar of a low row
@@ -143,6 +144,36 @@ void JointRow::setSpeed(const QString& speed) {
     update(speedWidth_ > 0 ? speedRect() : textRect());
 }
 
+/// Of the longest name, so that the rows are alike [px].
+int JointRow::nameRoom() const {
+    constexpr int kLeast = 86;
+    constexpr int kApart = 8;
+    const QFontMetrics metrics(textFont(kNameSize));
+    int room = kLeast;
+    for (int joint = 0; joint < kJointCount; ++joint) {
+        room = std::max(room, metrics.horizontalAdvance(jointName(joint)) + kApart);
+    }
+    return room;
+}
+
+QFont JointRow::nameFont() const {
+    constexpr int kSmallest = 11;
+    int size = compact_ ? 13 : kNameSize;
+    if (!compact_) {
+        const int room = textRect().width() - QFontMetrics(textFont(19)).horizontalAdvance(value_);
+        while (size > kSmallest && QFontMetrics(textFont(size)).horizontalAdvance(name_) > room) {
+            --size;
+        }
+    }
+    return textFont(size);
+}
+
+bool JointRow::isNameApart() const {
+    return compact_ || QFontMetrics(nameFont()).horizontalAdvance(name_) +
+                               QFontMetrics(textFont(19)).horizontalAdvance(value_) <=
+                           textRect().width();
+}
+
 QRect JointRow::speedRect() const {
     const int left = minus_->geometry().right() + 1;
     return {left, 0, bar_->x() - left, height() - 1};
@@ -183,7 +214,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     }
     const int wide = finger > 0 ? 44 : 35;
     plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
-    int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - 86 - 92 - wide * 2 - 24));
+    int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - nameRoom() - 92 - wide * 2 - 24));
     // In a low row the speed stands before the bar, where there is room for it.
     speedWidth_ = low_ && bar >= kBarWithSpeed + kSpeedWidth ? kSpeedWidth : 0;
     bar -= speedWidth_;
@@ -208,7 +239,7 @@ void JointRow::paintEvent(QPaintEvent*) {
     // Beside wide keys there is no room for both in one line, and in high rows there is for two.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
-    painter.setFont(textFont(compact_ ? 13 : 15));
+    painter.setFont(nameFont());
     // In a full row the speed of the keys stands below the name.
     const bool named = !compact_ && !low_ && !speed_.isEmpty();
     painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),

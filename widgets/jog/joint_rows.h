@@ -61,6 +61,8 @@ public:
     void setCompact(bool compact);
     /// A line of full width that is less high.
     void setLow(bool low);
+    /// The name ends before the value begins.
+    bool isNameApart() const;
     static int heightWhen(bool compact, bool low);
 
     QSize sizeHint() const override;
@@ -73,6 +75,8 @@ protected:
 
 private:
     QString shortName() const;
+    QFont nameFont() const;
+    int nameRoom() const;
     void describe();
     QRect textRect() const;
     QRect speedRect() const;

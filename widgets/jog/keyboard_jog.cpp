@@ -123,8 +123,19 @@ void KeyboardJog::forget(control::StopCause cause) {
     jog_.setInput({});
 }
 
+void KeyboardJog::setLock(const QString& why) {
+    lock_ = why;
+    if (!lock_.isEmpty()) {
+        setArmed(false);
+    }
+}
+
 void KeyboardJog::setArmed(bool armed) {
     if (armed == armed_) {
+        return;
+    }
+    if (armed && !lock_.isEmpty()) {
+        Q_EMIT refused(lock_);
         return;
     }
     armed_ = armed;

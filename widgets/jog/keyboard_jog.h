@@ -32,7 +32,10 @@ public:
     void setClock(const Clock& clock) { clock_ = &clock; }
     /// While armed, this key presses and releases that key of the column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
+    /// Refused while it is locked.
     void setArmed(bool armed);
+    /// why  it cannot be armed, as a sentence; empty when it can
+    void setLock(const QString& why);
     bool isArmed() const { return armed_; }
     /// Looks whether the half minute is over. A timer does this every second.
     void checkIdle();
@@ -41,6 +44,7 @@ public:
 
 Q_SIGNALS:
     void armedChanged(bool armed);
+    void refused(const QString& why);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -69,6 +73,7 @@ private:
     Qt::KeyboardModifiers modifiers_{};  ///< with which the motion was begun
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;
+    QString lock_;
     QPointer<QFrame> frame_;
 };
 

@@ -156,13 +156,10 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
 namespace {
 
 constexpr int kTextLeft = 28;  // [px] behind the triangle
+constexpr int kQuietLeft = 4;
 constexpr int kTextRight = 6;
 constexpr int kLargest = 13;  // [px] letters
 constexpr int kSmallest = 10;
-
-int room(int width) {
-    return width - kTextLeft - kTextRight;
-}
 
 /// The largest letters with which all of it stands on one line.
 QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
@@ -204,13 +201,13 @@ void LimiterLine::setLimiter(const LimiterAdvice& limiter) {
 }
 
 QList<LimiterLine::Line> LimiterLine::lines() const {
-    const int width = room(this->width());
+    const int width = this->width() - (limiter_.what.isEmpty() ? kQuietLeft : kTextLeft) - kTextRight;
     const auto line = [width](const QString& text, QFont::Weight weight, Qt::TextElideMode otherwise) {
         const QFont font = fittingFont(text, weight, width);
         return Line{font, QFontMetrics(font).elidedText(text, otherwise, width)};
     };
     QList<Line> out;
-    if (limiter_.what.isEmpty()) {
+    if (limiter_.what.isEmpty() && quiet_.isEmpty()) {
         return out;
     }
     if (!limiter_.advice.isEmpty()) {
@@ -218,10 +215,12 @@ QList<LimiterLine::Line> LimiterLine::lines() const {
                 line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
     }
     // A sentence: what there is to do stands at its end.
-    const bool oneLine =
-        QFontMetrics(textFont(kLargest, QFont::Bold)).horizontalAdvance(limiter_.what) <= width;
-    for (const QString& part : oneLine ? QStringList{limiter_.what} : halves(limiter_.what)) {
-        out.append(line(part, QFont::Bold, Qt::ElideMiddle));
+    const bool quiet = limiter_.what.isEmpty();
+    const QString& sentence = quiet ? quiet_ : limiter_.what;
+    const QFont::Weight weight = quiet ? QFont::Normal : QFont::Bold;
+    const bool oneLine = QFontMetrics(textFont(kLargest, weight)).horizontalAdvance(sentence) <= width;
+    for (const QString& part : oneLine ? QStringList{sentence} : halves(sentence)) {
+        out.append(line(part, weight, Qt::ElideMiddle));
     }
     return out;
 }
@@ -245,24 +244,21 @@ void LimiterLine::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (limiter_.what.isEmpty()) {
-        painter.setFont(textFont(13));
-        painter.setPen(theme.secondary);
-        const QString shown = painter.fontMetrics().elidedText(quiet_, Qt::ElideRight, width() - 8);
-        painter.drawText(rect().adjusted(4, 0, -4, 0), Qt::AlignLeft | Qt::AlignVCenter, shown);
-        return;
+    const bool quiet = limiter_.what.isEmpty();
+    const int left = quiet ? kQuietLeft : kTextLeft;
+    if (!quiet) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.warningBackground);
+        painter.drawRoundedRect(QRectF(rect()), kCornerRadius - 1, kCornerRadius - 1);
+        drawShape(painter, StateChip::Shape::WarningTriangle, QRectF(9, height() / 2.0 - 7, 14, 14),
+                  theme.warning, theme.warningBackground);
     }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.warningBackground);
-    painter.drawRoundedRect(QRectF(rect()), kCornerRadius - 1, kCornerRadius - 1);
-    drawShape(painter, StateChip::Shape::WarningTriangle, QRectF(9, height() / 2.0 - 7, 14, 14),
-              theme.warning, theme.warningBackground);
-    painter.setPen(theme.warning);
+    painter.setPen(quiet ? theme.secondary : theme.warning);
     const QList<Line> shown = lines();
     const int pitch = (height() - 2) / std::max<int>(1, static_cast<int>(shown.size()));
     for (int i = 0; i < shown.size(); ++i) {
         painter.setFont(shown[i].font);
-        painter.drawText(QRect(kTextLeft, 1 + i * pitch, room(width()), pitch),
+        painter.drawText(QRect(left, 1 + i * pitch, width() - left - kTextRight, pitch),
                          Qt::AlignLeft | Qt::AlignVCenter, shown[i].text);
     }
 }

@@ -56,27 +56,50 @@ std::optional<qsizetype> TravelWatch::heldKey() const {
 }
 
 void TravelWatch::reset() {
-    for (JogKey* key : pad_.keys()) {
-        key->setTravel({}, false);
+    for (qsizetype i = 0; i < pad_.keys().size(); ++i) {
+        write(i);
     }
-    travel_ = {};
-    lookedIn_.setZero();
+}
+
+/// All are looked at again; until then the keys keep what they show, marked.
+void TravelWatch::setOutdated() {
+    for (JogKey* key : pad_.keys()) {
+        key->setTravelOutdated(true);
+    }
+    left_ = static_cast<int>(pad_.keys().size());
+}
+
+void TravelWatch::write(qsizetype index) {
+    JogKey* key = pad_.keys()[index];
+    const bool turns = key->key().axis >= 3;
+    const control::JogReach& travel = travel_.at(static_cast<std::size_t>(index));
+    const bool little = !isOpen(travel) && travel.distance < (turns ? toRadians(10) : 0.03);
+    key->setTravel(textOf(travel, turns), little);
 }
 
 void TravelWatch::look() {
     const QVector<JogKey*>& keys = pad_.keys();
-    if (!state_.hasData() || !state_.canMove()) {
+    if (!state_.hasData()) {
+        travel_ = {};
         reset();
-        left_ = 0;
+    }
+    if (!state_.canMove()) {
+        setOutdated();  // what is seen next may be another arm in another place
         return;
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
-    if ((state_.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePlace ||
-        !axes.isApprox(lookedIn_, 1e-6) || state_.check != lookedWith_) {
+    // The tool turns while it moves, in steps of this size; another frame is a larger one.
+    const bool otherFrame = !state_.motionActive && !axes.isApprox(lookedIn_, 2e-2);
+    if (otherFrame || state_.check != lookedWith_) {
+        setOutdated();
+    } else if ((state_.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePlace ||
+               !axes.isApprox(lookedIn_, 1e-6)) {
+        left_ = static_cast<int>(keys.size());
+    }
+    if (left_ == static_cast<int>(keys.size())) {
         lookedFrom_ = state_.q;
         lookedWith_ = state_.check;
         lookedIn_ = axes;
-        left_ = static_cast<int>(keys.size());
     }
     if (left_ == 0) {
         return;
@@ -93,8 +116,8 @@ void TravelWatch::look() {
     direction.segment<3>(turns ? 3 : 0) = axes.col(key->key().axis % 3) * key->key().direction;
     const control::JogReach travel = travelLeft(state_, direction);
     travel_.at(static_cast<std::size_t>(index)) = travel;
-    const bool little = !isOpen(travel) && travel.distance < (turns ? toRadians(10) : 0.03);
-    key->setTravel(textOf(travel, turns), little);
+    write(index);
+    key->setTravelOutdated(false);
 }
 
 QString TravelWatch::heldText() const {

@@ -30,13 +30,15 @@ public:
     /// Looks in the next direction; while a key is held, every other time in its direction. Called by itself every
     /// 40 ms, and less often while the arm moves: the numbers are old then as soon as they are written.
     void look();
-    /// Forgets what it knows and clears the keys; they are written again, in the operator's units.
+    /// Writes what it knows again, in the operator's units.
     void reset();
     /// While a key is held: what is left that way, and what will end it; else empty.
     QString heldText() const;
 
 private:
     void tick();
+    void write(qsizetype index);
+    void setOutdated();
     /// Index of a key that is held; nothing when none is.
     std::optional<qsizetype> heldKey() const;
 

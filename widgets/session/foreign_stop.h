@@ -49,6 +49,8 @@ public:
     /// Asks no more: whoever starts a program now wants it to run.
     void withdraw();
 
+    bool isPending() const { return request_.has_value(); }  ///< Asked for, and not seen yet.
+
     enum class Outcome { None, Stopped, Failed };
     /// Once a frame, with what it brought: measures, asks again where that helps.
     /// Returns  what came of the request, once

@@ -77,7 +77,9 @@ Result<void> MoveGuard::permit(const SessionState& state, std::span<const JointP
 }
 
 Error MoveGuard::refusal(const collision::MoveLimit& limit) const {
-    return {ErrorCode::NoSolution, limitText(limit, check_->surroundings()) + QLatin1Char('.'), {}};
+    return {ErrorCode::NoSolution,
+            RobotSession::tr("Move refused: %1.").arg(limitText(limit, check_->surroundings())),
+            {}};
 }
 
 Result<void> MoveGuard::permit(const SessionState& state, const control::MotionPath& path) const {

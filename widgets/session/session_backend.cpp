@@ -67,7 +67,10 @@ void SessionBackend::read() {
     }
     state.monitorOnly = monitorOnly;
     if (state.isFresh()) {
-        movedBefore = state.moving || state.motionActive;
+        // Of a stop of a program of others nothing is measured, unless it was stopped here.
+        const bool ours =
+            state.control == ControlState::InControl || (link->foreignStop && link->foreignStop->isPending());
+        movedBefore = state.motionActive || (state.moving && ours);
     }
     readLink();
     if (state.link != LinkState::Live && std::exchange(movedBefore, false)) {
