@@ -122,6 +122,37 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
     }
 
+    // Switched on with a click, then pulsed with P, as the tooltip says.
+    void aClickOnARowGivesItTheKeyForPulses() {
+        IoChannel* channel = tab().output(4);
+        QTest::mouseClick(channel, Qt::LeftButton);
+        QVERIFY(until([this] { return output(4); }));
+        QVERIFY(channel->hasFocus());
+        QTest::mouseClick(channel, Qt::LeftButton);
+        QVERIFY(until([this] { return !output(4); }));
+        QTest::keyClick(bench_->window.focusWidget(), Qt::Key_P);
+        QVERIFY(until([this] { return output(4); }));
+        QVERIFY(until([this] { return !output(4); }));
+    }
+    // The pulse was ours; monitor-only leaves nothing of it on.
+    void monitorOnlyEndsARunningPulse() {
+        QStringList warnings;
+        QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
+                         [&warnings](Severity severity, const QString& text) {
+                             if (severity != Severity::Info) {
+                                 warnings << text;
+                             }
+                         });
+        bench_->window.session().outputs().pulseDigitalOutput(4, 30);
+        QVERIFY(until([this] { return output(4); }));
+        QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));
+        bench_->window.session().setMonitorOnly(true);
+        QVERIFY(until([this] { return !output(4); }));
+        cell().advanceMs(3000);
+        QVERIFY(!output(4));
+        QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n')));
+    }
+
     // Without control nothing on the robot could time it.
     void aPulseIsRefusedWithoutControl() {
         bench_->window.session().releaseControl();

@@ -15,6 +15,7 @@
 #include "resources/resources.h"
 #include "tests/ui/foreign_program_bench.h"
 #include "widgets/common/state_chip.h"
+#include "widgets/jog/limiter_line.h"
 #include "widgets/session/texts.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/speed_chip.h"
@@ -129,6 +130,51 @@ private Q_SLOTS:
             QCOMPARE(error.code, ErrorCode::NotInControl);
             QVERIFY2(error.context.contains(QStringLiteral("Monitor only")), qPrintable(error.context));
         }
+    }
+
+    void theKeyboardCannotBeArmed() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        auto& key = bench.find<QAbstractButton>("jog.armKeyboard");
+        key.click();
+        QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
+        bench.setMonitorOnly(true);
+        QVERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "it ends what was armed");
+        bench.cell.advanceMs(100);
+        QAction* action = bench.window.actions().find("jog.keyboard");
+        QVERIFY(!action->isEnabled());
+        QVERIFY2(action->toolTip().contains("Monitor only"), qPrintable(action->toolTip()));
+        QVERIFY2(key.toolTip().contains("Monitor only"), qPrintable(key.toolTip()));
+        for (const auto& attempt : {std::function<void()>([&] { key.click(); }), std::function<void()>([&] {
+                                        action->setEnabled(true);
+                                        action->trigger();
+                                    })}) {
+            bench.warnings->clear();
+            attempt();
+            QVERIFY(bench.window.findChild<QWidget*>("armedFrame") == nullptr);
+            QVERIFY(!key.isChecked());
+            QCOMPARE(bench.warnings->size(), 1);
+            QVERIFY2(bench.warnings->first().contains("Monitor only"), qPrintable(bench.warnings->first()));
+        }
+        bench.setMonitorOnly(false);
+        key.click();
+        QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
+    }
+    // What moved the arm was not ours, so no stop of ours is missing.
+    void lostDataDuringAForeignProgramIsNoStopOfOurs() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        bench.cell.robot.silence(true);
+        for (int ms = 0; ms < 1500; ms += 16) {
+            bench.clock.advanceNs(16 * kNsPerMs);
+            bench.window.session().refresh();
+            QTest::qWait(1);
+        }
+        QVERIFY(bench.window.session().state().link != LinkState::Live);
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QStringLiteral("–"));
+        QCOMPARE(bench.find<LimiterLine>("limiterLine").quietText(), QString());
+        bench.cell.robot.silence(false);
     }
 
     // Whatever is on the window: every command of the table, every button.

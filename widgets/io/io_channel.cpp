@@ -26,7 +26,7 @@ int rowHeightNow() {
 IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     : QAbstractButton(parent), terminal_(terminal), output_(output) {
     setText(terminal);
-    setFocusPolicy(output ? Qt::TabFocus : Qt::NoFocus);
+    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // P pulses the row that was clicked
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();

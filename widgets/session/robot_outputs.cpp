@@ -159,15 +159,25 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
     if (session_.refusesCommand(terminalText(ioTerminal(true, output))) || !d_.link) {
         return;
     }
+    writeDigitalOutput(output, on);
+}
+
+void RobotOutputs::writeDigitalOutput(int output, bool on) {
     // Set by hand, it is no pulse any more.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
     const std::uint64_t generation = d_.generation;
-    d_.worker.post(&session_, [this, generation, output, on, done,
+    d_.worker.post(&session_, [this, generation, output, on, done, monitors = d_.monitorOnly,
                                outputs = d_.link->outputs](const CancelToken& token) {
-        const Result<void> result =
-            outputs->setDigitalOutput(output, on, Deadline::after(kConfirmTime, token));
+        const Deadline deadline = Deadline::after(kConfirmTime, token);
+        Result<void> result = monitors ? outputs->connect(deadline) : Result<void>();
+        if (result) {
+            result = outputs->setDigitalOutput(output, on, deadline);
+        }
+        if (monitors) {
+            outputs->disconnect();
+        }
         return std::function<void()>([this, generation, done, result] { report(generation, done, result); });
     });
 }
@@ -273,8 +283,18 @@ void RobotOutputs::followPulses() {
                                     tr("The robot did not end the pulse of %1 because its program was "
                                        "stopped or paused. Tiller switches the output off.")
                                         .arg(terminalText(ioTerminal(true, pulse.output))));
-            setDigitalOutput(pulse.output, false);
+            writeDigitalOutput(pulse.output, false);
         }
+    }
+}
+
+void RobotOutputs::endPulses() {
+    const std::vector<RunningPulse> running = std::exchange(pulses_, {});
+    if (!d_.link) {
+        return;
+    }
+    for (const RunningPulse& pulse : running) {
+        writeDigitalOutput(pulse.output, false);
     }
 }
 

@@ -70,6 +70,8 @@ public:
     void reportSlider();
     /// Switches back outputs whose pulse the robot did not end, because its control program was ended or paused.
     void followPulses();
+    /// Switches off what a pulse may have left on, also in monitor-only: the pulse was ours.
+    void endPulses();
     /// The robot is gone: nothing of it is remembered but the names.
     void forget();
 
@@ -87,6 +89,8 @@ private:
         int output = 0;
         std::int64_t dueNs = 0;  ///< from then on the robot has ended it
     };
+    void writeDigitalOutput(int output, bool on);
+
     std::vector<RunningPulse> pulses_;
     std::optional<double> sliderWanted_;  ///< newest wish while one is being carried out
     bool sliderBusy_ = false;

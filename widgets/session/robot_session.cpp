@@ -217,6 +217,7 @@ void RobotSession::setMonitorOnly(bool on) {
         return;
     }
     if (on) {
+        outputs_.endPulses();  // the program that times them ends with control
         stop(control::StopCause::ControlLost);
         releaseControl();
     }
