@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -39,6 +40,15 @@ int rank(const QAction& action, const QStringList& words) {
                                                                : 5;
 }
 
+constexpr int kPaletteWidth = 640;     // [px]
+constexpr int kAroundPaletteRow = 72;  // margins, and a scroll bar
+
+/// Of a reason, as much as fits in a row: "Monitor only", "Not in control". The rest is in the tool tip.
+QString firstClause(const QString& reason) {
+    static const QRegularExpression kEnd(QStringLiteral("[:.](\\s|$)"));
+    return reason.left(reason.indexOf(kEnd));
+}
+
 }  // namespace
 
 CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
@@ -46,7 +56,7 @@ CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
     setObjectName("commandPalette");
     setWindowTitle(tr("Commands"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(640, 420);
+    resize(kPaletteWidth, 420);
     auto* layout = new QVBoxLayout(this);
     words_ = new QLineEdit(this);
     words_->setObjectName("paletteWords");
@@ -87,9 +97,13 @@ void CommandPalette::list(const QString& words) {
         QString tip = ActionTable::helpOf(*action);
         if (!action->isEnabled()) {
             const QString why = ActionTable::obstacleOf(*action);
-            item->setText(text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not available now") : why));
+            const QString whole =
+                text + QStringLiteral(" – ") + (why.isEmpty() ? tr("not available now") : why);
+            const QString brief = whole.left(text.size() + 3) + firstClause(whole.mid(text.size() + 3));
+            item->setText(
+                list_->fontMetrics().elidedText(brief, Qt::ElideRight, kPaletteWidth - kAroundPaletteRow));
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
-            tip.prepend(item->text() + QLatin1Char('\n'));
+            tip.prepend(whole + QLatin1Char('\n'));
         }
         item->setToolTip(tip);
         listed_.append(action);

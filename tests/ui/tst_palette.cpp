@@ -85,6 +85,7 @@ private Q_SLOTS:
         row("rename input", "io.action.rename");
         row("switch output", "io.action.switch");
         row("pulse", "io.action.pulse");
+        row("set tcp", "tcp.action.use");
         row("search log", "log.action.search");
         row("log errors", "log.action.from.2");
         row("copy log", "log.action.copy");

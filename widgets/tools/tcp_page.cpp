@@ -92,6 +92,7 @@ TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* pare
     });
     addKey(QStringLiteral("fromRobot"), tr("From robot"), tr("Store the active TCP of the robot"), 2,
            [this] { addFromRobot(); });
+    addCommand(QStringLiteral("use"), tr("Set TCP on robot"), true, [this] { use(); });
     addCommand(QStringLiteral("teachAgain"), tr("Teach the selected TCP again…"), true, [this] {
         teachingInto_ = current() != nullptr ? current()->id : QUuid();
         teach();
