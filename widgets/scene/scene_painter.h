@@ -26,7 +26,8 @@ public:
 
     /// A grid around the base, wide enough for an arm of this reach.
     /// reach, height  [m]
-    void ground(double reach, double height);
+    /// solid  the floor of a cell: a plane that the arm stays above; else only lines
+    void ground(double reach, double height, bool solid);
     /// How a line in space is drawn.
     struct Stroke {
         QColor color;
