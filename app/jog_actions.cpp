@@ -4,10 +4,10 @@
 #include "app/action_table.h"
 #include "robot/station/jog/freedrive_axes.h"
 #include "robot/station/text/notation.h"
+#include "robot/station/text/texts.h"
 #include "widgets/jog/jog_column.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/keyboard_jog.h"
-#include "widgets/session/texts.h"
 
 namespace tiller::app {
 namespace {

@@ -208,8 +208,8 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
     });
 }
 
-/// The shoulder of an arm that is mounted upright has the same height in every position: no joint moves it towards a
-/// horizontal border or away from it, even if it is closer than the safety distance.
+/// The shoulder of an arm that is mounted upright keeps its height, in every position: no joint can move it towards a
+/// horizontal border, or away from it, even where it is nearer than the safety distance.
 void CollisionCheck::dropWhatNeverNearsABorder() {
     constexpr int kSteps = 4;              // of a whole turn: the height is a sine of each joint
     constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
@@ -243,7 +243,7 @@ void CollisionCheck::dropWhatNeverNearsABorder() {
     });
 }
 
-/// Maximum distance of any point of the body from each joint axis between `fromLink` and the body.
+/// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();
     double chain = std::max(body.shape.from.norm(), body.shape.to.norm()) + body.shape.radius;

@@ -280,7 +280,7 @@ private Q_SLOTS:
         cell().advanceMs(160);
         QVERIFY(!key("jog.Z+").isConfirmed());
         QVERIFY(!view().jog().has_value());
-        QCOMPARE(lane(), QStringLiteral("Idle"));
+        QCOMPARE(lane(), QStringLiteral("At standstill"));
         QVERIFY2(figure(pose().deltaText(2)) > first + 10, "and stays when the key is let go");
     }
 

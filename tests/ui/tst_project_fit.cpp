@@ -15,6 +15,7 @@
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/project_files.h"
 #include "widgets/project/undoable_document.h"
+#include "widgets/scene/scene_view.h"
 #include "widgets/waypoints/waypoint_model.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -194,6 +195,19 @@ private Q_SLOTS:
         QVERIFY(until([this] { return question() != nullptr; }));
         answer("projectFit.cancel");
         QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));
+    }
+
+    void theNoticeEndsWithTheConnection() {
+        bringUp();
+        open(taughtWith(RobotModelId::UR10e));
+        answer("projectFit.cancel");
+        auto* notice = window().waypoints().findChild<NoticeBar*>();
+        QVERIFY(notice->isVisible());
+        // Why the ghost is none: not for want of reach.
+        const QString ghost = window().findChild<SceneView*>()->ghostText();
+        QVERIFY2(ghost.contains("another robot model"), qPrintable(ghost));
+        window().session().disconnectFromRobot();
+        QVERIFY(until([&] { return !notice->isVisible(); }));
     }
 
     void keptPosesAreWhereTheyWere() {

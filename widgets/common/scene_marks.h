@@ -20,6 +20,7 @@ struct Ghost {
     bool reachable = true;
     double speed = 1.05;        ///< [rad/s], or [m/s] when linear, at 100 %
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
+    bool otherModel = false;    ///< why it is not reachable: it was taught with another robot model
 };
 
 /// The arm as it stood in a moment that is replayed: never where it is now.

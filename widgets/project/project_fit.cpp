@@ -103,6 +103,10 @@ QString ProjectFit::tcpText(const project::Tool& tool) const {
 }
 
 QString ProjectFit::obstacle() const {
+    const SessionState& state = session_.state();
+    if (state.hasData() && !state.modelKnown && document_.project().robot) {
+        return tr("The model of the robot is not known yet. Wait until the robot has reported it.");
+    }
     if (isOfOtherModel()) {
         return modelText();
     }
@@ -111,6 +115,9 @@ QString ProjectFit::obstacle() const {
 }
 
 void ProjectFit::follow(const SessionState& state) {
+    if (state.link == LinkState::Disconnected) {
+        resolve();  // it was about the robot that was connected
+    }
     if (!state.hasData() || !state.modelKnown) {
         return;
     }
@@ -128,6 +135,9 @@ void ProjectFit::ask() {
     if (question_ != nullptr) {
         question_->raise();
         return;
+    }
+    if (session_.state().hasData() && !session_.state().modelKnown) {
+        return;  // follow() asks as soon as it is known
     }
     if (isOfOtherModel()) {
         askAboutModel();

@@ -25,9 +25,22 @@ ScenePainter::ScenePainter(QPainter& painter, const Camera& camera, const Theme&
     painter_.setRenderHint(QPainter::Antialiasing);
 }
 
-void ScenePainter::ground(double reach, double height) {
+void ScenePainter::ground(double reach, double height, bool solid) {
     const int cells = 3;
     const double cell = reach * 0.24;
+    if (solid) {
+        const double edge = cells * cell;
+        QPolygonF plane;
+        for (const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+            if (const auto at = camera_.project({x * edge, y * edge, height}); at.visible()) {
+                plane << at.point;
+            }
+        }
+        painter_.setPen(Qt::NoPen);
+        painter_.setBrush(mix(theme_.panel, theme_.border, 0.3));
+        painter_.drawPolygon(plane);
+        painter_.setBrush(Qt::NoBrush);
+    }
     QPen pen(mix(theme_.panel, theme_.border, 0.62), 1);
     painter_.setPen(pen);
     for (int i = -cells; i <= cells; ++i) {

@@ -26,8 +26,9 @@ public:
 
     /// A grid around the base for an arm with this reach.
     /// reach, height  [m]
-    void ground(double reach, double height);
-    /// Appearance of a line in space.
+    /// solid  the floor of a cell: a plane that the arm stays above; else only lines
+    void ground(double reach, double height, bool solid);
+    /// How a line in space is drawn.
     struct Stroke {
         QColor color;
         double width = 1;

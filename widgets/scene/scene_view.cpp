@@ -216,13 +216,13 @@ void SceneView::rebuildCheck() {
     check_.reset();
 }
 
-double SceneView::floorHeight() const {
+std::optional<double> SceneView::floorHeight() const {
     for (const collision::Border& border : cell_.around.borders) {
         if (border.name.isEmpty()) {
             return border.pose.position.z();
         }
     }
-    return 0;
+    return std::nullopt;
 }
 
 void SceneView::setPaths(const std::vector<PathMark>& paths) {
@@ -300,7 +300,8 @@ QString SceneView::ghostFigures() const {
         return {};
     }
     if (!ghost_->reachable) {
-        return tr("ghost “%1” · out of reach").arg(ghost_->name);
+        return ghost_->otherModel ? tr("ghost “%1” · taught with another robot model").arg(ghost_->name)
+                                  : tr("ghost “%1” · out of reach").arg(ghost_->name);
     }
     if (!report_) {
         return tr("ghost “%1” · reachable").arg(ghost_->name);
@@ -495,7 +496,8 @@ void SceneView::drawGround(QPainter& painter, const QSize& size) {
         ground_.setDevicePixelRatio(scale);
         ground_.fill(theme.panel);
         QPainter onGround(&ground_);
-        ScenePainter(onGround, camera_, theme).ground(model_.reach, floorHeight());
+        ScenePainter(onGround, camera_, theme)
+            .ground(model_.reach, floorHeight().value_or(0), floorHeight().has_value());
     }
     painter.drawImage(QPointF(0, 0), ground_);
 }

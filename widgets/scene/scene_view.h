@@ -135,7 +135,8 @@ private:
     QString ghostFigures() const;
     void rebuildCheck();
     QRectF drawJog(ScenePainter& scene);
-    double floorHeight() const;
+    /// Of the cell [m]; nothing where it has none.
+    std::optional<double> floorHeight() const;
     void orbitBy(const QPointF& pixels);
     void panBy(const QPointF& pixels);
     void zoomBy(double factor);

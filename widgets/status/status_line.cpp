@@ -20,7 +20,13 @@ namespace tiller {
 
 namespace {
 
-/// Including a button in touch size and its frame.
+// What a robot may lack; a warning about it is out of date once it has it again.
+constexpr unsigned kNoLink = 1;
+constexpr unsigned kUnsafe = 2;
+constexpr unsigned kNotRunning = 4;
+constexpr unsigned kNoControl = 8;
+
+/// With a key for a finger and its frame.
 int heightNow() {
     constexpr int kFrame = 6;
     return std::max(StatusLine::kHeight, touchHeight() > 0 ? touchHeight() + kFrame : 0);
@@ -88,11 +94,10 @@ StatusLine::StatusLine(QWidget* parent)
     layout->addWidget(details_);
     layout->addSpacing(24);
     layout->addWidget(file_);
-    layout->addStretch(1);
     layout->addSpacing(24);
     layout->addWidget(messageSign_);
     layout->addSpacing(4);
-    layout->addWidget(message_, 2);
+    layout->addWidget(message_, 1);
     applyState(SessionState());
     paintWords();
 }
@@ -122,6 +127,7 @@ void StatusLine::setProjectText(const QString& text) {
 }
 
 void StatusLine::applyState(const SessionState& state) {
+    followTrouble(state);
     const bool turned = state.recording.active != state_.active || state.recording.error != state_.error;
     state_ = state.recording;
     if (state_.active) {
@@ -142,8 +148,23 @@ void StatusLine::applyState(const SessionState& state) {
     }
 }
 
+/// A warning stays until what was missing since it came is there again. The log keeps it.
+void StatusLine::followTrouble(const SessionState& state) {
+    const unsigned missing = (state.link == LinkState::Live ? 0U : kNoLink) |
+                             (allowsMotion(state.safetyMode) ? 0U : kUnsafe) |
+                             (state.robotMode == RobotMode::Running ? 0U : kNotRunning) |
+                             (state.control == ControlState::InControl ? 0U : kNoControl);
+    const bool returned = (missingSince_ & ~missing) != 0;
+    missingSince_ |= missing;
+    missing_ = missing;
+    if (returned && (missing & ~kNoControl) == 0 && severity_ != Severity::Info) {
+        showMessage(Severity::Info, {});
+    }
+}
+
 void StatusLine::showMessage(Severity severity, const QString& text) {
     severity_ = severity;
+    missingSince_ = missing_;
     const QString time = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
     message_->setFullText(text.isEmpty() ? QString() : time + QLatin1Char(' ') + text);
     paintWords();

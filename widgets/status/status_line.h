@@ -41,6 +41,7 @@ protected:
 private:
     class Sign;
     void paintWords();
+    void followTrouble(const SessionState& state);
 
     Sign* sign_;
     QLabel* recording_;
@@ -50,6 +51,8 @@ private:
     ElidedLabel* message_;
     RecordingState state_;
     Severity severity_ = Severity::Info;
+    unsigned missing_ = 0;       ///< what the robot lacks now
+    unsigned missingSince_ = 0;  ///< what it has lacked since the message came
 };
 
 }  // namespace tiller

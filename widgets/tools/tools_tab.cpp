@@ -3,15 +3,39 @@
 
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "robot/station/document/project_document.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/common/steady_scroll_area.h"
 #include "widgets/tools/cell_page.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
 #include "widgets/tools/tcp_page.h"
 
 namespace tiller {
+
+namespace {
+
+/// A page that scrolls where the tab is too low for it, and is never narrower than its keys.
+class PageArea : public SteadyScrollArea {
+public:
+    explicit PageArea(QWidget* page) {
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidget(page);
+        page->setAutoFillBackground(false);
+        viewport()->setAutoFillBackground(false);
+    }
+    QSize minimumSizeHint() const override {
+        constexpr int kLowest = 160;  // [px]
+        const QSize page = widget()->minimumSizeHint();
+        return {page.width(), std::min(page.height(), kLowest)};
+    }
+};
+
+}  // namespace
 
 ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
     : ToolsTab(session, document, motionPort(session), parent) {}
@@ -28,10 +52,10 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
     setObjectName(QStringLiteral("tools"));
     setAccessibleName(tr("Tools"));
     choice_->setNames(QStringLiteral("tools.page"), tr("TCP, payload, positions or cell"));
-    pages_->addWidget(tcps_);
-    pages_->addWidget(payloads_);
-    pages_->addWidget(positions_);
-    pages_->addWidget(cell_);
+    for (QWidget* page : {static_cast<QWidget*>(tcps_), static_cast<QWidget*>(payloads_),
+                          static_cast<QWidget*>(positions_), static_cast<QWidget*>(cell_)}) {
+        pages_->addWidget(new PageArea(page));
+    }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 12, 0, 0);
     layout->setSpacing(0);

@@ -337,8 +337,13 @@ std::optional<Ghost> WaypointsTab::ghost() const {
     const project::Reach& reach = document_.reach(row);
     const Result<MoveRequest> move =
         reach.ok() && state_.hasData() ? moveTo(row) : Error{ErrorCode::NoSolution, {}, {}};
-    return Ghost{point.name, reach.ok() ? reach.q : point.joints, point.move == project::MoveKind::Linear,
-                 reach.ok(), move ? move->speed : point.speed(),  point.acceleration()};
+    return Ghost{point.name,
+                 reach.ok() ? reach.q : point.joints,
+                 point.move == project::MoveKind::Linear,
+                 reach.ok(),
+                 move ? move->speed : point.speed(),
+                 point.acceleration(),
+                 reach.obstacle == project::Reach::Obstacle::OtherModel};
 }
 
 std::vector<WaypointMark> WaypointsTab::marks() const {

@@ -345,13 +345,31 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
         if (std::exchange(announced_, std::nullopt)) {
             Q_EMIT foreignChangeGone();
         }
-    } else if (announced_ != check.fingerprint) {
+    } else if (check.owner && !modified_ && showOwnersSave()) {
+        return;
+    } else if (announced_ != check.fingerprint && !(check.owner && announced_)) {
         announced_ = check.fingerprint;
         Q_EMIT changedByOther();
     }
     if (obstacle_ == Obstacle::None && before != obstacle_ && modified_) {
         autosave_.start(kAutosaveMs);
     }
+}
+
+/// A window that only views the project shows each save of its owner, without asking.
+bool ProjectStore::showOwnersSave() {
+    const Result<project::Project> loaded = access_->load(revision_);
+    if (!loaded) {
+        return false;
+    }
+    loading_ = true;
+    document_.setProject(*loaded);
+    loading_ = false;
+    ++revision_;
+    if (std::exchange(announced_, std::nullopt)) {
+        Q_EMIT foreignChangeGone();
+    }
+    return true;
 }
 
 Result<void> ProjectStore::reload() {

@@ -125,6 +125,7 @@ private:
     bool isOpen(const QString& path) const;
     void watch();
     Error obstacleError() const;
+    bool showOwnersSave();
 
     ProjectDocument& document_;
     QString path_;

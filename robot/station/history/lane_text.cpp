@@ -82,7 +82,7 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
                 jogLabel.isEmpty() ? StateLaneText::tr("Jog") : StateLaneText::tr("Jog %1").arg(jogLabel)};
     }
     return state.moving ? LaneEntry{LaneKind::Moving, StateLaneText::tr("Moving")}
-                        : LaneEntry{LaneKind::Idle, StateLaneText::tr("Idle")};
+                        : LaneEntry{LaneKind::Idle, StateLaneText::tr("At standstill")};
 }
 
 }  // namespace tiller

@@ -511,7 +511,7 @@ private Q_SLOTS:
         b.runTo(60.1);
         const auto& seen = b.view().laneItem().segments();
         QCOMPARE(seen.size(), std::size_t{3});
-        QCOMPARE(seen[0].label, QString("Idle"));
+        QCOMPARE(seen[0].label, QString("At standstill"));
         QCOMPARE(seen[1].label, QString("Jog X+"));
         QVERIFY(seen[1].kind == LaneKind::Moving);
         QVERIFY(near(seen[1].start, 40, 1e-6));

@@ -310,7 +310,7 @@ private Q_SLOTS:
     }
     void laneSaysWhatTheRobotDoes() {
         SessionState state = running();
-        QCOMPARE(laneEntry(state, {}).label, QString("Idle"));
+        QCOMPARE(laneEntry(state, {}).label, QString("At standstill"));
         state.moving = true;
         QCOMPARE(laneEntry(state, "X+").label, QString("Moving"));
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Moving);

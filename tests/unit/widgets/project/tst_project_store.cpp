@@ -222,12 +222,42 @@ private Q_SLOTS:
         QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(!other.isModified());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
-        // The first window is notified of the loss and of the new content, and does not overwrite it.
+        // The first window reports it once, only views from then on, and overwrites nothing.
         QTRY_COMPARE(lost.count(), 1);
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE(document_->waypoints().size(), 2);
+        QCOMPARE(changed.count(), 0);
         document_->insertWaypoints(1, {named("lost?")}, "Teach");
         QVERIFY(!store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->waypoints.at(1).name, QString("second"));
+    }
+
+    void aWindowThatOnlyViewsFollowsTheOwner() {
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("first")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        ProjectDocument otherDocument;
+        ProjectStore other(otherDocument);
+        QSignalSpy elsewhere(&other, &ProjectStore::openElsewhere);
+        QSignalSpy changed(&other, &ProjectStore::changedByOther);
+        QVERIFY(other.open(path_).ok());
+        for (int saves = 2; saves < 5; ++saves) {
+            document_->insertWaypoints(0, {named("another")}, "Teach");
+            QVERIFY(store_->saveNow().ok());
+            QTRY_COMPARE(otherDocument.waypoints().size(), saves);
+            QVERIFY(!other.isModified());
+            QVERIFY(other.obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+        }
+        QCOMPARE(changed.count(), 0);
+        QCOMPARE(elsewhere.count(), 1);
+        // With changes of its own it is asked, once.
+        otherDocument.insertWaypoints(0, {named("mine")}, "Teach");
+        for (int saves = 0; saves < 2; ++saves) {
+            document_->insertWaypoints(0, {named("another")}, "Teach");
+            QVERIFY(store_->saveNow().ok());
+            QTest::qWait(600);
+        }
+        QTRY_COMPARE(changed.count(), 1);
+        QVERIFY(other.isModified());
     }
 
     void whenTheOtherWindowClosesSavingWorks() {

@@ -71,6 +71,46 @@ private Q_SLOTS:
         QVERIFY2(shown.endsWith("Restart the robot."), qPrintable(shown));
     }
 
+    // The log keeps it; here it would be read as if it still held.
+    void aWarningEndsWithItsTrouble() {
+        StatusLine line;
+        line.show();
+        SessionState state;
+        state.link = LinkState::Live;
+        state.sequence = 1;
+        state.robotMode = RobotMode::Running;
+        state.safetyMode = SafetyMode::Normal;
+        state.control = ControlState::InControl;
+        line.applyState(state);
+        line.showMessage(Severity::Warning, QStringLiteral("Protective stop"));
+        line.applyState(state);
+        QVERIFY2(line.messageText().contains("Protective stop"), "the robot's word comes a moment later");
+        state.safetyMode = SafetyMode::ProtectiveStop;
+        line.applyState(state);
+        line.showMessage(Severity::Error, QStringLiteral("Control lost"));
+        state.control = ControlState::None;
+        line.applyState(state);
+        QVERIFY(line.messageText().contains("Control lost"));
+        state.safetyMode = SafetyMode::Normal;
+        line.applyState(state);
+        QCOMPARE(line.messageText(), QString());
+        line.showMessage(Severity::Warning, QStringLiteral("Take control refused"));
+        line.applyState(state);
+        QVERIFY(line.messageText().contains("refused"));
+        state.control = ControlState::InControl;
+        line.applyState(state);
+        QCOMPARE(line.messageText(), QString());
+    }
+    void aMessageIsWholeWhereThereIsRoom() {
+        StatusLine line;
+        line.resize(1200, StatusLine::kHeight);
+        line.show();
+        line.showMessage(Severity::Warning, QStringLiteral("Words and words and words ").repeated(4));
+        QCoreApplication::processEvents();
+        const auto* label = line.findChild<ElidedLabel*>("lastMessage");
+        QCOMPARE(label->text(), label->fullText());
+    }
+
     void coloursFollowTheTheme() {
         StatusLine line;
         line.show();
