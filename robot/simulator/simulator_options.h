@@ -42,7 +42,8 @@ struct SimulatorOptions {
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
     double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
-    double calibration = 0;  ///< deviation of the arm from its model, up to this many mm and mrad, as reported
+    double calibration =
+        0;  ///< deviation of the arm from its model, up to this many mm and mrad, as reported
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
     Text programsFolder = {};     ///< where `load` finds programs; empty: there are none
     Text serialNumber = {};       ///< empty: one of its own for each model
