@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Fehlschlagen</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortfahren</translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation>„%1“ ist nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation>„%1“ hat einen ungültigen Wert.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation>„%1“ ist %2; erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation>Kein Wegpunkt gehört zur Gruppe „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation>„%1“ verweist auf etwas, das nicht mehr im Projekt ist.</translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation>„%1“ muss direkt nach „%2“ stehen.</translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation>„%1“ muss innerhalb von „%2“ stehen.</translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation>Ein parallel laufender Schritt kann den Arm nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation>„%1“ kann keine Schritte enthalten.</translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation>Diese Version von Tiller hat keinen Schritt „%1“.</translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen und nicht zwischen zusammengehörigen Teilen.</translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation>Das Projekt enthält kein solches Programm.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, der Roboter ist ein %2.</translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation>Ein Programm mit Parametern kann nur von einem anderen Programm aufgerufen werden.</translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation>Das Programm hat keine Schritte.</translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation>Ein Programm kann sich nicht selbst aufrufen.</translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation>Die Aufrufe sind zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Wählen Sie ein aktives Werkzeug oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation>Die Überschleifradien dieser und der vorherigen Bewegung, %1 und %2, sind länger als der Abstand von %3.</translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation>Der Ausdruck ist leer.</translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation>Ein Ausdruck ist eine einzige Zeile.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation>Unerwartetes Zeichen „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation>„%1“ kann nicht Teil eines Ausdrucks sein.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation>Die Klammern passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation>„%1“ ist kein Variablenname: Verwenden Sie Buchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation>Der Name „%1“ ist reserviert.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation>Der Arm kommt sich selbst zu nahe.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation>Der Arm kommt „%1“ zu nahe.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation>Der Arm kommt dem Boden zu nahe.</translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation>Der Schritt ist fehlgeschlagen und hat das Programm beendet.</translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation>Das Programm ist nach %1 s nicht beendet.</translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation>Die Vorschau wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation>Werkzeug und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variablen</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation>Variable setzen</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>Ganze Zahl</translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation>Wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation>Programm aufrufen</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte und hat %3.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation>„Standard“ muss der letzte Teil einer Auswahl sein.</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation>Sonst wenn</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>Sonst</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>Programm beenden</translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation>Das Programm ist fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation>Für jeden Palettenplatz</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation>Für jeden Wegpunkt</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation>Kraft-Abschnitt</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation>Koordinatensystem des Abschnitts</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation>Koordinatensystem-Abschnitt</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Ausgang zum Schließen</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Ausgang zum Öffnen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation>Eingang prüfen</translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation>Wenn der Eingang aus ist</translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation>Öffnen und Schließen benötigen verschiedene Ausgänge.</translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation>Der Greifer hält kein Teil.</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Wenn</translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation>Schleife verlassen</translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation>Um diesen Schritt gibt es keine Schleife.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation>Anzahl (0: endlos)</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation>Diese Schleife endet eventuell nie, und nichts darin benötigt Zeit. Fügen Sie „Warten“ hinzu.</translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation>Eine Schleife kann 1 bis %1 Plätze haben; diese hat %2.</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation>Auf Bediener warten</translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation>MoveC</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überschleifen</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation>Fest am Bogen</translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation>Gruppe durchfahren</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation>Aktionen der Wegpunkte</translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation>MoveJ</translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation>MoveL</translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation>MoveP</translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation>Relative Bewegung</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation>Die Strecke ist null.</translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation>Der Wegpunkt „%1“ bewegt den Greifer. Verwenden Sie im Programm den Schritt „Greifer“ und schalten Sie die Aktionen des Wegpunkts aus.</translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation>Wegpunkt</translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation>Abstand davor</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation>Der Arm kann „%1“ nicht erreichen.</translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation>Setzen Sie einen Wegpunkt oder eine Pose, nicht beides.</translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation>Setzen Sie einen Wegpunkt oder eine Pose.</translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation>Bewegen bis</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>Eingang ist ein</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation>Wenn nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation>Setzen Sie den Eingang.</translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation>Der Eingang wurde nicht eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation>Es gab keinen Kontakt.</translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation>In das Protokoll schreiben</translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation>Bei Fehler</translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation>Nutzlast setzen</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation>Ausgang pulsen</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation>Fragen benötigen Software 5.6 oder neuer.</translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation>URScript</translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation>Namen, die mit „tiller_“ beginnen, sind reserviert.</translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation>Jeder Block des Skripts benötigt ein eigenes „end“.</translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation>Analogausgang setzen</translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation>Ausgang setzen</translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation>Register setzen</translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation>Integer</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Float</translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation>Boolean</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation>Das letzte Register, das ein Programm setzen kann, ist %1.</translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation>Geschwindigkeits-Abschnitt</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation>Eine Auswahl benötigt mindestens einen Fall.</translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation>Direkt in einer Auswahl stehen nur „Fall“ und „Standard“.</translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation>TCP-Abschnitt</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Versuchen</translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation>Nach „Versuchen“ muss direkt „Bei Fehler“ folgen.</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation>Auf Bedingung warten</translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation>Nach dieser Zeit</translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation>Die Bedingung wurde nicht rechtzeitig wahr.</translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation>Auf Eingang warten</translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation>%1 wurde nicht rechtzeitig geschaltet.</translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation>Parallel überwachen</translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation>Eine parallele Überwachung muss auf der obersten Ebene des Programms stehen.</translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation>Solange</translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2273,6 +2985,13 @@
     <message>
         <source>at %1 s of %2</source>
         <translation>bei %1 s von %2</translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
+        <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
     </message>
 </context>
 <context>
@@ -3209,8 +3928,8 @@
         <translation>Bewegt sich</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>Ruht</translation>
+        <source>At standstill</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4675,29 +5394,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Es gibt keine Wegpunkte zum Durchfahren. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation>Dies ist der erste Wegpunkt.</translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Ein Wegpunkt der Route wurde aus dem Projekt gelöscht.</translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation>„%1“: %2</translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message>
         <source>Loop</source>
@@ -5449,10 +6145,6 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Letzter Stopp: nicht gemessen, die Daten endeten während der Bewegung</translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
@@ -5471,6 +6163,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>Check the payload first (until the next connection)</source>
         <translation>Nutzlast zuerst prüfen (bis zur nächsten Verbindung)</translation>
+    </message>
+    <message>
+        <source>Last stop: not measured (data lost)</source>
+        <translation>Letzter Stopp: nicht gemessen (Daten fehlen)</translation>
     </message>
 </context>
 <context>
@@ -5903,10 +6599,6 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Hinweis</translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation>Annehmen</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>Ausblenden</translation>
     </message>
@@ -5917,6 +6609,14 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7861,6 +8561,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8173,6 +8877,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
             <numerusform>Der Roboter sendet zu viele Meldungen: %n wurden nicht angezeigt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation>Bewegung abgelehnt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8271,6 +8979,29 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation>Es gibt keine Wegpunkte zum Durchfahren. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation>Dies ist der erste Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation>Ein Wegpunkt der Route wurde aus dem Projekt gelöscht.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
     </message>
 </context>
 <context>
@@ -8379,6 +9110,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>REPLAY</source>
         <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8697,6 +9432,10 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <message>
         <source>Set “%1” on the robot</source>
         <translation>„%1“ am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
+        <translation>TCP am Roboter setzen</translation>
     </message>
 </context>
 <context>

@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2272,6 +2984,13 @@
     </message>
     <message>
         <source>at %1 s of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3205,11 +3924,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Idle</source>
+        <source>Freedrive</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Freedrive</source>
+        <source>At standstill</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4672,29 +5391,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message numerus="yes">
         <source>%n waypoints</source>
@@ -5464,7 +6160,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
+        <source>Last stop: not measured (data lost)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5897,10 +6593,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5910,6 +6602,14 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7849,6 +8549,10 @@ Release the key to stop the arm.</source>
         <source>Choose…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8161,6 +8865,10 @@ Release the key to stop the arm.</source>
             <numerusform>The robot sends too many messages: %n were not shown</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8258,6 +8966,29 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8366,6 +9097,10 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>REPLAY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8683,6 +9418,10 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation>volver atrás: no queda movimiento registrado</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation>Como máximo</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Fallar</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation>«%1» no está definido.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation>«%1» tiene un valor no válido.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation>«%1» es %2; puede ser de %3 a %4.</translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation>Ningún punto de paso pertenece al grupo «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation>«%1» hace referencia a algo que ya no está en el proyecto.</translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation>«%1» debe ir justo después de «%2».</translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation>«%1» debe estar dentro de «%2».</translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation>Un paso que se ejecuta en paralelo no puede mover el brazo.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation>«%1» no puede contener pasos.</translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation>Esta versión de Tiller no tiene el paso «%1».</translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation>Un programa solo puede empezar en un paso de su nivel superior, y no entre partes que van juntas.</translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation>El proyecto no tiene ese programa.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation>El proyecto se enseñó con un %1 y el robot es un %2.</translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation>Un programa con parámetros solo puede ser llamado por otro programa.</translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation>El programa no tiene pasos.</translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation>La variable «%1» tiene otro tipo en otra parte del programa.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation>Un programa no puede llamarse a sí mismo.</translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation>Las llamadas están anidadas a demasiada profundidad.</translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation>«%1» se enseñó con otro TCP que los puntos anteriores. Elija una herramienta activa o ponga el paso en una sección TCP.</translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation>Las fusiones de este movimiento y del anterior, %1 y %2, son mayores que los %3 entre ellos.</translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation>La expresión está vacía.</translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation>Una expresión es una sola línea.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation>Carácter inesperado «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation>«%1» no puede formar parte de una expresión.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation>Los paréntesis no coinciden.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation>«%1» no es un nombre de variable: use letras, cifras y _.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation>El nombre «%1» está reservado.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation>El brazo se acerca demasiado a sí mismo.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation>El brazo se acerca demasiado a «%1».</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation>El brazo se acerca demasiado al suelo.</translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation>El paso falló y terminó el programa.</translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation>El programa no ha terminado tras %1 s.</translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation>La vista previa se canceló.</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Movimientos</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entradas y salidas</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Espera</translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation>Herramienta y velocidad</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Flujo</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operador</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation>Asignar variable</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>Número entero</translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation>Verdadero o falso</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation>Llamar programa</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation>El programa «%1» necesita %2 valores separados por comas y tiene %3.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Caso</translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation>Predeterminado debe ser la última parte de una selección.</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Predeterminado</translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation>Si no, si</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condición</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>Si no</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>Terminar el programa</translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation>El programa falló.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation>Para cada posición del palé</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Patrón</translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation>Para cada punto de paso</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation>Sección de fuerza</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>A lo largo de</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation>Sistema de la sección</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Límite de velocidad</translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation>Sección de sistema</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Sistema</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pinza</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Salida que cierra</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Salida que abre</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation>Comprobar entrada</translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation>Si la entrada está desactivada</translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation>Abrir y cerrar necesitan salidas distintas.</translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation>La pinza no sujeta ninguna pieza.</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Si</translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation>Salir del bucle</translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation>Este paso no está dentro de un bucle.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Bucle</translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation>Veces (0: sin fin)</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Contador</translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation>Este bucle puede no terminar nunca y nada en él consume tiempo. Añada una espera.</translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation>Un bucle puede tener de 1 a %1 posiciones; este tiene %2.</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advertencia</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation>Esperar al operador</translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation>MoveC</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Pasando por</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Fusión</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation>Fija al arco</translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation>Recorrer un grupo</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation>Acciones de los puntos de paso</translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation>MoveJ</translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation>MoveL</translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation>MoveP</translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation>Movimiento relativo</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation>La distancia es cero.</translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation>El punto de paso «%1» mueve la pinza. En un programa, use el paso Pinza y desactive las acciones del punto.</translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation>Punto de paso</translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation>Distancia antes de él</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation>El brazo no puede alcanzar «%1».</translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation>Defina un punto de paso o una pose, no ambos.</translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation>Defina un punto de paso o una pose.</translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation>Mover hasta</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>Entrada activada</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation>Si no se alcanza</translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation>Defina la entrada.</translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation>La entrada no se activó.</translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation>No hubo contacto.</translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation>Escribir en el registro</translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation>En caso de error</translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation>Fijar carga útil</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Carga útil</translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation>Pulso en salida</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Activada</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Pregunta</translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation>Las preguntas necesitan el software 5.6 o posterior.</translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation>URScript</translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation>Los nombres que empiezan por «tiller_» están reservados.</translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation>Cada bloque del script necesita su propio «end».</translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation>Fijar salida analógica</translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation>Fijar salida</translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation>Fijar registro</translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation>Entero</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Real</translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation>Booleano</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation>El último registro que puede fijar un programa es %1.</translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation>Sección de velocidad</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation>Una selección necesita al menos un caso.</translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation>Directamente en una selección solo hay Caso y Predeterminado.</translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation>Sección TCP</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Intentar</translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation>«Intentar» necesita «En caso de error» justo después.</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Esperar</translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation>Esperar una condición</translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation>Después de ese tiempo</translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation>La condición no se cumplió a tiempo.</translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation>Esperar una entrada</translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation>%1 no conmutó a tiempo.</translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation>Vigilar en paralelo</translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation>Una vigilancia en paralelo debe estar en el nivel superior del programa.</translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation>Mientras</translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2273,6 +2985,13 @@
     <message>
         <source>at %1 s of %2</source>
         <translation>en %1 s de %2</translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
+        <translation>volver atrás: no queda movimiento registrado</translation>
     </message>
 </context>
 <context>
@@ -3209,8 +3928,8 @@
         <translation>En movimiento</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>En reposo</translation>
+        <source>At standstill</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4675,29 +5394,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>No hay puntos de paso que recorrer. Enseñe o seleccione primero puntos de paso.</translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation>Este es el primer punto de paso.</translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Se eliminó del proyecto un punto de paso de la ruta.</translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation>«%1»: %2</translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message>
         <source>Loop</source>
@@ -5449,10 +6145,6 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Ya se mantiene otra tecla.</translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Última parada: no medida, los datos se interrumpieron durante el movimiento</translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
     </message>
@@ -5471,6 +6163,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>Check the payload first (until the next connection)</source>
         <translation>Comprobar primero la carga útil (hasta la próxima conexión)</translation>
+    </message>
+    <message>
+        <source>Last stop: not measured (data lost)</source>
+        <translation>Última parada: no medida (sin datos)</translation>
     </message>
 </context>
 <context>
@@ -5903,10 +6599,6 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Aviso</translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation>Aceptar</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>Descartar</translation>
     </message>
@@ -5917,6 +6609,14 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7861,6 +8561,10 @@ Suelte la tecla para detener el brazo.</translation>
         <source>Choose…</source>
         <translation>Elegir…</translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8173,6 +8877,10 @@ Suelte la tecla para detener el brazo.</translation>
             <numerusform>El robot envía demasiados mensajes: %n no se mostraron</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation>Movimiento rechazado: %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8271,6 +8979,29 @@ Suelte la tecla para detener el brazo.</translation>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation>No hay puntos de paso que recorrer. Enseñe o seleccione primero puntos de paso.</translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation>Este es el primer punto de paso.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation>Se eliminó del proyecto un punto de paso de la ruta.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>«%1»: %2</translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
     </message>
 </context>
 <context>
@@ -8379,6 +9110,10 @@ Suelte la tecla para detener el brazo.</translation>
     <message>
         <source>REPLAY</source>
         <translation>REPRODUCCIÓN</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8697,6 +9432,10 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Fijar «%1» en el robot</translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
+        <translation>Fijar el TCP en el robot</translation>
     </message>
 </context>
 <context>

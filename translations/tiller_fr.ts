@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Échouer</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation>« %1 » n’est pas défini.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation>« %1 » a une valeur non valide.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation>« %1 » vaut %2 ; il peut être de %3 à %4.</translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation>Aucun point de passage n’appartient au groupe « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation>« %1 » renvoie à un élément qui n’est plus dans le projet.</translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation>« %1 » doit suivre directement « %2 ».</translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation>« %1 » doit être dans « %2 ».</translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation>Une étape exécutée en parallèle ne peut pas déplacer le bras.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation>« %1 » ne peut pas contenir d’étapes.</translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation>Cette version de Tiller n’a pas d’étape « %1 ».</translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation>Un programme ne peut commencer qu’à une étape de son niveau supérieur, et pas entre des parties liées.</translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation>Le projet n’a pas ce programme.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation>Le projet a été appris avec un %1, et le robot est un %2.</translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation>Un programme avec paramètres ne peut être appelé que par un autre programme.</translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation>Le programme n’a pas d’étapes.</translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation>La variable « %1 » a un autre type ailleurs dans le programme.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation>Un programme ne peut pas s’appeler lui-même.</translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation>Les appels sont imbriqués trop profondément.</translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation>« %1 » a été appris avec un autre TCP que les points précédents. Choisissez un outil actif ou placez l’étape dans une section TCP.</translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation>Les raccordements de ce mouvement et du précédent, %1 et %2, dépassent les %3 qui les séparent.</translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation>L’expression est vide.</translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation>Une expression tient sur une seule ligne.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation>Caractère inattendu « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation>« %1 » ne peut pas faire partie d’une expression.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation>Les parenthèses ne correspondent pas.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation>« %1 » n’est pas un nom de variable : utilisez des lettres, des chiffres et _.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation>Le nom « %1 » est réservé.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation>Le bras s’approche trop de lui-même.</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation>Le bras s’approche trop de « %1 ».</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation>Le bras s’approche trop du sol.</translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation>L’étape a échoué et a terminé le programme.</translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation>Le programme n’est pas terminé après %1 s.</translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation>L’aperçu a été annulé.</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Mouvements</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Entrées et sorties</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Attente</translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation>Outil et vitesse</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Déroulement</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation>Définir une variable</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>Nombre entier</translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation>Vrai ou faux</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation>Appeler un programme</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation>Le programme « %1 » demande %2 valeurs séparées par des virgules et en a %3.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation>Par défaut doit être la dernière partie d’un choix.</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Par défaut</translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation>Sinon si</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>Sinon</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>Terminer le programme</translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation>Le programme a échoué.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation>Pour chaque emplacement de palette</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation>Pour chaque point de passage</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation>Section de force</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Selon</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation>Repère de la section</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Limite de vitesse</translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation>Section de repère</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Pince</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>Sortie qui ferme</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>Sortie qui ouvre</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation>Vérifier l’entrée</translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation>Si l’entrée est désactivée</translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation>L’ouverture et la fermeture demandent des sorties différentes.</translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation>La pince ne tient pas de pièce.</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Si</translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation>Quitter la boucle</translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation>Cette étape n’est pas dans une boucle.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation>Nombre (0 : sans fin)</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Compteur</translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation>Cette boucle peut ne jamais finir et rien n’y prend de temps. Ajoutez une attente.</translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation>Une boucle peut avoir de 1 à %1 emplacements ; celle-ci en a %2.</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation>Attendre l’opérateur</translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation>MoveC</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Par</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Vers</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Raccordement</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation>Fixe par rapport à l’arc</translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation>Parcourir un groupe</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation>Actions des points de passage</translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation>MoveJ</translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation>MoveL</translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation>MoveP</translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation>Mouvement relatif</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation>La distance est nulle.</translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation>Le point « %1 » déplace la pince. Dans un programme, utilisez l’étape Pince et désactivez les actions du point.</translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation>Point de passage</translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation>Distance avant</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation>Le bras ne peut pas atteindre « %1 ».</translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation>Définissez un point de passage ou une pose, pas les deux.</translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation>Définissez un point de passage ou une pose.</translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation>Déplacer jusqu’à</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>Entrée activée</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation>Si non atteint</translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation>Définissez l’entrée.</translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation>L’entrée ne s’est pas activée.</translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation>Il n’y a pas eu de contact.</translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation>Écrire dans le journal</translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation>En cas d’erreur</translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation>Régler la charge utile</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge utile</translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation>Impulsion sur sortie</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Activée</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation>Les questions nécessitent le logiciel 5.6 ou plus récent.</translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation>URScript</translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation>Les noms qui commencent par « tiller_ » sont réservés.</translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation>Chaque bloc du script doit avoir son propre « end ».</translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation>Régler une sortie analogique</translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation>Régler une sortie</translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation>Régler un registre</translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation>Entier</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Réel</translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation>Booléen</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registre</translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation>Le dernier registre qu’un programme peut régler est %1.</translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation>Section de vitesse</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Choix</translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation>Un choix demande au moins un cas.</translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation>Un choix ne contient directement que Cas et Par défaut.</translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation>Section TCP</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Essayer</translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation>« Essayer » doit être suivi directement de « En cas d’erreur ».</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Attendre</translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation>Attendre une condition</translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation>Après ce délai</translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation>La condition n’est pas devenue vraie à temps.</translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation>Attendre une entrée</translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation>%1 n’a pas commuté à temps.</translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation>Surveiller en parallèle</translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation>Une surveillance parallèle doit être au niveau supérieur du programme.</translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation>Tant que</translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2273,6 +2985,13 @@
     <message>
         <source>at %1 s of %2</source>
         <translation>à %1 s de %2</translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
+        <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
     </message>
 </context>
 <context>
@@ -3209,8 +3928,8 @@
         <translation>En mouvement</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>Au repos</translation>
+        <source>At standstill</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4675,29 +5394,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Aucun point de passage à parcourir. Apprenez ou sélectionnez d’abord des points.</translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation>C’est le premier point de passage.</translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Un point de l’itinéraire a été supprimé du projet.</translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation>« %1 » : %2</translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message>
         <source>Loop</source>
@@ -5449,10 +6145,6 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Une autre touche est déjà maintenue.</translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>Dernier arrêt : non mesuré, les données ont cessé pendant le mouvement</translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>Dernier arrêt : %1, immobile après %2 ms, %3</translation>
     </message>
@@ -5471,6 +6163,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>Check the payload first (until the next connection)</source>
         <translation>Vérifier d’abord la charge utile (jusqu’à la prochaine connexion)</translation>
+    </message>
+    <message>
+        <source>Last stop: not measured (data lost)</source>
+        <translation>Dernier arrêt : non mesuré (données perdues)</translation>
     </message>
 </context>
 <context>
@@ -5903,10 +6599,6 @@ Videz la recherche pour tout voir.</translation>
         <translation>Avis</translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation>Accepter</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>Écarter</translation>
     </message>
@@ -5917,6 +6609,14 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7861,6 +8561,10 @@ Relâchez la touche pour arrêter le bras.</translation>
         <source>Choose…</source>
         <translation>Choisir…</translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8173,6 +8877,10 @@ Relâchez la touche pour arrêter le bras.</translation>
             <numerusform>Le robot envoie trop de messages : %n n’ont pas été affichés</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation>Mouvement refusé : %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8271,6 +8979,29 @@ Relâchez la touche pour arrêter le bras.</translation>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation>Aucun point de passage à parcourir. Apprenez ou sélectionnez d’abord des points.</translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation>C’est le premier point de passage.</translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation>Un point de l’itinéraire a été supprimé du projet.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>« %1 » : %2</translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
     </message>
 </context>
 <context>
@@ -8379,6 +9110,10 @@ Relâchez la touche pour arrêter le bras.</translation>
     <message>
         <source>REPLAY</source>
         <translation>RELECTURE</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8697,6 +9432,10 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Régler « %1 » sur le robot</translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
+        <translation>Régler le TCP du robot</translation>
     </message>
 </context>
 <context>

@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation>戻る：記録された動作は残っていません</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>失敗にする</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>続行</translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation>「%1」が設定されていません。</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation>「%1」の値が無効です。</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation>「%1」は %2 です。%3〜%4 にできます。</translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation>グループ「%1」に属するウェイポイントがありません。</translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation>「%1」の参照先がプロジェクトにありません。</translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation>「%1」は「%2」の直後に置いてください。</translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation>「%1」は「%2」の中に置いてください。</translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation>並列に実行されるステップはアームを動かせません。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation>「%1」にはステップを入れられません。</translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation>このバージョンの Tiller にはステップ「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation>プログラムは最上位のステップからのみ開始でき、一組の部分の途中からは開始できません。</translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation>プロジェクトにそのプログラムはありません。</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation>プロジェクトは %1 で教示されましたが、ロボットは %2 です。</translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation>引数のあるプログラムは他のプログラムからのみ呼び出せます。</translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation>プログラムにステップがありません。</translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation>変数「%1」はプログラムの他の場所で別の型です。</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation>プログラムは自分自身を呼び出せません。</translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation>呼び出しの入れ子が深すぎます。</translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効なツールを選ぶか、ステップを TCP 区間に入れてください。</translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation>この動作と前の動作のブレンド %1 と %2 は、間の距離 %3 を超えています。</translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation>式が空です。</translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation>式は 1 行にしてください。</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation>予期しない文字「%1」です。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation>「%1」は式に使えません。</translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation>括弧が対応していません。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation>「%1」は変数名にできません。英字、数字、_ を使ってください。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation>名前「%1」は予約されています。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation>アームが自身に近づきすぎます。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation>アームが「%1」に近づきすぎます。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation>アームが床に近づきすぎます。</translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation>ステップが失敗し、プログラムが終了しました。</translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation>プログラムは %1 s 後も終了していません。</translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation>プレビューは取り消されました。</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>入出力</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>待機</translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation>ツールと速度</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>制御</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>変数</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>オペレーター</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>構造</translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation>変数を設定</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>変数</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>型</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation>真または偽</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>テキスト</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation>プログラムを呼び出す</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、%3 個です。</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>ケース</translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation>既定は分岐の最後に置いてください。</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>既定</translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation>それ以外で条件</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>それ以外</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>プログラムを終了</translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation>プログラムが失敗しました。</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation>パレットの各位置</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation>各ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>グループ</translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation>力区間</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>ベース</translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation>区間の座標系</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>速度制限</translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation>座標系区間</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>グリッパー</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>閉じる出力</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>開く出力</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation>入力を確認</translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation>入力がオフの場合</translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation>開閉には別の出力が必要です。</translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation>グリッパーが部品を保持していません。</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>条件分岐</translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation>ループを抜ける</translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation>このステップを囲むループがありません。</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>ループ</translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation>回数（0：無限）</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>カウンター</translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation>このループは終わらない可能性があり、時間のかかる処理がありません。「待機」を追加してください。</translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation>ループの位置は 1〜%1 個です。現在 %2 個です。</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>レベル</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation>オペレーターを待つ</translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation>MoveC</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>経由</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終点</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>ブレンド</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation>円弧に固定</translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation>グループを通る</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation>ウェイポイントの動作</translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation>MoveJ</translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation>MoveL</translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation>MoveP</translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation>相対移動</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation>距離がゼロです。</translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation>ウェイポイント「%1」はグリッパーを動かします。プログラムでは「グリッパー」ステップを使い、ウェイポイントの動作をオフにしてください。</translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation>ウェイポイント</translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation>手前の距離</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation>アームは「%1」に到達できません。</translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation>ウェイポイントか姿勢のどちらか一方を設定してください。</translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation>ウェイポイントか姿勢を設定してください。</translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation>条件まで移動</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>終了条件</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>入力オン</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation>到達しない場合</translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation>入力を設定してください。</translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation>入力がオンになりませんでした。</translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation>接触がありませんでした。</translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation>ログに書く</translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation>エラー時</translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation>ペイロードを設定</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>ペイロード</translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation>出力パルス</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation>質問にはソフトウェア 5.6 以降が必要です。</translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation>URScript</translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation>「tiller_」で始まる名前は予約されています。</translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation>スクリプトの各ブロックには「end」が必要です。</translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation>アナログ出力を設定</translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation>出力を設定</translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation>レジスターを設定</translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>実数</translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation>真偽値</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>レジスター</translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation>プログラムが設定できる最後のレジスターは %1 です。</translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation>速度区間</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>分岐</translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation>分岐にはケースが必要です。</translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation>分岐の直下に置けるのはケースと既定だけです。</translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation>TCP 区間</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation>「試行」の直後に「エラー時」が必要です。</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>待機</translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation>条件を待つ</translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation>その時間の後</translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation>条件が時間内に真になりませんでした。</translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation>入力を待つ</translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation>%1 が時間内に切り替わりませんでした。</translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation>並列監視</translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation>並列監視はプログラムの最上位に置いてください。</translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation>条件が真の間</translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2273,6 +2985,13 @@
     <message>
         <source>at %1 s of %2</source>
         <translation>%2の%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
+        <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
 <context>
@@ -3208,8 +3927,8 @@
         <translation>動作中</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>待機</translation>
+        <source>At standstill</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4668,29 +5387,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation>最初のウェイポイントです。</translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation>「%1」：%2</translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>ウェイポイントが1つだけの繰り返しではどこにも進みません。ウェイポイントを増やすか、繰り返しなしで進めてください。</translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message>
         <source>Loop</source>
@@ -5441,10 +6137,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>別のキーが押されています。</translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>最後の停止：見えず、動作中にデータが途切れました</translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>最後の停止：%1、%2 ms 後に静止、%3</translation>
     </message>
@@ -5463,6 +6155,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Check the payload first (until the next connection)</source>
         <translation>先にペイロードを確認（次の接続まで）</translation>
+    </message>
+    <message>
+        <source>Last stop: not measured (data lost)</source>
+        <translation>最後の停止：未測定（データ喪失）</translation>
     </message>
 </context>
 <context>
@@ -5895,10 +6591,6 @@ Clear the search to see everything.</source>
         <translation>通知</translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation>承諾</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>閉じる</translation>
     </message>
@@ -5909,6 +6601,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7840,6 +8540,10 @@ Release the key to stop the arm.</source>
         <source>Choose…</source>
         <translation>選択…</translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8150,6 +8854,10 @@ Release the key to stop the arm.</source>
             <numerusform>ロボットからのメッセージが多すぎます：%n件は表示されませんでした</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation>移動を拒否しました：%1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8248,6 +8956,29 @@ Release the key to stop the arm.</source>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation>最初のウェイポイントです。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>「%1」：%2</translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation>ウェイポイントが1つだけの繰り返しではどこにも進みません。ウェイポイントを増やすか、繰り返しなしで進めてください。</translation>
     </message>
 </context>
 <context>
@@ -8355,6 +9086,10 @@ Release the key to stop the arm.</source>
     <message>
         <source>REPLAY</source>
         <translation>再生中</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8673,6 +9408,10 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <message>
         <source>Set “%1” on the robot</source>
         <translation>「%1」をロボットに設定</translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
+        <translation>ロボットに TCP を設定</translation>
     </message>
 </context>
 <context>

@@ -155,13 +155,6 @@
     </message>
 </context>
 <context>
-    <name>RetracePath</name>
-    <message>
-        <source>go back: no recorded motion left</source>
-        <translation>返回：没有剩余的已记录运动</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
@@ -2121,6 +2114,725 @@
     </message>
 </context>
 <context>
+    <name>ProgramText</name>
+    <message>
+        <source>At most</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>“%1” is not set.</source>
+        <translation>未设置“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value.</source>
+        <translation>“%1”的值无效。</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be %3 to %4.</source>
+        <translation>“%1”为 %2；允许 %3 至 %4。</translation>
+    </message>
+    <message>
+        <source>No waypoint belongs to the group “%1”.</source>
+        <translation>没有路点属于组“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” refers to something that is no longer in the project.</source>
+        <translation>“%1”引用的内容已不在项目中。</translation>
+    </message>
+    <message>
+        <source>“%1” must come directly after “%2”.</source>
+        <translation>“%1”必须紧跟在“%2”之后。</translation>
+    </message>
+    <message>
+        <source>“%1” must be inside “%2”.</source>
+        <translation>“%1”必须位于“%2”之内。</translation>
+    </message>
+    <message>
+        <source>A step that runs in parallel cannot move the arm.</source>
+        <translation>并行运行的步骤不能移动机械臂。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps.</source>
+        <translation>“%1”不能包含步骤。</translation>
+    </message>
+    <message>
+        <source>This version of Tiller has no step “%1”.</source>
+        <translation>此版本的 Tiller 没有步骤“%1”。</translation>
+    </message>
+    <message>
+        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <translation>程序只能从顶层步骤开始，且不能从成组部分之间开始。</translation>
+    </message>
+    <message>
+        <source>The project has no such program.</source>
+        <translation>项目中没有此程序。</translation>
+    </message>
+    <message>
+        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <translation>项目用 %1 示教，而机器人是 %2。</translation>
+    </message>
+    <message>
+        <source>A program with parameters can only be called by another program.</source>
+        <translation>带参数的程序只能由其他程序调用。</translation>
+    </message>
+    <message>
+        <source>The program has no steps.</source>
+        <translation>程序没有步骤。</translation>
+    </message>
+    <message>
+        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <translation>变量“%1”在程序其他位置有不同类型。</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself.</source>
+        <translation>程序不能调用自身。</translation>
+    </message>
+    <message>
+        <source>The calls are nested too deep.</source>
+        <translation>调用嵌套过深。</translation>
+    </message>
+    <message>
+        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <translation>“%1”与之前路点使用的 TCP 不同。请选择活动工具，或将步骤放入 TCP 段。</translation>
+    </message>
+    <message>
+        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <translation>此移动与前一移动的交融半径 %1 和 %2 超过两者间距 %3。</translation>
+    </message>
+    <message>
+        <source>The expression is empty.</source>
+        <translation>表达式为空。</translation>
+    </message>
+    <message>
+        <source>An expression is a single line.</source>
+        <translation>表达式只能是一行。</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”.</source>
+        <translation>意外的字符“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression.</source>
+        <translation>“%1”不能作为表达式的一部分。</translation>
+    </message>
+    <message>
+        <source>The brackets do not match.</source>
+        <translation>括号不匹配。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <translation>“%1”不是变量名：请使用字母、数字和 _。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is reserved.</source>
+        <translation>名称“%1”已保留。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to itself.</source>
+        <translation>机械臂与自身距离过近。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to “%1”.</source>
+        <translation>机械臂与“%1”距离过近。</translation>
+    </message>
+    <message>
+        <source>The arm comes too close to the floor.</source>
+        <translation>机械臂与地面距离过近。</translation>
+    </message>
+    <message>
+        <source>The step failed and ended the program.</source>
+        <translation>步骤失败并结束了程序。</translation>
+    </message>
+    <message>
+        <source>The program has not ended after %1 s.</source>
+        <translation>程序在 %1 s 后仍未结束。</translation>
+    </message>
+    <message>
+        <source>The preview was cancelled.</source>
+        <translation>预览已取消。</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>输入和输出</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Tool and speed</source>
+        <translation>工具和速度</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流程</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>Set variable</source>
+        <translation>设置变量</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>True or false</source>
+        <translation>真或假</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Call program</source>
+        <translation>调用程序</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <translation>程序“%1”需要 %2 个以逗号分隔的值，现有 %3 个。</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>情况</translation>
+    </message>
+    <message>
+        <source>Default must be the last part of a Switch.</source>
+        <translation>“默认”必须是“选择”的最后一部分。</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Else if</source>
+        <translation>否则如果</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>否则</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>结束程序</translation>
+    </message>
+    <message>
+        <source>The program failed.</source>
+        <translation>程序失败。</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>For each pallet position</source>
+        <translation>对每个托盘位置</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>For each waypoint</source>
+        <translation>对每个路点</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Force section</source>
+        <translation>力控段</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>沿</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Frame of the section</source>
+        <translation>段的坐标系</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>速度限制</translation>
+    </message>
+    <message>
+        <source>Frame section</source>
+        <translation>坐标系段</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Output that closes</source>
+        <translation>关闭用输出</translation>
+    </message>
+    <message>
+        <source>Output that opens</source>
+        <translation>打开用输出</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Check input</source>
+        <translation>检查输入</translation>
+    </message>
+    <message>
+        <source>If the input is off</source>
+        <translation>如果输入断开</translation>
+    </message>
+    <message>
+        <source>Opening and closing need different outputs.</source>
+        <translation>打开和关闭需要不同的输出。</translation>
+    </message>
+    <message>
+        <source>The gripper does not hold a part.</source>
+        <translation>夹爪未夹持工件。</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>如果</translation>
+    </message>
+    <message>
+        <source>Leave the loop</source>
+        <translation>退出循环</translation>
+    </message>
+    <message>
+        <source>There is no loop around this step.</source>
+        <translation>此步骤不在循环中。</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Times (0: without end)</source>
+        <translation>次数（0：无限）</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>计数器</translation>
+    </message>
+    <message>
+        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <translation>此循环可能永不结束，且其中没有耗时步骤。请添加“等待”。</translation>
+    </message>
+    <message>
+        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <translation>循环可有 1 至 %1 个位置；现有 %2 个。</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Wait for the operator</source>
+        <translation>等待操作员</translation>
+    </message>
+    <message>
+        <source>MoveC</source>
+        <translation>MoveC</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>经过</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>交融</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Fixed to the arc</source>
+        <translation>相对圆弧固定</translation>
+    </message>
+    <message>
+        <source>Move through a group</source>
+        <translation>通过一组路点</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoints</source>
+        <translation>路点的动作</translation>
+    </message>
+    <message>
+        <source>MoveJ</source>
+        <translation>MoveJ</translation>
+    </message>
+    <message>
+        <source>MoveL</source>
+        <translation>MoveL</translation>
+    </message>
+    <message>
+        <source>MoveP</source>
+        <translation>MoveP</translation>
+    </message>
+    <message>
+        <source>Relative move</source>
+        <translation>相对移动</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The distance is zero.</source>
+        <translation>距离为零。</translation>
+    </message>
+    <message>
+        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <translation>路点“%1”会移动夹爪。在程序中请使用“夹爪”步骤，并关闭路点的动作。</translation>
+    </message>
+    <message>
+        <source>Waypoint</source>
+        <translation>路点</translation>
+    </message>
+    <message>
+        <source>Distance before it</source>
+        <translation>之前的距离</translation>
+    </message>
+    <message>
+        <source>Actions of the waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach “%1”.</source>
+        <translation>机械臂无法到达“%1”。</translation>
+    </message>
+    <message>
+        <source>Set either a waypoint or a pose, not both.</source>
+        <translation>请设置路点或位姿之一，不能同时设置。</translation>
+    </message>
+    <message>
+        <source>Set a waypoint, or a pose.</source>
+        <translation>请设置路点或位姿。</translation>
+    </message>
+    <message>
+        <source>Move until</source>
+        <translation>移动直到</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>直到</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Input is on</source>
+        <translation>输入接通</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>If it is not reached</source>
+        <translation>如果未到达</translation>
+    </message>
+    <message>
+        <source>Set the input.</source>
+        <translation>请设置输入。</translation>
+    </message>
+    <message>
+        <source>The input did not switch on.</source>
+        <translation>输入未接通。</translation>
+    </message>
+    <message>
+        <source>There was no contact.</source>
+        <translation>没有接触。</translation>
+    </message>
+    <message>
+        <source>Write to the log</source>
+        <translation>写入日志</translation>
+    </message>
+    <message>
+        <source>On error</source>
+        <translation>出错时</translation>
+    </message>
+    <message>
+        <source>Set payload</source>
+        <translation>设置有效负载</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>有效负载</translation>
+    </message>
+    <message>
+        <source>Pulse output</source>
+        <translation>输出脉冲</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>接通</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>提问</translation>
+    </message>
+    <message>
+        <source>Questions need software 5.6 or newer.</source>
+        <translation>提问需要软件 5.6 或更高版本。</translation>
+    </message>
+    <message>
+        <source>URScript</source>
+        <translation>URScript</translation>
+    </message>
+    <message>
+        <source>Names that begin with “tiller_” are reserved.</source>
+        <translation>以“tiller_”开头的名称已保留。</translation>
+    </message>
+    <message>
+        <source>Each block of the script needs its own “end”.</source>
+        <translation>脚本的每个块都需要自己的“end”。</translation>
+    </message>
+    <message>
+        <source>Set analog output</source>
+        <translation>设置模拟输出</translation>
+    </message>
+    <message>
+        <source>Set output</source>
+        <translation>设置输出</translation>
+    </message>
+    <message>
+        <source>Set register</source>
+        <translation>设置寄存器</translation>
+    </message>
+    <message>
+        <source>Integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>浮点</translation>
+    </message>
+    <message>
+        <source>Boolean</source>
+        <translation>布尔</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>The last register that a program can set is %1.</source>
+        <translation>程序可设置的最后一个寄存器是 %1。</translation>
+    </message>
+    <message>
+        <source>Speed section</source>
+        <translation>速度段</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>A Switch needs a Case in it.</source>
+        <translation>“选择”中需要至少一个“情况”。</translation>
+    </message>
+    <message>
+        <source>Directly in a Switch there are only Case and Default.</source>
+        <translation>“选择”中只能直接包含“情况”和“默认”。</translation>
+    </message>
+    <message>
+        <source>TCP section</source>
+        <translation>TCP 段</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>尝试</translation>
+    </message>
+    <message>
+        <source>“Try” needs “On error” directly after it.</source>
+        <translation>“尝试”之后必须紧跟“出错时”。</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Wait for condition</source>
+        <translation>等待条件</translation>
+    </message>
+    <message>
+        <source>After that time</source>
+        <translation>超过该时间后</translation>
+    </message>
+    <message>
+        <source>The condition did not become true in time.</source>
+        <translation>条件未及时变为真。</translation>
+    </message>
+    <message>
+        <source>Wait for input</source>
+        <translation>等待输入</translation>
+    </message>
+    <message>
+        <source>%1 did not switch in time.</source>
+        <translation>%1 未及时切换。</translation>
+    </message>
+    <message>
+        <source>Watch in parallel</source>
+        <translation>并行监视</translation>
+    </message>
+    <message>
+        <source>A parallel watch must be at the top level of the program.</source>
+        <translation>并行监视必须位于程序顶层。</translation>
+    </message>
+    <message>
+        <source>While</source>
+        <translation>当</translation>
+    </message>
+</context>
+<context>
     <name>ProjectLock</name>
     <message>
         <source>%1 on %2</source>
@@ -2273,6 +2985,13 @@
     <message>
         <source>at %1 s of %2</source>
         <translation>%2 的 %1 s 处</translation>
+    </message>
+</context>
+<context>
+    <name>RetracePath</name>
+    <message>
+        <source>go back: no recorded motion left</source>
+        <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
 <context>
@@ -3208,8 +3927,8 @@
         <translation>运动中</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>空闲</translation>
+        <source>At standstill</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4668,29 +5387,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::RouteRunner</name>
-    <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>没有可依次前往的路点。请示教或选择。</translation>
-    </message>
-    <message>
-        <source>This is the first waypoint.</source>
-        <translation>这是第一个路点。</translation>
-    </message>
-    <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>路线中的某个路点已不在此项目中。</translation>
-    </message>
-    <message>
-        <source>“%1”: %2</source>
-        <translation>“%1”：%2</translation>
-    </message>
-    <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>只有一个路点的循环哪里也到不了。请选择更多路点，或不用循环。</translation>
-    </message>
-</context>
-<context>
     <name>tiller::GoThroughBar</name>
     <message>
         <source>Loop</source>
@@ -5441,10 +6137,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>另一个键被按住。</translation>
     </message>
     <message>
-        <source>Last stop: not measured, data stopped while the arm was moving</source>
-        <translation>上次停止：未见到，机械臂移动时数据中断</translation>
-    </message>
-    <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>上次停止：%1，%2 ms 后静止，%3</translation>
     </message>
@@ -5463,6 +6155,10 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>Check the payload first (until the next connection)</source>
         <translation>先检查有效负载（直到下次连接）</translation>
+    </message>
+    <message>
+        <source>Last stop: not measured (data lost)</source>
+        <translation>上次停止：未测量（数据丢失）</translation>
     </message>
 </context>
 <context>
@@ -5895,10 +6591,6 @@ Clear the search to see everything.</source>
         <translation>通知</translation>
     </message>
     <message>
-        <source>Accept</source>
-        <translation>接受</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>关闭</translation>
     </message>
@@ -5909,6 +6601,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>Answer of the notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second answer of the notice</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7840,6 +8540,10 @@ Release the key to stop the arm.</source>
         <source>Choose…</source>
         <translation>选择…</translation>
     </message>
+    <message>
+        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectStore</name>
@@ -8150,6 +8854,10 @@ Release the key to stop the arm.</source>
             <numerusform>机器人发送的消息过多：%n 条未显示</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Move refused: %1.</source>
+        <translation>移动被拒绝：%1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -8248,6 +8956,29 @@ Release the key to stop the arm.</source>
     <message>
         <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RouteRunner</name>
+    <message>
+        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <translation>没有可依次前往的路点。请示教或选择。</translation>
+    </message>
+    <message>
+        <source>This is the first waypoint.</source>
+        <translation>这是第一个路点。</translation>
+    </message>
+    <message>
+        <source>A waypoint of the route was deleted from the project.</source>
+        <translation>路线中的某个路点已不在此项目中。</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>“%1”：%2</translation>
+    </message>
+    <message>
+        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation>只有一个路点的循环哪里也到不了。请选择更多路点，或不用循环。</translation>
     </message>
 </context>
 <context>
@@ -8355,6 +9086,10 @@ Release the key to stop the arm.</source>
     <message>
         <source>REPLAY</source>
         <translation>回放</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8673,6 +9408,10 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <message>
         <source>Set “%1” on the robot</source>
         <translation>将“%1”设到机器人</translation>
+    </message>
+    <message>
+        <source>Set TCP on robot</source>
+        <translation>在机器人上设置 TCP</translation>
     </message>
 </context>
 <context>

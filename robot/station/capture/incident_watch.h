@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The black box of the window: runs while there is a robot, hears what the log hears, and tells where the file of an
-// incident is.
+// The black box of the window: runs while a robot is connected, receives the messages of the log, and reports the
+// file of an incident.
 
 #include <QObject>
 #include <QString>
@@ -18,18 +18,18 @@ class IncidentWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  where the files go; it is made with the first of them
+    /// folder  for the files; created with the first file
     IncidentWatch(RobotSession& session, const QString& folder, QObject* parent = nullptr);
     ~IncidentWatch() override;
 
-    /// What a file keeps as the project.
+    /// The project stored in each file.
     void setProject(const QString& name, const QByteArray& content);
     /// Of the robot, seen in this link so far.
     std::uint64_t packets() const { return box_.packets(); }
 
 Q_SIGNALS:
-    /// text    a sentence about it; detail  what to do with it
-    /// path    of the file; empty when it could not be written
+    /// text    one sentence about the file; detail  the suggested action
+    /// path    of the file; empty if it could not be written
     void told(tiller::Severity severity, const QString& text, const QString& detail, const QString& path);
 
 private:

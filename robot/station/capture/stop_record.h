@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Remembers the last five seconds before the safety system stops the arm, at the full rate of the robot's
-// data, and what the controller said about it.
+// Stores the last five seconds before a stop by the safety system, at the full data rate of the robot, and the
+// messages of the controller about it.
 
 #include <QObject>
 #include <QStringList>
@@ -31,8 +31,8 @@ struct StopRecord {
     std::vector<Point> points;
     Pose tcpPose;
     JointPositions q;
-    int suspect = -1;     ///< the joint whose current left its target furthest, 0..5; -1: none stands out
-    QStringList reports;  ///< what the controller said within two seconds of the stop: "C157 Collision ..."
+    int suspect = -1;     ///< the joint with the largest deviation of current, 0..5; -1: no clear deviation
+    QStringList reports;  ///< messages of the controller within two seconds of the stop: "C157 Collision ..."
 };
 
 /// Threads  GUI
@@ -42,15 +42,15 @@ class StopRecorder : public QObject {
 public:
     explicit StopRecorder(RobotSession& session, QObject* parent = nullptr);
 
-    /// The last stop of this connection; nothing when there was none.
+    /// The last stop of this connection; empty if there was none.
     const std::optional<StopRecord>& last() const { return record_; }
-    /// Since the stop, by the controller's clock [s]; 0 when there was none.
+    /// Time since the stop by the clock of the controller [s]; 0 if there was none.
     double secondsSince() const;
 
     static constexpr double kSeconds = 5.0;
 
 Q_SIGNALS:
-    /// A stop was recorded, or more was said about the last one.
+    /// A stop was recorded, or further messages about the last one arrived.
     void changed();
 
 private:
@@ -64,7 +64,7 @@ private:
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;
     std::uint64_t connection_ = 0;  ///< of the last sample
-    JointPositions q_;              ///< where the arm was in it
+    JointPositions q_;              ///< position of the arm at the stop
     double now_ = 0;
     std::optional<StopRecord> record_;
 };

@@ -17,7 +17,7 @@
 
 namespace tiller {
 
-/// What of the project an edit concerns: where in the window it is shown.
+/// The part of the project that an edit changes, which determines where the window shows it.
 enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell };
 
 /// An edit that was undone or redone.
@@ -25,8 +25,7 @@ struct ProjectStep {
     bool undone = true;
     QString text;  ///< the edit: "Change the TCP “gripper”"
     ProjectPart part = ProjectPart::Waypoints;
-    QUuid
-        id;  ///< the first waypoint, frame, tool, payload or position that is another one now; null: none is left
+    QUuid id;  ///< the first changed waypoint, frame, tool, payload or position; null: none remains
 };
 
 class ProjectEdit;
@@ -50,10 +49,10 @@ public:
     void clearRobot();
     /// True when the places of the project were taught with another arm than robot(): each of them is somewhere else.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// The arm of a project that names none, or has no places. Not an edit: saved with the next one. Undo that brings
-    /// back places brings back their arm.
+    /// The arm of a project that names none, or has no waypoints. Not an edit: saved with the next one. Undo that
+    /// restores waypoints restores their arm.
     void adoptRobot(RobotModelId connected);
-    /// One undo step: the project as project::changeModel() made it for another arm.
+    /// One undo step: replaces the project by the result of project::changeModel().
     void changeModel(const project::ModelChange& change, const QString& text);
     const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
     const project::Tooling& tooling() const { return project_.tooling; }
@@ -61,7 +60,7 @@ public:
     const project::PatternList& patterns() const { return project_.patterns; }
     const project::CellGeometry& cell() const { return project_.cell; }
     const project::PathList& paths() const { return project_.paths; }
-    /// Whose name the history of a waypoint notes; the name of the account unless told.
+    /// The name in the history of waypoints; by default the name of the account.
     void setAuthor(const QString& name) { author_ = name; }
 
     /// Replaces the project; an undo history is empty afterwards.
@@ -70,22 +69,22 @@ public:
     // Edits by hand: one undo step each, named `text`. Rows count from 0.
     void insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void removeWaypoints(QList<int> rows);
-    /// Does nothing when `waypoint` is as it was. What it was before goes into its history; a pattern that was
-    /// taught at it follows.
+    /// Does nothing if `waypoint` is unchanged. The previous version is added to its history; a pattern taught at
+    /// it follows.
     void changeWaypoint(int row, const project::Waypoint& waypoint, const QString& text);
-    /// Several at once.
-    /// after  as many as there are rows; those that are as they were are left out
+    /// Changes several waypoints.
+    /// after  one per row; unchanged ones are ignored
     void changeWaypoints(const QList<int>& rows, const std::vector<project::Waypoint>& after,
                          const QString& text);
     /// Moves the waypoints at `rows`, in their order, in front of the one at `before`.
     void moveWaypointsBefore(const QList<int>& rows, int before);
     void insertFrame(int row, const project::Frame& frame, const QString& text);
-    /// Does nothing when `frame` is as it was.
+    /// Does nothing if `frame` is unchanged.
     void changeFrame(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints, patterns and whatever else was given in it stay where they are, given in Base.
+    /// Waypoints, patterns and other objects in the frame keep their positions and are given in Base.
     void removeFrame(int row);
 
-    // Each does nothing when all is as it was.
+    // Each does nothing if the value is unchanged.
     void changeTooling(const project::Tooling& after, const QString& text);
     void changePositions(const project::Positions& after, const QString& text);
     void changeCell(const project::CellGeometry& after, const QString& text);
@@ -108,7 +107,7 @@ public:
     // For the edits.
     void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
     /// rows     ascending
-    /// Returns  what was there, in that order
+    /// Returns  the removed elements, in that order
     std::vector<project::Waypoint> takeRaw(const QVector<int>& rows);
     /// Those with the same ids.
     void replaceRaw(const std::vector<project::Waypoint>& waypoints);
@@ -142,7 +141,7 @@ Q_SIGNALS:
     void waypointsInserted(int first, int last);
     void waypointsAboutToBeRemoved(int first, int last);
     void waypointsRemoved();
-    /// Also when only their reach is another one.
+    /// Also when only the reachability has changed.
     void waypointsChanged(int first, int last);
     void orderAboutToChange();
     void orderChanged();

@@ -12,13 +12,13 @@
 
 namespace tiller {
 
-/// One edit, with what was there before and after. The document must be in the state before it for apply(), and in the
-/// state after it for revert().
+/// One edit, with the content before and after it. The document must be in the state before it for apply(), and in
+/// the state after it for revert().
 class ProjectEdit {
 public:
     explicit ProjectEdit(const QString& text) : text_(text) {}
     virtual ~ProjectEdit() = default;
-    /// What an undo history shows: "Delete “home”".
+    /// Text of the undo history: "Delete “home”".
     const QString& text() const { return text_; }
     virtual void apply(ProjectDocument& document) = 0;
     virtual void revert(ProjectDocument& document) = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Carries out what would make the window wait: taking control, connecting, confirming an output.
+// Executes jobs that would block the window: taking control, connecting, confirming an output.
 
 #include <QObject>
 #include <functional>

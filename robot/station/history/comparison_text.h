@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What came of comparing a recording with the model of its arm, in sentences.
+// Describes the result of comparing a recording with the model of its arm in sentences.
 
 #include <QString>
 
@@ -15,11 +15,11 @@ QString amountText(divergence::Quantity quantity, double amount);
 QString partingMark(const divergence::Difference& parting);
 /// "Arm and model part at 12.348 s: Elbow is 0.80° off"
 QString partingText(const divergence::Difference& parting);
-/// The same for a comparison as a whole, also where they never part.
+/// The same for the whole comparison, also without a deviation.
 QString reportText(const divergence::Report& report);
-/// What to look at, and a line for each quantity: how far they were apart at most, and since when beyond the limit.
+/// The suggested checks, and a line per quantity: the largest deviation, and since when it exceeds the limit.
 QString reportDetails(const divergence::Report& report);
-/// Why there is no comparison, and what to do.
+/// The reason why there is no comparison, and the suggested action.
 QString comparisonError(const Error& error);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes the samples of each frame into the signals' history. It owns the plots' time axis: the controller's time
-// stamps, and over a silence in which the controller may have begun its time anew, the time of this computer.
+// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots: the time
+// stamps of the controller, and the time of this computer for a silence in which the controller may have restarted.
 
 #include <cstdint>
 #include <memory>
@@ -20,11 +20,11 @@ class HistoryFeed {
 public:
     explicit HistoryFeed(SignalStore& store) : store_(store) {}
 
-    /// What comes from now on is another robot's. The history stays, with a gap between as long as it lasted.
+    /// Data from now on belong to another robot. The history stays, with a gap of the actual duration.
     void beginLink();
     /// Returns  how many rows were added
     int take(const SampleBatch& batch);
-    /// The same for what the robot was asked for besides.
+    /// The same for additionally requested fields.
     int takeExtra(const SampleBatch& batch);
 
     /// A time stamp of the controller on the plots' time axis [s].
@@ -44,7 +44,7 @@ public:
     std::uint64_t gaps() const { return gaps_; }
 
 private:
-    /// What a history gets of each batch.
+    /// Signals added to a history from each batch.
     struct Intake {
         std::shared_ptr<const receive::SampleLayout> layout;  ///< that `places` is for
         std::vector<std::size_t> places;                      ///< of each column in a sample
@@ -69,7 +69,7 @@ private:
     std::int64_t lastHostNs_ = 0;
     std::vector<Silence> silences_;
     std::uint64_t lastSequence_ = 0;
-    std::uint64_t connection_ = 0;  // of the last sample; 0: none yet of this link
+    std::uint64_t connection_ = 0;  // of the last sample; 0: none yet on this connection
     bool any_ = false;
     bool gapPending_ = false;
     std::uint64_t furtherSequence_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The word for what the robot is doing, as the lane under the plots shows it.
+// The text for the activity of the robot in the lane below the plots.
 
 #include <QString>
 
@@ -17,7 +17,7 @@ struct LaneEntry {
 
 /// jogLabel  the held key, "X+"; empty when not known
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
-/// For a stretch in which the robot told nothing.
+/// For a period without data of the robot.
 LaneEntry noDataEntry();
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far a signal goes: its smallest and its largest value over some samples.
+// Range of a signal: its smallest and its largest value over some samples.
 
 #include <limits>
 

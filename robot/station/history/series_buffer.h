@@ -87,7 +87,7 @@ public:
         }
         trim();
     }
-    /// Writes a column anew, for all samples there are: source(sample).
+    /// Writes a column again for all samples: source(sample).
     template <class Source>
     void fillColumn(int column, Source source) {
         SeriesColumn filled(columns_[static_cast<std::size_t>(column)].precision());
@@ -110,7 +110,7 @@ public:
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);
     bool isInFile() const { return file_ != nullptr; }
-    /// Counts whatever has become known of a history in a file.
+    /// Counts changes of the known part of a history in a file.
     std::uint64_t revision() const { return revision_; }
     /// All values of these samples are in memory.
     bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
@@ -122,7 +122,7 @@ public:
     }
     void setTimes(std::int64_t block, std::span<const double> times);
     void setRows(int column, std::int64_t block, std::span<const double> values);
-    /// Lets go of times and values of a block.
+    /// Releases times and values of a block.
     void forget(std::int64_t block);
 
     /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
@@ -192,7 +192,7 @@ private:
 
     void addTime(const Row& row);
     void trim();
-    /// As it is known, without a look into the file.
+    /// Known part only, without reading the file.
     double roughTime(std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];

@@ -22,7 +22,7 @@
 namespace tiller {
 
 enum class Precision : std::uint8_t {
-    Single,  ///< as float: what is measured
+    Single,  ///< as float: measured values
     Exact,   ///< as double: integers, words of bits
 };
 
@@ -47,7 +47,7 @@ public:
     /// Memory of the values and their levels [bytes].
     std::size_t bytes() const { return bytes_; }
 
-    /// source(row) gives each of the values; NaN: none.
+    /// source(row) returns each value; NaN: none.
     template <class Source>
     void add(std::size_t count, Source source) {
         if (precision_ == Precision::Single) {
@@ -66,9 +66,9 @@ public:
     /// Extents of `rowsEach` rows each, from a row on that is a multiple of it; an empty one where there are no values.
     /// rowsEach  a multiple of kSummary that divides a block, or of a block
     void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
-    /// The values of a block.
+    /// Sets the values of a block.
     void setRows(std::int64_t block, std::span<const double> values);
-    /// Goes back to what was known before setRows().
+    /// Restores the state before setRows().
     void forgetRows(std::int64_t block);
     /// How many rows an extent that is known of this block has: kUnknown at first, and 1 when its rows are there.
     std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
@@ -106,7 +106,7 @@ public:
     MinMax minMax(std::int64_t begin, std::int64_t end) const;
 
 private:
-    // So many rows make an entry of the first level, eight of those one of the next.
+    // Rows per entry of the first level; eight of these entries form one of the next.
     static constexpr int kFineBits = 5;
     static_assert(std::int64_t{1} << kFineBits == kSummary);
     static constexpr int kCoarseBits = 8;
@@ -138,7 +138,7 @@ private:
     };
     template <class Value>
     struct RunningExtent;
-    /// What is known of a block in a file besides its rows.
+    /// Summary of a block in a file without its rows.
     struct Outline {
         /// Of equal parts of the block, as many as it is worth without levels.
         std::array<MinMax, 2> halves;
@@ -150,7 +150,7 @@ private:
         double constant = 0;  ///< of every row, while there are no values
         std::unique_ptr<Values<float>> single;
         std::unique_ptr<Values<double>> exact;
-        MinMax whole;                      ///< of a block that is full
+        MinMax whole;                      ///< of a full block
         std::unique_ptr<Outline> outline;  ///< of a block in a file
         std::int64_t grain = 1;
     };

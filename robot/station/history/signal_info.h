@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a signal is called, what unit it has, and how many digits of it are worth reading: one for every number of
-// every output field, and for every bit that has a meaning of its own.
+// Name, unit and number of significant digits of a signal: one entry per number of every output field, and per bit
+// with a separate meaning.
 
 #include <QString>
 #include <QStringList>
@@ -15,20 +15,20 @@ namespace tiller {
 
 struct SignalInfo {
     QString key;    ///< "actual_q_0", as recordings name it; with the bit behind it: "robot_status_bits.1"
-    QString field;  ///< "actual_q": what the robot is asked for; empty when it is not the robot's
+    QString field;  ///< "actual_q": the field requested from the robot; empty for other signals
     int component = 0;  ///< of the field
     int bit = -1;       ///< of the component; -1: all of it
-    int axis = -1;      ///< 0 x, 1 y, 2 z; -1: it is along none
+    int axis = -1;      ///< 0 x, 1 y, 2 z; -1: no axis
 
     QString group;      ///< "Joints"
-    QString family;     ///< "Joint currents": what stands side by side with it
+    QString family;     ///< "Joint currents": group of signals shown together
     QString label;      ///< "Base": among its family
     QString longLabel;  ///< "I Base": among others
     QString meaning;    ///< from the vendor's documentation, English
 
     receive::FieldKind kind = receive::FieldKind::Number;
     receive::FieldModes modes = receive::FieldModes::None;
-    QString unit{};     ///< "N"; empty where there is none
+    QString unit{};     ///< "N"; empty if there is none
     int digits = 3;     ///< behind the point that are worth reading
     double step = 0.1;  ///< the finest distance of two grid lines: noise is never blown up beyond it
 
@@ -38,7 +38,7 @@ struct SignalInfo {
         return kind == receive::FieldKind::Number && unit != QLatin1String("s") ? Precision::Single
                                                                                 : Precision::Exact;
     }
-    /// What a value of a state is called: "Running", "on", "7"; empty for no value.
+    /// Text for a value of a state: "Running", "on", "7"; empty for no value.
     QString stateName(double value) const;
     /// "12.3 N", "Running"; "–" for no value.
     QString valueText(double value, bool withSign = false) const;
@@ -47,7 +47,7 @@ struct SignalInfo {
 /// Sets unit, digits and step.
 void setUnit(SignalInfo& info, const QString& unit);
 
-/// Everything a robot may tell, sorted by group and family.
+/// All signals of a robot, sorted by group and family.
 QVector<SignalInfo> robotSignals();
 
 }  // namespace tiller

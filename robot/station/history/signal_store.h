@@ -53,9 +53,10 @@ public:
     /// Returns  its number; that of the one there is, where it was made before
     /// Errors   InvalidArgument, saying what is wrong with the text; those of Recording
     Result<int> derive(const QString& text);
-    /// Says why derive() did not make one that a menu offers.
+    /// The reason why derive() failed for an entry of a menu.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// By its key, which for a derived signal is its text: that is made where it is not there yet. -1: cannot be.
+    /// Returns the signal with this key; a derived signal, whose key is its text, is created if necessary. -1:
+    /// impossible.
     int findOrDerive(const QString& key);
 
     /// Null: the robot was never asked for it.
@@ -63,10 +64,9 @@ public:
     int column(int signal) const { return signals_[static_cast<std::size_t>(signal)].column; }
     /// Of the column, or of its bit; NaN: none.
     double value(int signal, std::int64_t sample) const;
-    /// The value that held at this time, which is that of the last sample before; nothing in a gap or where there
-    /// are no data.
+    /// The value at this time, which is that of the last sample before; none in a gap or without data.
     std::optional<double> valueAt(int signal, double time) const;
-    /// All samples at which it had another value than at the one before, within begin ... end - 1.
+    /// All samples in begin ... end - 1 at which the value differs from the previous one.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
 
     /// A recording beside what is live: its signals stand in a group of their own, their keys behind its name. Values
@@ -77,9 +77,10 @@ public:
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
     /// The recording a signal is of; empty: it is live.
     QString recordingOf(int signal) const;
-    /// Of an opened recording: null when there is none of that name.
+    /// An opened recording; null if there is none of that name.
     const recording::Recording* recorded(const QString& recording) const;
-    /// When its rows are on the plots' time axis: samples without values. Null when there is none of that name.
+    /// The times of its rows on the time axis of the plots: samples without values. Null if there is none of that
+    /// name.
     const SeriesBuffer* timesOf(const QString& recording) const;
     /// What the robot sent last at this time, whole: of a recording, or, with no name, of what is live. Empty in a gap
     /// and where there are no data.
@@ -90,7 +91,7 @@ public:
                  HistoryFile::Effort effort);
     /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Lets go of all recordings. Nobody may show them any more.
+    /// Releases all recordings. They must no longer be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
     /// Where samples of these signals lie in the file of one long recording, and what a worker needs to read them.
@@ -98,12 +99,12 @@ public:
     /// Returns  nothing where they are not all of one long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
-    /// What of a signal has been looked through so far, where it is computed from a long recording: 0 ... 1.
+    /// Processed part of a signal calculated from a long recording: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
     /// Why the last want() failed: more signals than a robot sends, or more memory than the budget has.
     const QString& problem() const { return problem_; }
 
-    /// What comes with every packet, and what was asked for besides.
+    /// Signals of every packet, and additionally requested ones.
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
     /// New rows of either; source(column, row) gives each value that is the robot's.
@@ -130,11 +131,11 @@ public:
     std::size_t memoryBytes() const;
 
 Q_SIGNALS:
-    /// What the robot shall be asked for besides what comes anyway.
+    /// Fields to request from the robot in addition.
     void furtherFieldsChanged(const QStringList& fields);
-    /// Another one was derived.
+    /// A further signal was derived.
     void signalAdded(int signal);
-    /// More is known of a signal that is computed from a long recording.
+    /// A further part of a signal calculated from a long recording is known.
     void computedFurther(int signal);
     /// A signal could not be computed, or not to its end.
     void computationFailed(const QString& why);
@@ -164,7 +165,7 @@ private:
         bool isComputing = false;
     };
 
-    /// The sample whose values hold at this time; nothing in a gap or where there are no data.
+    /// The sample whose values apply at this time; none in a gap or without data.
     static std::optional<std::int64_t> heldAt(const SeriesBuffer& buffer, double time);
     static void prepareSamples(Table& table);
     const Table* tableOf(const QString& recording) const;
@@ -178,7 +179,7 @@ private:
     void append(Table& table, std::span<const SeriesBuffer::Row> rows, Source source) {
         SeriesBuffer& history = *table.buffer;
         const std::int64_t begin = history.end();
-        // A derived column stands behind those it is made from: they have their values already.
+        // A derived column follows its inputs, which already have their values.
         history.appendRows(rows, [&](std::size_t column, std::size_t row) {
             const int derived = table.derived[column];
             return derived < 0 ? static_cast<double>(source(column, row))

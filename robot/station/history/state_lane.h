@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the robot was doing, as stretches of time with a word each: the data behind the strip under the plots.
+// Activity of the robot as time segments with one word each: the data of the strip below the plots.
 
 #include <QString>
 #include <deque>
@@ -17,7 +17,7 @@ enum class LaneKind {
     Stopped,
     High,    ///< a bit that is set
     Low,     ///< one that is not
-    Varied,  ///< more than one state in what a pixel shows
+    Varied,  ///< more than one state within a pixel
 };
 
 struct LaneSegment {
@@ -33,12 +33,12 @@ public:
 
     /// From this moment on it was so. The same kind and label prolong the last segment.
     void add(double time, LaneKind kind, const QString& label);
-    /// Forgets what ended before this moment.
+    /// Removes segments that ended before this time.
     void forgetBefore(double time);
     void clear() { segments_.clear(); }
 
     bool isEmpty() const { return segments_.empty(); }
-    /// Until when it is known what was [s]; 0 while it is empty.
+    /// Time until which the state is known [s]; 0 while empty.
     double endTime() const { return segments_.empty() ? 0 : segments_.back().end; }
     /// Whole segments, from oldest to newest; the last one ends where it was last confirmed.
     const std::deque<LaneSegment>& segments() const { return segments_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the hand may move in freedrive, and whether the arm can be trusted to hold its load meanwhile.
+// Axes that the hand may move in freedrive, and the check whether the arm can hold its load meanwhile.
 
 #include <QString>
 #include <array>
@@ -14,7 +14,7 @@ namespace tiller {
 enum class FreedriveAxes {
     All,
     Position,     ///< the tool keeps its orientation
-    Orientation,  ///< the TCP stays where it is
+    Orientation,  ///< the TCP keeps its position
     Plane,        ///< along X and Y of the chosen frame
     Line,         ///< along Z of the chosen frame
 };
@@ -24,15 +24,15 @@ inline constexpr std::array kFreedriveAxes = {FreedriveAxes::All, FreedriveAxes:
 
 /// "All axes", "Position only" ...
 QString freedriveAxesText(FreedriveAxes axes);
-/// R_base_frame  the chosen frame's axes; the tool's own point is the origin
+/// R_base_frame  axes of the chosen frame; the origin is the TCP
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp);
 
-/// Force and torque that an arm at rest may feel with nobody touching it: above the noise of every model.
+/// Force and torque that an arm at rest may measure without contact: above the noise of every model.
 inline constexpr double kPayloadForce = 12;  ///< [N]
 inline constexpr double kPayloadTorque = 2;  ///< [Nm]
 
-/// Why freedrive had better not begin: the arm feels what is not there, so it would sink or rise by itself.
-/// Empty when nothing speaks against it.
+/// The reason why freedrive should not start: the arm measures a force without contact, so it would sink or rise.
+/// Empty if there is none.
 QString payloadDoubt(const SessionState& state);
 
 }  // namespace tiller

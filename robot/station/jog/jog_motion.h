@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a jog key asks for: the speed classes and steps of the interface, and the arithmetic from a key, a
-// frame and a speed to a velocity or a bounded step. Plain functions, no widgets.
+// Motion of a jog key: the speed classes and steps of the interface, and the calculation of a velocity or a limited
+// step from a key, a frame and a speed. Plain functions, no widgets.
 
 #include <Eigen/Core>
 #include <QString>
@@ -19,8 +19,8 @@ namespace tiller {
 
 enum class FrameChoice { Base, Tool, View, Taught };
 
-/// Hold moves while the key is held; the steps move once a press; until contact moves slowly while the key is
-/// held and stops by itself when the tool touches something.
+/// Hold moves while the key is held; a step moves once per press; until contact moves slowly while the key is held
+/// and stops when the tool touches an object.
 enum class MotionChoice { Hold, FineStep, Step, CoarseStep, UntilContact };
 
 /// One notch of the speed selector.
@@ -56,8 +56,8 @@ inline constexpr double kSlowestJog = 0.001;
 inline constexpr double kFreeStepLength = 0.010;            ///< [m]
 inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
 
-/// Until contact: the force asked for at the start, the least a robot can tell from noise, the most that is
-/// sensible [N], and the speeds it never exceeds, whatever class is chosen.
+/// Until contact: the initial force, the smallest force that a robot can distinguish from noise, the largest
+/// reasonable one [N], and the maximum speeds for any chosen class.
 inline constexpr double kContactForce = 10;
 inline constexpr double kLeastContactForce = 5;
 inline constexpr double kMostContactForce = 50;
@@ -70,7 +70,7 @@ struct TaughtFrame {
     QUuid id = {};
 };
 
-/// Everything the selectors of the jog column say.
+/// All selections of the jog column.
 struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
@@ -105,12 +105,11 @@ MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
                       const JointPositions& from, const RobotModel& model, const Pose& tcpOffset,
                       const control::MotionLimits& limits);
-/// The speed a joint key runs at [rad/s]: the chosen joint speed, or less where TCP or elbow would get faster than the
-/// chosen TCP speed.
+/// Speed of a joint key [rad/s]: the chosen joint speed, or less if TCP or elbow would exceed the chosen TCP speed.
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
-/// A joint move whose TCP keeps below the chosen speed and the application's cap on the whole way.
+/// A joint move whose TCP stays below the chosen speed and the cap of the application.
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
@@ -120,7 +119,7 @@ StepSize chosenStep(const JogSelection& selection);
 SpeedClass chosenSpeed(const JogSelection& selection);
 /// The speeds that go with a TCP speed entered by hand: turns and joints in the proportion of the classes.
 SpeedClass speedFor(double tcpSpeed);
-/// True where a press jogs as long as it lasts, false where it makes one step.
+/// True if a press jogs while it lasts, false if it makes one step.
 bool isHeld(MotionChoice motion);
 /// True for steps that may go on after the key is let go.
 /// turns  of a key that turns the tool or a joint: its angle counts, else its length

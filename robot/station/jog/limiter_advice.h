@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names what limits the arm now, and the key that leads away from it.
+// Names the limit that affects the arm now, and the key that leads away from it.
 
 #include <QString>
 
@@ -9,7 +9,7 @@
 
 namespace tiller {
 
-/// What limits the arm, and what to do; both empty when nothing does.
+/// The limit and the suggested action; both empty without a limit.
 struct LimiterAdvice {
     QString what;
     QString advice;

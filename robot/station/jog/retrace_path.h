@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The way the arm came, as joint positions, and the motion that goes back along it while a key is held: the
-// one way out of a tight place that is known to be free.
+// The past path of the arm as joint positions, and the motion back along it while a key is held: the only way out
+// of a narrow space that is known to be free.
 
 #include <cstdint>
 #include <deque>
@@ -16,32 +16,32 @@ namespace tiller {
 
 class RetracePath {
 public:
-    /// Of the joint that turns fastest, on the way from one place to another [rad/s].
+    /// Speed of the fastest joint between two positions [rad/s].
     using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
 
-    /// port   what moves the arm
-    /// speed  on the way back, asked at each turn
+    /// port   moves the arm
+    /// speed  on the way back, queried at each turn
     RetracePath(const MotionPort& port, Speed speed);
 
-    /// Where the arm is now. While the arm goes back nothing is added. A jump means that the way between is
-    /// not known: then the trail begins anew.
+    /// Adds the position of the arm, except while it goes back. After a jump the path between is unknown: the trail
+    /// is restarted.
     void record(const JointPositions& q);
-    /// The arm was moved by somebody else, or the connection is another one: the trail says nothing any more.
+    /// The arm was moved by another program, or the connection has changed: the trail is invalid.
     void clear();
     bool isEmpty() const;
-    /// The speed with which a press would go back now; 0 where there is nothing to undo.
+    /// The speed of a press now; 0 if there is nothing to undo.
     double speed() const;
-    /// What the next turn heads for; nothing where there is nothing to undo.
+    /// Target of the next turn; nothing if there is nothing to undo.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
-    /// Its places, the oldest first: where a press leads to last.
+    /// Positions of the trail, the oldest first, which is the final target.
     const std::deque<JointPositions>& places() const { return trail_; }
-    /// Another number whenever the places are others.
+    /// Changes whenever the positions change.
     std::uint64_t revision() const { return revision_; }
 
-    /// For the key: a joint jog from place to place of the trail, so that it has the life time, the limits
-    /// and the stops of a jog. It ends at the beginning of the trail; a stop of any kind ends it where it is,
-    /// and what is left of the trail stays.
+    /// For the key: a joint jog between the positions of the trail, with the time to live, the limits and the stops
+    /// of a jog. It ends at the start of the trail; any stop ends it at its position, and the rest of the trail is
+    /// kept.
     HoldMotion motion();
 
     /// Places nearer than this to the one before are not kept [rad].
@@ -60,7 +60,7 @@ private:
     std::deque<JointPositions> trail_;
     JointPositions now_;
     std::uint64_t revision_ = 0;
-    HoldMotion::Id going_ = 0;  ///< the jog under way; 0: none
+    HoldMotion::Id going_ = 0;  ///< the current jog; 0: none
 };
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far a jog in each direction of the pad goes before it ends by itself, and which key leads out of a limit.
+// Remaining travel of a jog in each direction of the pad, and the key that leads out of a limit.
 
 #include <QString>
 #include <optional>
@@ -16,9 +16,9 @@ namespace tiller {
 inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
-/// Of a key of the pad, from where the arm is.
+/// Remaining travel of a key of the pad from the position of the arm.
 /// direction  unit twist in the base frame, as control::jogReach
-/// Threads    any. A millisecond
+/// Threads    any. Takes about a millisecond
 control::JogReach travelLeft(const SessionState& state, const Vector6& direction);
 
 /// The arm's bodies that are nearest to each other or to the cell, measured against the distance that they keep.
@@ -29,9 +29,9 @@ struct NearestBodies {
 /// Nothing when no two are nearer than the safety distance and `beyond` [m].
 std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond);
 
-// Which of the twelve keys (X-, X+, Y-, Y+, ... Rz-, Rz+) leads out of a limit fastest, with room left to go; -1 for
-// none.
-// R_base_frame  the axes they move in
+// The one of the twelve keys (X-, X+, Y-, Y+, ... Rz-, Rz+) that leads out of a limit fastest, with remaining
+// travel; -1 if none.
+// R_base_frame  the axes of the keys
 
 /// Takes this joint away from its limit.
 int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);

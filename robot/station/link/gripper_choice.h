@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which gripper is at the wrist of a robot, as the operator chose it.
+// The gripper of a robot as chosen by the operator.
 
 #include <QString>
 #include <cstdint>
@@ -25,18 +25,18 @@ struct GripperChoice {
     std::uint32_t outputs() const {
         return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
     }
-    /// What they are set to, to close or to open it.
+    /// Levels of the outputs for closing and opening.
     std::uint32_t outputsTo(bool close) const {
         return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
     }
     /// "robotiq|2F-85", "outputs|16|17"; empty: none
     QString toText() const;
-    /// What it cannot read is no gripper.
+    /// Unreadable text gives no gripper.
     static GripperChoice fromText(const QString& text);
     friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
 };
 
-/// What a model of Robotiq's can. Source: the maker's instruction manuals.
+/// Capabilities of a Robotiq model. Source: the instruction manuals of the manufacturer.
 struct RobotiqRange {
     const char* name;
     double stroke;      ///< between the fingers wide open [m]

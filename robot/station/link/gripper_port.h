@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The gripper of the robot for panels other than its own: which one it is, and what opens and closes it.
+// The gripper of the robot for panels other than its own: its type, opening and closing.
 
 #include <functional>
 #include <optional>
@@ -13,17 +13,17 @@
 namespace tiller {
 
 struct GripperPort {
-    /// As the operator chose it; outputs are for whoever asks to set.
+    /// The choice of the operator; outputs are set by the caller.
     std::function<GripperChoice()> choice = [] { return GripperChoice(); };
-    /// Of a Robotiq: why it cannot be moved now, as a sentence; empty when it can.
+    /// Robotiq: the reason why it cannot be moved now, as a sentence; empty if it can.
     std::function<QString()> obstacle = {};
-    /// Of a Robotiq: opens or closes it as far as it goes, as fast and as strong as its panel says.
-    /// token  cancelled: it is not sent any more; for what has been sent there is stop
+    /// Robotiq: opens or closes it completely, with the speed and force of its panel.
+    /// token  cancelled: the command is no longer sent; a sent command needs stop()
     std::function<void(bool close, const CancelToken& token)> move = {};
-    /// Of a Robotiq: its fingers stand where they are; what they hold they go on holding.
+    /// Robotiq: stops the fingers; a held object stays held.
     std::function<void()> stop = {};
-    /// Of a Robotiq: nothing while it is on its way to where `close` sends it, then how that ended. What it
-    /// holds is an end too.
+    /// Robotiq: nothing while it moves towards the target of `close`, then the result. Holding an object is a
+    /// result too.
     std::function<std::optional<Result<void>>(bool close)> outcome = {};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion that runs only while an operator holds something: what begins, keeps and ends it, and how long it may last.
+// A motion that runs only while an operator holds a key: its start, refresh, end and maximum duration.
 
 #include <cstdint>
 #include <functional>
@@ -20,12 +20,12 @@ struct HoldBounds {
     static constexpr double kSilentLength = 0.025;            ///< [m]
     static constexpr double kSilentAngle = 0.26179938779915;  ///< [rad] 15 deg
 
-    /// The motion may last so long [ns]; 0: it has no end of its own, HoldTerms::longestNs holds.
+    /// Maximum duration of the motion [ns]; 0: no end of its own, HoldTerms::longestNs applies.
     std::int64_t longestNs = 0;
     /// How long a finger or a stick may report no event [ns].
     std::int64_t silenceNs = kMinSilenceNs;
 
-    /// Of a motion that has an end: the time it takes, and 5 s.
+    /// For a motion with an end: its duration plus 5 s.
     static std::int64_t longestOf(double seconds);
     /// The time in which the arm moves kSilentLength and kSilentAngle at most, between kMinSilenceNs and kMaxSilenceNs [ns].
     /// linear, angular  speeds [m/s, rad/s]; a speed of 0 does not count
@@ -36,15 +36,15 @@ struct HoldBounds {
 /// It is made from MotionPort, which knows jogs, moves and freedrive but no key; what holds it (HoldGuard) knows no robot.
 struct HoldMotion {
     using Id = std::uint64_t;
-    /// Begins the motion, or says why not.
+    /// Starts the motion or returns the reason of a refusal.
     std::function<Result<Id>()> begin;
-    /// Keeps it alive. Returns false once it has been stopped or has arrived.
+    /// Keeps it alive. Returns false when it has been stopped or has arrived.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> end;
-    /// Asked at the press: true for a short bounded step, which runs to its end after the key is let go.
-    /// Every other rule still ends it. May be empty: then letting go ends the motion.
+    /// Queried at the press: true for a short limited step, which runs to its end after the key is released. All
+    /// other rules still end it. May be empty: then releasing the key ends the motion.
     std::function<bool()> runsToEnd;
-    /// Asked once the motion has begun: how far the hold reaches. May be empty: a motion without an end.
+    /// Queried after the start: duration of the hold. May be empty: a motion without an end.
     std::function<HoldBounds()> bounds = {};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What may be asked of the robot's inputs, outputs and registers, and who else owns them.
+// Permitted commands for inputs, outputs and registers of the robot, and their other owners.
 
 #include <QString>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct RegisterValue {
 /// channel  0-7 standard, 8-15 configurable, 16-17 tool
 QString ioTerminal(bool output, int channel);
 
-/// Why outputs cannot be set, by their groups; empty where they can. Known once there is a connection.
+/// The reason why outputs cannot be set, by group; empty if they can. Known after connecting.
 struct OutputHolders {
     QString standard;
     QString configurable;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one way through which every panel moves the arm, so that each can be tried without a robot. What a single key
-// does with it while it is held is a HoldMotion (hold_motion.h).
+// The interface through which all panels move the arm, so that each can be tested without a robot. HoldMotion
+// (hold_motion.h) describes the motion of a single held key.
 
 #include <cstdint>
 #include <functional>
@@ -20,14 +20,14 @@ struct MotionPort {
 
     std::function<Result<Id>(const control::JogTarget&)> beginJog = {};
     std::function<Result<Id>(const MoveRequest&)> beginMove;
-    /// Keeps a motion alive; false once it has been stopped or has arrived.
+    /// Keeps a motion alive; false when it has been stopped or has arrived.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> endMotion;
     std::function<control::MotionLimits()> limits;
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
-    /// Keeps a jog alive with another target; false once it has been stopped.
+    /// Keeps a jog alive with another target; false when it has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
-    /// As those of RobotSession: for what goes on from one motion to the next under one press.
+    /// Like those of RobotSession: for several motions of one press.
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
     std::function<std::uint64_t()> stops = {};
     std::function<Result<control::MotionProgress>(Id)> progress = {};

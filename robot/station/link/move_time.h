@@ -7,14 +7,14 @@
 
 namespace tiller {
 
-/// How long a move from where the arm is now will take, at the speed slider as it stands [s].
+/// Duration of a move from the position of the arm at the present speed slider [s].
 double moveSeconds(const MoveRequest& request, const SessionState& state);
 
-/// The highest speed of such a move, at the speed slider as it stands: of TCP and elbow ("50 mm/s"), or of the
-/// turn where they hardly move ("15 °/s"). Empty where there is no way to go.
+/// Maximum speed of such a move at the present speed slider: of TCP and elbow ("50 mm/s"), or of the rotation if
+/// they hardly move ("15 °/s"). Empty if there is no path.
 QString moveSpeedText(const MoveRequest& request, const SessionState& state);
 
-/// The fastest that a held motion may be, as the operator chose it beside the jog keys.
+/// Maximum speed of a held motion, as chosen next to the jog keys.
 struct HeldSpeed {
     double tcp = std::numeric_limits<double>::infinity();       ///< of TCP and elbow [m/s]
     double rotation = std::numeric_limits<double>::infinity();  ///< [rad/s]

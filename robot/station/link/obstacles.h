@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Why the robot cannot do something in its present state, as a sentence that ends with what to do.
+// The reason why the robot cannot do something in its present state, as a sentence that ends with the suggested
+// action.
 
 #include <QString>
 
@@ -9,10 +10,10 @@
 
 namespace tiller {
 
-/// The session's own reason, or one made from link and modes; empty exactly when state.canMove().
+/// The reason given by the session, or one derived from link and modes; empty exactly if state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
-/// What ends a motion when the arm can no longer be moved.
+/// The cause that ends a motion when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 
 /// Why this robot accepts no commands for power, recovery and programs over the network; empty when it does.

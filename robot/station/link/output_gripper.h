@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A gripper on one or two digital outputs: what the robot reports of them, what closes and opens it, and what
-// stands in the way. With one output, on closes; with two, one closes and the other opens, never both.
+// A gripper on one or two digital outputs: its reported state, the outputs for closing and opening, and reasons
+// that prevent them. With one output, on closes; with two, one closes and the other opens, never both.
 
 #include <QCoreApplication>
 #include <QString>
@@ -26,9 +26,9 @@ public:
     };
 
     void choose(const GripperChoice& choice);
-    /// Takes in what the robot reports. What it has not confirmed after two seconds is no longer pending.
+    /// Takes the reported state. Commands without confirmation after two seconds are no longer pending.
     void follow(const SessionState& state, std::int64_t nowNs);
-    /// What closes or opens it; pending until the robot reports it.
+    /// Outputs for closing or opening; pending until the robot reports them.
     Command command(bool close, std::int64_t nowNs);
 
     /// "close requested", "pending…", "unknown"

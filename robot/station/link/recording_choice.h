@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a recording is to be like, as the operator chose it: where its file goes, what it is called, which signals it
-// has and how many of the robot's packets become a row.
+// Recording settings of the operator: folder and name of the file, recorded signals, and the ratio of packets to
+// rows.
 
 #include <QDateTime>
 #include <QString>
@@ -32,18 +32,18 @@ struct RecordingChoice {
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
 
-/// "csv", "mcap": the ending of the file's name, and what settings call it.
+/// "csv", "mcap": the file name suffix, and the name in the settings.
 QString formatName(RecordingChoice::Format format);
-/// CSV when there is none of that name.
+/// CSV for unknown names.
 RecordingChoice::Format formatByName(const QString& name);
-/// What can be recorded from every robot.
+/// Fields that every robot can record.
 QStringList recordableFields();
 /// "Tiller" in the user's documents.
 QString recordingFolder();
-/// What is wrong with a pattern, as a sentence; empty when nothing is.
+/// The error of a pattern, as a sentence; empty if it is valid.
 QString patternProblem(const QString& pattern);
-/// The path of a new file: {date}, {time} and {robot} of the pattern are filled in, {number} counts on from the files
-/// that are there. No file that exists is ever named.
+/// The path of a new file: {date}, {time} and {robot} of the pattern are replaced, {number} continues from the
+/// existing files. Never the path of an existing file.
 QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The way back from a stop of the safety system in words: a list of things to look at and one key. What leads on
-// is the rule of robot/dashboard/recovery.h; the page that shows it is widgets/status/recovery_page.h.
+// Recovery from a safety stop in words: a checklist and one button. The steps follow robot/dashboard/recovery.h;
+// widgets/status/recovery_page.h shows them.
 
 #include <QStringList>
 
@@ -15,16 +15,15 @@ using dashboard::RecoveryStep;
 
 struct RecoveryGuide {
     QString title;  ///< "Protective stop"
-    QString what;   ///< what it means and what to do, as sentences
-    /// To be looked at and ticked by the operator before `step` can be taken; empty where nothing is
-    /// unlocked.
+    QString what;   ///< meaning and suggested action, as sentences
+    /// Checks to be ticked by the operator before `step` can be taken; empty if nothing is unlocked.
     QStringList checks;
-    RecoveryStep step = RecoveryStep::Look;  ///< what leads on; its key is keyText()
-    bool takesControl = false;  ///< Done, as far as the robot goes: what is left is to take control of it
+    RecoveryStep step = RecoveryStep::Look;  ///< the next step; its button is labelled keyText()
+    bool takesControl = false;               ///< Completed on the robot: control has to be taken next
     QString waiting;    ///< why the step cannot be taken yet although all is ticked; empty when it can
     int countdown = 0;  ///< [s] left of the controller's lock, rounded up
 
-    /// "Unlock", as on the page's one key; empty where there is nothing the PC can do.
+    /// "Unlock", the label of the button; empty if the PC cannot do anything.
     QString keyText() const;
 };
 

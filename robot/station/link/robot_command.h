@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the operator can ask of the controller itself, apart from motion: power, safety, programs. A command
-// is sent once; what became of it shows in SessionState and as a message.
+// Requests of the operator to the controller apart from motion: power, safety, programs. A command is sent once;
+// its result is shown in SessionState and by a message.
 
 #include <QString>
 

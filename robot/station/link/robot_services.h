@@ -40,12 +40,12 @@ public:
     /// that the control program has obeyed.
     /// epoch  of the stop: Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
-    /// Such a stop would go out at once: its connection is there.
+    /// Such a stop would be sent at once: its connection is open.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
-    /// Looks, about twice a second, at what RTDE does not tell.
+    /// Queries the values not available over RTDE about twice a second.
     void ask();
-    /// A stop before this moment is not meant for what comes after it.
+    /// A stop before this time does not apply to later programs.
     void forgetStop() { unconfirmed_.reset(); }
     void forget();
 

@@ -48,10 +48,10 @@ struct RobotAddress {
 };
 
 enum class Severity { Info, Warning, Error };
-/// Whose doing a message tells of.
+/// The originator of the action in a message.
 enum class Origin { Tiller, Operator, Robot };
 
-/// A bounded motion: a step, or a way to a waypoint.
+/// A limited motion: a step, or a move to a waypoint.
 struct MoveRequest {
     enum class Kind { MoveJ, MoveL };
     Kind kind = Kind::MoveJ;
@@ -59,7 +59,7 @@ struct MoveRequest {
     Pose pose;                  ///< MoveL: target TCP pose in the base frame
     double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
-    /// Of what one press goes on with: it begins only if there were no more stops than these since.
+    /// For motions of one press: begins only if there were no further stops since.
     std::optional<std::uint64_t> stops = {};
     /// To a place of the project: it does not begin while the project guard of the session has an objection.
     bool toProject = false;
@@ -74,20 +74,19 @@ public:
     ~RobotSession() override;
 
     const SessionState& state() const;
-    /// For whoever follows the robot at a pace of his own; null while disconnected. What is shown comes with
-    /// samplesReceived and stateChanged.
+    /// For clients with their own pace; null while disconnected. For display use samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
-    /// The same for a thread of its own, which may keep it a moment longer than the link.
+    /// The same for another thread, which may keep it slightly longer than the connection.
     std::shared_ptr<const receive::Receiver> sharedReceiver() const;
     /// Connected to last.
     const RobotAddress& address() const;
 
-    // Connection. Never blocks; the outcome comes through stateChanged and message.
+    // Connection. Never blocks; the result is reported by stateChanged and message.
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
 
-    /// Fields of the robot that somebody wants to see besides those that every part of the window needs, here and on
-    /// the robots to come; replaces those wanted before. They come with extraSamplesReceived.
+    /// Additional fields requested by parts of the window, for this and later robots; replaces earlier requests.
+    /// They are delivered by extraSamplesReceived.
     void followExtraFields(const QStringList& fields);
     /// Fields that this robot does not send, of those it was asked for or by its software.
     QSet<QString> absentFields() const;
@@ -109,8 +108,8 @@ public:
     /// it reports that `command` is refused and returns true.
     bool refusesCommand(const QString& command);
 
-    // Control. The outcome comes through stateChanged and message.
-    /// What to do with a program of another client that runs or is paused on the robot.
+    // Control. The result is reported by stateChanged and message.
+    /// Handling of a program of another client that runs or is paused on the robot.
     enum class ForeignProgram { Ask, Stop };
     /// Uploads the control script; needs RUNNING, and Remote control where the controller has it. This ends any other
     /// program on the robot: unless `program` is Stop, takeControl() then emits takeControlQuestion() and does nothing
@@ -119,16 +118,17 @@ public:
     /// Ends the control program; the robot is free for others.
     void releaseControl();
 
-    /// Holds at once: jogs slow down and end at the safety distance, moves and paths that would come nearer are refused.
+    /// Takes effect at once: jogs slow down and end at the safety distance, moves and paths that would come closer
+    /// are refused.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// Why these moves, made one after the other from where the arm is, would be refused.
-    /// Errors  NoSolution with a sentence: what would come too near to what, and where
+    /// Checks whether these moves, made in sequence from the position of the arm, would be refused.
+    /// Errors  NoSolution with a sentence: the two bodies that would come too close, and where
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// The same for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
 
-    // Motion. A motion is begun by a press and needs hold() at least every 100 ms until it is ended; whoever
-    // begins it keeps the number it was given, and a number that has been stopped never moves the arm again.
+    // Motion. A motion is started by a press and needs hold() at least every 100 ms until it is ended; the caller
+    // keeps the returned number, and a number that has been stopped never moves the arm again.
     using MotionId = std::uint64_t;
     /// guard  asked before every move to a place of the project (MoveRequest::toProject, beginPath()): why it must not
     ///        begin, as a sentence; empty when it may. Such moves then end with Cancelled and that sentence
@@ -149,33 +149,32 @@ public:
     Result<control::MotionProgress> motionProgress(MotionId motion) const;
     /// The arm follows the hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
-    /// Keeps the motion alive; a jog may change its target on the way.
-    /// Returns  false once the motion has been stopped: it needs a new press
+    /// Keeps the motion alive; a jog may change its target during the motion.
+    /// Returns  false if the motion has been stopped: it needs a new press
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
-    /// Stops whatever moves, whoever began it. STOP, Esc and Space (by their causes) also stop a program that
-    /// is not ours, and end the taking of control. Safe to call at any time.
+    /// Stops any motion, whatever started it. STOP, Esc and Space (by their causes) also stop a foreign program,
+    /// and cancel taking control. Can be called at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
-    /// The fastest that TCP and elbow may get [m/s], above 0. Holds at once; another one than before stops
-    /// whatever moves.
+    /// Maximum speed of TCP and elbow [m/s], above 0. Takes effect at once; a change stops the current motion.
     void setSpeedCap(double metresPerSecond);
 
-    /// One frame: fetches the samples that came since the last one, makes a new SessionState from the newest and
-    /// tells everybody. Called by the interface's one frame clock, a timer that the session owns, and where
-    /// something shall show at once; tests in virtual time call it themselves.
+    /// One frame: fetches the samples since the last one, makes a new SessionState from the newest one and emits
+    /// it. Called by the frame timer of the session, and directly where a change must be visible at once; tests in
+    /// virtual time call it themselves.
     void refresh();
     /// Between two frames [ms].
     static constexpr int kFrameMs = 16;
-    /// Ends the link and waits for it: at the end of the program. Blocks: half a second at most, longer only
-    /// where a file system does
+    /// Closes the connection and waits for it: at the end of the program. Blocks: at most half a second, longer
+    /// only if a file system does
     void shutDown();
 
 Q_SIGNALS:
-    /// A link to a robot begins: what was received before is another robot's, or an older link's.
+    /// A connection to a robot begins: earlier data belong to another robot or connection.
     void linkBegan();
-    /// The first data of a connection are there: of a new link, or because the robot has come back to this one.
+    /// The first data of a connection have arrived: of a new one, or because the robot has reconnected.
     void connected();
     /// In each frame with new samples, before the stateChanged that shows the last of them.
     void samplesReceived(const tiller::SampleBatch& batch);
@@ -184,15 +183,15 @@ Q_SIGNALS:
     void stateChanged(const tiller::SessionState& state);
     /// A motion ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
-    /// Something the operator should be able to read again later.
-    /// detail  what the text means and what to do, as sentences; may be empty
+    /// A message that the operator can read again later.
+    /// detail  meaning of the text and suggested action, as sentences; may be empty
     void message(tiller::Severity severity, const QString& text,
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
     /// A command to the robot's service was answered, or could not be asked.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
     void takeControlQuestion();
-    /// What the controller itself said, whole; it comes as message too.
+    /// A message of the controller, complete; it is also emitted as message.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:

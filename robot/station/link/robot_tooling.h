@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the session tells the robot of its tool: TCP and payload. The robot must be under control; whether it has taken
-// it shows in the next state. The outcome comes as a message.
+// Sets TCP and payload of the tool on the robot. The robot must be under control; the next state shows whether it
+// has accepted them. The result is reported by a message.
 
 #include <QCoreApplication>
 #include <QString>
@@ -31,7 +31,7 @@ public:
         std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
     };
 
-    /// Where the arm moves it is refused: its speed would be that of another point.
+    /// Refused while the arm moves, because its speed would refer to another point.
     /// tcp   T_flange_tcp [m, rad]
     /// name  for the log
     void setTcp(const Pose& tcp, const QString& name);

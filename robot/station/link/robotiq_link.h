@@ -40,9 +40,9 @@ public:
 
     /// Nothing while it is not known.
     std::optional<io::RobotiqState> state() const;
-    /// Why the state is not known and what to do, as sentences; empty when it is.
+    /// The reason why the state is unknown and the suggested action, as sentences; empty if it is known.
     QString reason() const;
-    /// The fault with what to do; empty without one.
+    /// The fault with the suggested action; empty without a fault.
     QString faultText() const;
     /// Commands given, and not yet seen in a look.
     bool isBusy() const { return busy_; }
@@ -50,14 +50,14 @@ public:
     double opening(int position) const;
     int position(double opening) const;
 
-    /// The fingers open and close once; what they hold is let go.
+    /// The fingers open and close once; a held object is released.
     void activate();
     /// position, speed, force  0 ... 255
     /// what  for the log: "Gripper: close"
     /// While a command is on its way the newest one waits for it, and takes the place of one that waits.
     /// token  cancelled: it is not sent any more
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
-    /// The fingers stand where they are, whatever was asked for before; over a new connection where it is lost.
+    /// Stops the fingers, whatever was requested before; opens a new connection if it is lost.
     void stop(const QString& what);
 
 Q_SIGNALS:
@@ -99,9 +99,9 @@ private:
     std::optional<io::RobotiqState> state_;
     QElapsedTimer answered_;
     QString reason_;
-    bool held_ = false;  ///< as the log knows it
+    bool held_ = false;  ///< as shown in the log
     io::RobotiqFault logged_ = io::RobotiqFault::None;
-    std::optional<QElapsedTimer> activating_;  ///< since the gripper was told to
+    std::optional<QElapsedTimer> activating_;  ///< since the gripper was commanded
     // Where the fingers end, in the gripper's own positions: as usual, until they have been there.
     static constexpr int kUsuallyOpen = 3;
     static constexpr int kUsuallyClosed = 230;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the frame clock fetched from the receiver: every packet since the frame before, for those who draw or watch
-// the full rate. SessionState is made from the last of them, so that all parts of the window show the same sample.
+// All packets that the frame clock fetched from the receiver since the previous frame, for plots and other users of
+// the full rate. SessionState is made from the last one, so that all parts of the window show the same sample.
 
 #include <QMetaType>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the robot sends into a file, a row for each packet, or for each n-th. All calls return at once; what became of
-// them shows in SessionState::recording and as a message.
+// Records the data of the robot in a file, one row per packet or per n-th packet. All calls return at once; results
+// are shown in SessionState::recording and by messages.
 
 #include <QByteArray>
 #include <QCoreApplication>
@@ -37,7 +37,7 @@ public:
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
-    /// What formats with room for it keep inside as the project, from the next recording on; none without a name.
+    /// Project stored inside files of formats that support it, from the next recording on; none without a name.
     void setProject(const QString& name, const QByteArray& content);
     void stop();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One consistent picture of the robot for everything that paints: made once a frame from one sample.
+// A consistent state of the robot for display: made once per frame from one sample.
 
 #include <QMetaType>
 #include <QString>
@@ -22,11 +22,11 @@
 namespace tiller {
 
 enum class LinkState {
-    Disconnected,  ///< nobody asked for a connection
-    Connecting,    ///< first attempt under way
+    Disconnected,  ///< no connection requested
+    Connecting,    ///< first attempt in progress
     Live,          ///< data younger than 0.3 s
     Stale,         ///< data older than 0.3 s: values are greyed
-    Lost,          ///< data older than 1 s or the connection broke; reconnecting by itself: "NO DATA"
+    Lost,          ///< data older than 1 s or the connection is lost; reconnecting automatically: "NO DATA"
 };
 
 enum class ControlState {
@@ -36,17 +36,17 @@ enum class ControlState {
     Refused,    ///< see SessionState::controlReason
 };
 
-/// Packets of a stretch of time.
+/// Packets of a period.
 struct PacketCounts {
     std::uint64_t packets = 0;
     std::uint64_t late = 0;  ///< came more than half a period after their time
-    std::uint64_t lost = 0;  ///< the controller skipped, by its own time stamps
+    std::uint64_t lost = 0;  ///< skipped by the controller, by its time stamps
 };
 
 struct LinkQuality {
     double rateHz = 0;
     PacketCounts all;        ///< since the connection was made
-    PacketCounts recent;     ///< of the last ten seconds: what the link is like now
+    PacketCounts recent;     ///< of the last ten seconds: present quality of the connection
     double roundTripMs = 0;  ///< command out to echo back; 0 = not known
     double ageMs = 0;        ///< of the newest sample
 };
@@ -65,7 +65,7 @@ struct RecordingState {
 struct SessionState {
     // connection
     LinkState link = LinkState::Disconnected;
-    QString linkReason;  ///< why not Live, with what to do
+    QString linkReason;  ///< the reason for a state other than Live, with the suggested action
     QString robotName;   ///< "Simulated UR5e", "Lab UR5e"
     QString address;
     int portOffset = 0;  ///< of all its ports
@@ -73,22 +73,24 @@ struct SessionState {
     SoftwareVersion version;
     RobotModelId model = RobotModelId::UR5e;
     bool modelKnown = false;  ///< the robot has reported it; until then `model` is assumed
-    DhParameters dh = robotModel(RobotModelId::UR5e).dh;  ///< the arm's own where it tells its calibration
+    DhParameters dh =
+        robotModel(RobotModelId::UR5e).dh;  ///< its actual kinematics if it reports its calibration
     control::JointLimits jointLimits =
-        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< its own where it reports them
-    /// What the arm could touch, itself included, with the distance that jogs and moves keep; null while disconnected.
+        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< its reported values, if available
+    /// The objects that the arm could touch, including itself, with the safety distance of jogs and moves; null
+    /// while disconnected.
     std::shared_ptr<const collision::CollisionCheck> check;
     LinkQuality quality;
 
     // modes
     RobotMode robotMode = RobotMode::Disconnected;
     SafetyMode safetyMode = SafetyMode::Undefined;
-    SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined where the software has none
+    SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined if the software has none
     RuntimeState runtimeState = RuntimeState::Stopped;
     bool remoteControl = false;
-    bool controlPlaceKnown = true;  ///< false where the software tells neither Local nor Remote
+    bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
     bool remoteNeeded = false;      ///< in Local, and known to take no commands there
-    dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< what power and programs go through
+    dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< interface for power and programs
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
     QString loadedProgram;    ///< on the robot; empty: none
     double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
@@ -113,16 +115,16 @@ struct SessionState {
     Pose tcpOffset;
     Twist tcpSpeed;
     Wrench tcpForce;
-    double payloadMass = 0;     ///< as the robot was told [kg]
-    bool payloadKnown = false;  ///< false where the software does not tell mass and centre
-    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< as the robot was told, from the flange [m]
-    bool rawWrenchKnown = false;                 ///< false where the software does not tell rawWrench
+    double payloadMass = 0;     ///< as set on the robot [kg]
+    bool payloadKnown = false;  ///< false if the software does not report mass and centre
+    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< as set on the robot, from the flange [m]
+    bool rawWrenchKnown = false;                 ///< false if the software does not report rawWrench
     Wrench rawWrench;                            ///< force sensor at the flange, with payload, not zeroed
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;
-    bool lastStopSeen = true;  ///< false: data ended while the arm moved, how it stopped nobody knows
-    control::Limiter limiter;  ///< what holds the asked-for speed down
+    bool lastStopSeen = true;  ///< false: data ended while the arm moved, so the stop is unknown
+    control::Limiter limiter;  ///< limit that reduces the requested speed
 
     // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
     std::uint64_t digitalInputs = 0;
@@ -132,9 +134,9 @@ struct SessionState {
     RecordingState recording;
 
     double robotTime = 0;        ///< the controller's time stamp [s]
-    std::uint64_t sequence = 0;  ///< of the sample shown; 0 = none yet
+    std::uint64_t sequence = 0;  ///< of the displayed sample; 0 = none yet
 
-    /// Its model, by its own calibration.
+    /// Its kinematics with its calibration.
     RobotModel arm() const {
         RobotModel own = robotModel(model);
         own.dh = dh;
@@ -157,7 +159,7 @@ struct SessionState {
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
     }
-    /// The data are no older than 100 ms: what they say about modes, programs and motion holds now.
+    /// The data are at most 100 ms old: their modes, programs and motion are current.
     bool isFresh() const {
         constexpr double kFreshMs = 100;
         return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;

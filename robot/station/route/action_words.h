@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is done at a waypoint, in words.
+// Describes the actions at a waypoint in words.
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -76,7 +76,7 @@ private:
     bool busy_ = false;
     std::uint64_t lost_ = 0;
     int shownSecond_ = -1;
-    SerialExecutor worker_;  // last member: its jobs use the members above
+    SerialExecutor worker_;  // last: its jobs use what stands above
 };
 
 }  // namespace tiller

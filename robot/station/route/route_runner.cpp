@@ -47,7 +47,7 @@ RouteRunner::RouteRunner(const MotionPort& port, const ActionPort& actions, cons
           [this](const Error& error) { fail(error); }) {}
 
 QString RouteRunner::whyNot(const Error& error) {
-    // These errors are already sentences.
+    // These are sentences already.
     const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
     return said && error.controllerMessage.isEmpty() ? error.context : texts::errorText(error);
 }
@@ -183,7 +183,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// The gripper may change at any time: checked at each press.
+/// Which gripper there is may change at any time: asked at the press only.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -200,7 +200,7 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// A move into a collision is not started. Moves that are not examined now are checked when they start.
+/// What leads into a collision is not begun. Those that are not looked at are checked when their turn comes.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
     SessionState from = state_;
@@ -216,7 +216,7 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The waypoints reached without a stop in between.
+/// The places that are gone to without a stop between them.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
@@ -307,7 +307,7 @@ void RouteRunner::endActing() {
     acting_.reset();
 }
 
-/// The current step is complete.
+/// The step that was under way has come to its end.
 void RouteRunner::finishStep(Way way) {
     if (acting_) {
         done_.push_back(*acting_);
@@ -330,7 +330,7 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// The next action at the reached waypoint; null if all are complete.
+/// Of the coming one, where the arm has come; null when all is done there.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
     // After an edit of the actions, all are executed again.

@@ -31,9 +31,9 @@ class RouteRunner : public QObject {
 public:
     enum class Way { Through, StepOn, StepBack };
 
-    /// All arguments must outlive the object.
-    /// state      current position of the arm
-    /// heldSpeed  returns the speed limit, called for each move
+    /// All must outlive it.
+    /// state      where the arm is now
+    /// heldSpeed  the speed that every move keeps below, asked at each
     RouteRunner(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
                 const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
                 QObject* parent = nullptr);

@@ -12,29 +12,29 @@ namespace tiller {
 
 class WaypointRoute {
 public:
-    /// Begins anew, before the first.
+    /// Restarts before the first waypoint.
     void setWaypoints(const QVector<QUuid>& ids);
     /// After an edit of the list: the coming one stays the coming one; where it has gone the route begins anew.
     void follow(const QVector<QUuid>& ids);
-    /// After the last comes the first again.
+    /// The first waypoint follows the last one.
     void setLoop(bool loop);
     bool isLoop() const { return loop_; }
 
     int size() const { return static_cast<int>(ids_.size()); }
     QUuid at(int place) const { return ids_.value(place); }
-    /// Where a step on leads; nothing behind the last.
+    /// Target of a step forward; nothing after the last.
     std::optional<int> coming() const;
-    /// Where a step back leads; nothing before the first.
+    /// Target of a step back; nothing before the first.
     std::optional<int> before() const;
-    /// True once something was gone, until it begins anew.
+    /// True after a waypoint was passed, until the restart.
     bool isUnderWay() const { return underWay_; }
     /// True behind the last.
     bool isDone() const { return underWay_ && !coming(); }
 
-    /// The arm is on its way there.
+    /// The arm is on its way to the waypoint.
     void headOnTo(int place);
     void headBackTo(int place);
-    /// The arm has come there.
+    /// The arm has reached the waypoint.
     void reach(int place);
     void beginAnew();
 

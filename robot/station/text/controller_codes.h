@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The controller's numbered messages in words: what the number means, and what the operator can do.
+// Texts for the numbered messages of the controller: meaning and suggested action.
 
 #include <QString>
 
@@ -9,8 +9,8 @@ namespace tiller {
 
 struct CodeWords {
     QString title;    ///< "Collision"
-    QString meaning;  ///< what the controller noticed
-    QString action;   ///< what to do about it
+    QString meaning;  ///< event noticed by the controller
+    QString action;   ///< suggested action
     bool known = false;
 };
 

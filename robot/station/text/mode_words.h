@@ -12,7 +12,7 @@ namespace tiller {
 
 struct ModeWords {
     QString text;    ///< a few words: "Protective stop"
-    QString advice;  ///< what it means and what to do next, as sentences
+    QString advice;  ///< meaning and next step, as sentences
 };
 
 ModeWords robotModeWords(RobotMode mode);

@@ -41,7 +41,7 @@ namespace format {
 QString length(double metres, int digits = 2);
 /// The same without the unit; a plus sign too, if asked for.
 QString lengthNumber(double metres, int digits, bool withSign);
-/// With as few digits as it takes: "10 mm", "0.05 mm", "0.39 in".
+/// With as few digits as needed: "10 mm", "0.05 mm", "0.39 in".
 QString shortLength(double metres);
 QString shortLengthNumber(double metres);
 /// "mm", "in"
@@ -67,7 +67,7 @@ QString position(const Eigen::Vector3d& metres);
 QString pose(const Pose& pose);
 /// How far apart two poses are: "61.2 mm, 4.1°"
 QString difference(double metres, double radians);
-/// The way from one place to another: "ΔX +1.20 ΔY 0.00 ΔZ −3.00 mm"
+/// Difference between two positions: "ΔX +1.20 ΔY 0.00 ΔZ −3.00 mm"
 QString shift(const Eigen::Vector3d& metres);
 
 }  // namespace format

@@ -11,7 +11,7 @@ namespace tiller {
 
 /// "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line", "✕ arm".
 QString reachText(const project::Reach& reach);
-/// A sentence that ends with what to do; empty when the waypoint can be reached.
+/// A sentence that ends with the suggested action; empty if the waypoint can be reached.
 QString reachAdvice(const project::Reach& reach);
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What codes of the backend say to a person: what happened, why, and what to do now.
+// Texts for codes of the backend: event, cause and suggested action.
 
 #include <QString>
 
@@ -19,7 +19,7 @@ QString stopCauseText(control::StopCause cause);
 QString robotModeObstacle(RobotMode mode);
 /// As above, for a safety mode.
 QString safetyModeObstacle(SafetyMode mode);
-/// Why no command is sent to the robot in monitor-only mode, with the way out.
+/// The reason why no command is sent to the robot in monitor-only mode, with the solution.
 QString monitorOnlyObstacle();
 /// Why a robot that is in Local cannot be commanded, with the next step.
 QString remoteObstacle();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Fields that somebody wants to see besides those that every part of the window needs: on a connection of their own,
-// so that choosing another one never interrupts the stream that the hand relies on.
+// Additional fields requested by parts of the window: on a separate connection, so that changing them never
+// interrupts the stream used for motion.
 
 #include <QSet>
 #include <QStringList>
@@ -22,10 +22,10 @@ public:
     /// cleanup  joins the threads of receivers that are not needed any more
     ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
 
-    /// Follows these fields of this robot from now on, and no others. Empty: none.
+    /// Receives only these fields of this robot from now on. Empty: none.
     void follow(const QString& host, std::uint16_t port, const QStringList& fields);
     void end();
-    /// What came since the last call; valid as long as `into` is.
+    /// Samples since the last call; valid as long as `into` is.
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Those of the fields that the robot does not have.
     QSet<QString> absent() const;

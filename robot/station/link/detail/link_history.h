@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the packets of the last ten seconds were like: totals since the start of a day say nothing about the
-// link as it is now. Private to robot/station/link.
+// Packet statistics of the last ten seconds, because totals since the start say nothing about the present
+// connection. Private to robot/station/link.
 
 #include <deque>
 

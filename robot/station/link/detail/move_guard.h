@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the arm could touch, and which moves are refused because of it. Made again whenever the arm, its tool or its
+// The objects that the arm could touch, and the check of moves against them. Updated when the arm, its tool or its
 // surroundings change.
 
 #include <memory>
@@ -18,16 +18,16 @@ class MoveGuard {
 public:
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Follows the arm and its tool.
-    /// Returns  whether check() is another one now
+    /// Returns  true if check() has changed
     bool follow(const SessionState& state);
     void forget() { check_.reset(); }  ///< There is no arm.
     /// Null while there is no arm.
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
-    /// Moves one after the other, from where the arm is.
-    /// Errors  NoSolution with a sentence: which part of the arm would come too near to what, and where on the path
+    /// Checks moves in sequence from the position of the arm.
+    /// Errors  NoSolution with a sentence: the part of the arm, the object and the place on the path
     Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
-    /// The same for a path of joint positions that is followed from where the arm is.
+    /// The same for a path of joint positions from the position of the arm.
     Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;
     /// The same for a path, with its blends.
     Result<void> permit(const SessionState& state, const control::MotionPath& path) const;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a session holds while it is connected, and what it remembers between two frames. Private to
-// robot/station/link.
+// State of a session while it is connected, and between two frames. Private to robot/station/link.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -30,21 +29,20 @@
 
 namespace tiller {
 
-/// A path on its way to the robot. Its motion is known only once it is there; until then, and after that, it goes by
-/// a number of its own.
+/// A path that is being sent to the robot. Its motion is known only after that; the path keeps a separate number.
 struct PathStart {
     enum class Phase {
         Sending,
-        Ready,  ///< it begins with the next hold(): whoever holds it is still there then
+        Ready,  ///< starts with the next hold(), which proves that the key is still held
         Begun,
         Failed
     };
     control::MotionId ticket = control::kNoMotion;  ///< of the newest; above all that the controller gives
     Phase phase = Phase::Failed;
     control::PreparedPath prepared;
-    control::Motion motion;  ///< once it has begun
+    control::Motion motion;  ///< after the start
     Error error;             ///< why it did not begin
-    int sending = 0;         ///< how many are on their way, those included that were ended meanwhile
+    int sending = 0;         ///< number of paths being sent, including those already ended
 
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 62;
 };
@@ -52,11 +50,11 @@ struct PathStart {
 /// Everything that talks to one robot. Torn down on the worker, because joining threads takes a moment.
 struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
-    receive::Subscription stream;  ///< every sample, fetched once a frame
+    receive::Subscription stream;  ///< every sample, fetched once per frame
     std::uint64_t lost = 0;        ///< of the stream, until the last frame
     std::shared_ptr<control::Controller> controller;
-    control::Jog jog;      ///< the newest one
-    control::Motion move;  ///< the newest motion that is none: a move or freedrive
+    control::Jog jog;                                  ///< the newest one
+    control::Motion move;                              ///< the newest move or freedrive
     control::MotionId freedrive = control::kNoMotion;  ///< the newest freedrive
     PathStart path;                                    ///< the newest path
     std::shared_ptr<io::Outputs> outputs;
@@ -81,11 +79,11 @@ struct SessionBackend {
     LinkHistory history;
     receive::Sample sample;             ///< the newest, as all parts of the window show it
     std::vector<receive::Sample> room;  ///< for the samples of a frame, kept from frame to frame
-    dashboard::ServiceReport report;    ///< asked for about once a second; Unknown until it was answered
-    bool localRefuses = false;  ///< it was in Remote once, or has refused something for being in Local
+    dashboard::ServiceReport report;    ///< queried about once a second; Unknown until the first answer
+    bool localRefuses = false;  ///< was in Remote before, or has refused a command because it was in Local
     bool takingControl = false;
     bool monitorOnly = false;
-    CancelToken taking;  ///< ends the taking under way
+    CancelToken taking;  ///< cancels taking control
     control::MotionLimits limits;
     MoveGuard guard;
     QString refusal;  ///< why taking control failed last
@@ -108,23 +106,23 @@ struct SessionBackend {
     QStringList extraFields;                 ///< asked for besides what comes anyway
     std::vector<receive::Sample> extraRoom;  ///< as `room`
 
-    // Last: their jobs use what stands above.
+    // Last: their jobs use the members above.
     SerialExecutor files;
     SerialExecutor controlling;  ///< takes control and gives it back
     SerialExecutor worker;
     SerialExecutor pulses;  ///< each takes as long as its output is on: nothing else waits for that
     ExtraFieldStream further{*clock, worker};
 
-    /// Asks the robot for extraFields, where there is one.
+    /// Requests extraFields from the connected robot.
     void followExtraFields();
 
-    /// Fetches what came since the last frame, and the last of it into `sample`.
+    /// Fetches the samples since the last frame, the last one into `sample`.
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
-    /// What the state was in the last frame, with all that a stop depends on as it is at this moment.
+    /// The state of the last frame, with current values of everything that a stop depends on.
     SessionState stateNow() const;
-    /// What is known at this moment of a stop in control.
+    /// Present knowledge about a stop in control.
     control::StopEvidence stopEvidence() const;
 
 private:
