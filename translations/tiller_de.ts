@@ -2629,7 +2629,7 @@
     </message>
     <message>
         <source>Actions of the waypoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen des Wegpunkts</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -3929,7 +3929,7 @@
     </message>
     <message>
         <source>At standstill</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Stillstand</translation>
     </message>
 </context>
 <context>
@@ -6612,11 +6612,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort des Hinweises</translation>
     </message>
     <message>
         <source>Second answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Antwort des Hinweises</translation>
     </message>
 </context>
 <context>
@@ -8563,7 +8563,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell des Roboters ist noch nicht bekannt. Warten Sie, bis der Roboter es gemeldet hat.</translation>
     </message>
 </context>
 <context>
@@ -9113,7 +9113,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau „%1“ · mit einem anderen Robotermodell geteacht</translation>
     </message>
 </context>
 <context>

@@ -2629,7 +2629,7 @@
     </message>
     <message>
         <source>Actions of the waypoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Acciones del punto de paso</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -3929,7 +3929,7 @@
     </message>
     <message>
         <source>At standstill</source>
-        <translation type="unfinished"></translation>
+        <translation>En reposo</translation>
     </message>
 </context>
 <context>
@@ -6612,11 +6612,11 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Respuesta del aviso</translation>
     </message>
     <message>
         <source>Second answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Segunda respuesta del aviso</translation>
     </message>
 </context>
 <context>
@@ -8563,7 +8563,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no se conoce el modelo del robot. Espere a que el robot lo comunique.</translation>
     </message>
 </context>
 <context>
@@ -9113,7 +9113,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
-        <translation type="unfinished"></translation>
+        <translation>fantasma «%1» · enseñado con otro modelo de robot</translation>
     </message>
 </context>
 <context>

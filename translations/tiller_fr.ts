@@ -2629,7 +2629,7 @@
     </message>
     <message>
         <source>Actions of the waypoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Actions du point de passage</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -3929,7 +3929,7 @@
     </message>
     <message>
         <source>At standstill</source>
-        <translation type="unfinished"></translation>
+        <translation>À l’arrêt</translation>
     </message>
 </context>
 <context>
@@ -6612,11 +6612,11 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Réponse de l’avis</translation>
     </message>
     <message>
         <source>Second answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>Seconde réponse de l’avis</translation>
     </message>
 </context>
 <context>
@@ -8563,7 +8563,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle du robot n’est pas encore connu. Attendez que le robot l’ait indiqué.</translation>
     </message>
 </context>
 <context>
@@ -9113,7 +9113,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
-        <translation type="unfinished"></translation>
+        <translation>fantôme « %1 » · appris avec un autre modèle de robot</translation>
     </message>
 </context>
 <context>

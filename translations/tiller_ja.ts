@@ -2629,7 +2629,7 @@
     </message>
     <message>
         <source>Actions of the waypoint</source>
-        <translation type="unfinished"></translation>
+        <translation>ウェイポイントの動作</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>At standstill</source>
-        <translation type="unfinished"></translation>
+        <translation>静止中</translation>
     </message>
 </context>
 <context>
@@ -6604,11 +6604,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>通知への応答</translation>
     </message>
     <message>
         <source>Second answer of the notice</source>
-        <translation type="unfinished"></translation>
+        <translation>通知への 2 番目の応答</translation>
     </message>
 </context>
 <context>
@@ -8542,7 +8542,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットの機種がまだ不明です。ロボットが報告するまで待ってください。</translation>
     </message>
 </context>
 <context>
@@ -9089,7 +9089,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
-        <translation type="unfinished"></translation>
+        <translation>ゴースト「%1」· 別の機種で教示</translation>
     </message>
 </context>
 <context>
