@@ -279,39 +279,39 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
         result = error;
     }
     taken(result);
-    py::dict result;
-    result["cycles"] = report.cycles;
-    result["missed"] = report.missed;
-    result["stale"] = report.stale;
-    result["late"] = report.late;
-    result["overruns"] = report.overruns;
-    result["fast_wake_ups"] = report.fastWakeUps;
-    result["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
-    result["longest_wait"] = longestWait.count();
-    return result;
+    py::dict summary;
+    summary["cycles"] = report.cycles;
+    summary["missed"] = report.missed;
+    summary["stale"] = report.stale;
+    summary["late"] = report.late;
+    summary["overruns"] = report.overruns;
+    summary["fast_wake_ups"] = report.fastWakeUps;
+    summary["longest_call"] = static_cast<double>(report.calls.maxNs()) * 1e-9;
+    summary["longest_wait"] = longestWait.count();
+    return summary;
 }
 
 py::dict statusDict(const NativeController& self) {
     const ControllerStatus status = self.controller.status();
-    py::dict told;
-    told["in_control"] = status.inControl;
-    told["loss"] = toString(status.loss);
-    told["fresh"] = status.fresh;
-    told["robot_mode"] = toString(status.fresh ? status.robotMode : RobotMode::Disconnected);
-    told["safety_mode"] = toString(status.fresh ? status.safetyMode : SafetyMode::Undefined);
-    told["moving"] = status.moving;
-    told["force_mode"] = status.forceMode;
-    told["executing"] = status.executing;
-    told["limiter"] = toString(status.limiter.kind);
-    told["limiter_joint"] = status.limiter.joint;
-    told["limiter_scale"] = status.limiter.scale;
-    told["last_cause"] = toString(status.lastCause);
-    told["last_stop_ms"] = status.lastStop.durationMs;
-    told["last_stop_mm"] = status.lastStop.distanceMm;
-    told["round_trip_ms"] = status.roundTripMs;
-    told["speed_fraction"] = status.speedFraction;
-    told["speed_scaling"] = status.speedScaling;
-    return told;
+    py::dict result;
+    result["in_control"] = status.inControl;
+    result["loss"] = toString(status.loss);
+    result["fresh"] = status.fresh;
+    result["robot_mode"] = toString(status.fresh ? status.robotMode : RobotMode::Disconnected);
+    result["safety_mode"] = toString(status.fresh ? status.safetyMode : SafetyMode::Undefined);
+    result["moving"] = status.moving;
+    result["force_mode"] = status.forceMode;
+    result["executing"] = status.executing;
+    result["limiter"] = toString(status.limiter.kind);
+    result["limiter_joint"] = status.limiter.joint;
+    result["limiter_scale"] = status.limiter.scale;
+    result["last_cause"] = toString(status.lastCause);
+    result["last_stop_ms"] = status.lastStop.durationMs;
+    result["last_stop_mm"] = status.lastStop.distanceMm;
+    result["round_trip_ms"] = status.roundTripMs;
+    result["speed_fraction"] = status.speedFraction;
+    result["speed_scaling"] = status.speedScaling;
+    return result;
 }
 
 /// (whether it is a pose, numbers)

@@ -164,7 +164,7 @@ void defineDashboard(py::module_& module) {
             };
             const auto address = dashboard::serviceAt(host, portOffset);
             waited(seconds, [&](const Deadline& deadline) {
-                return dashboard::recover(address, consent, deadline, tell);
+                return dashboard::recover(address, consent, deadline, onStep);
             });
         },
         py::arg("host"), py::arg("port_offset"), py::arg("cause_inspected"), py::arg("restart_safety"),
