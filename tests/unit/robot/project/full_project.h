@@ -3,6 +3,8 @@
 
 // A project with all elements of a file, for tests of files and of project functions.
 
+#include <QJsonArray>
+
 #include "robot/project/project_file.h"
 #include "robot/project/waypoint_revision.h"
 
