@@ -6,6 +6,7 @@
 
 #include <QMainWindow>
 #include <QMap>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
