@@ -25,6 +25,7 @@ public:
         setFrameShape(QFrame::NoFrame);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setWidget(page);
+        setAccessibleName(page->accessibleName());
         page->setAutoFillBackground(false);
         viewport()->setAutoFillBackground(false);
     }

@@ -165,6 +165,10 @@ int WaypointDetails::figuresHeight() const {
     return pose_->minimumSizeHint().height() + layout()->spacing();
 }
 
+int WaypointDetails::shownFiguresHeight() const {
+    return pose_->isVisible() ? pose_->height() + layout()->spacing() : 0;
+}
+
 QString WaypointDetails::headline() const {
     return name_->text() + QLatin1Char(' ') + facts_->fullText();
 }

@@ -241,6 +241,10 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointsTab::fitRoutes() {
+    if (const int shown = details_->shownFiguresHeight(); shown > 0) {
+        valuesHeight_ = shown;
+    }
+    routes_->setMinimumHeight(0);
     // In a narrow panel "Record path" is only in the menu.
     paths_->setVisible(true);
     paths_->setVisible(routes_->sizeHint().width() <= width());
@@ -257,6 +261,7 @@ void WaypointsTab::fitRoutes() {
         column->insertWidget(instead ? column->indexOf(details_) + 1 : column->indexOf(pages_), routes_);
     }
     routes_->fitInto({width(), instead ? spare + details_->figuresHeight() : spare});
+    routes_->setMinimumHeight(instead ? valuesHeight_ : 0);
 }
 
 QSize WaypointsTab::minimumSizeHint() const {

@@ -405,7 +405,7 @@ private Q_SLOTS:
     }
 
     // Scripts and sub programs that are files of their own come from the programs folder.
-    void whatAProgramRefersToIsReadFromTheFolder_data() {
+    void referencedFilesAreReadFromTheFolder_data() {
         QTest::addColumn<QString>("node");
         const auto script = [](const char* file) {
             return QStringLiteral("<Script type=\"File\"><file resolves-to=\"file\">%1</file></Script>")

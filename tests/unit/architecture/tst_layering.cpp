@@ -262,7 +262,7 @@ const QHash<QString, QString>& withoutDisplay() {
         {"widgets/scene/arm_mesh", kView},
         {"widgets/scene/camera", kView},
         {"widgets/scene/label_placer", kView},
-        {"widgets/scene/lanes", kView},
+        {"widgets/scene/simd", kView},
         {"widgets/scene/mesh", kView},
         {"widgets/scene/scene_trace", kView},
     };

@@ -133,7 +133,7 @@ private Q_SLOTS:
         }
     }
 
-    void torquesGoOutWithTheCapAndEndAboveIt_data() {
+    void torquesAreSentWithTheCapAndEndAboveIt_data() {
         QTest::addColumn<ScriptState>("state");
         QTest::addColumn<LimiterKind>("limiter");
         QTest::newRow("TCP") << ScriptState::TcpTooFast << LimiterKind::TcpSpeed;
