@@ -165,8 +165,10 @@ int WaypointDetails::figuresHeight() const {
     return pose_->minimumSizeHint().height() + layout()->spacing();
 }
 
-int WaypointDetails::shownFiguresHeight() const {
-    return pose_->isVisible() ? pose_->height() + layout()->spacing() : 0;
+void WaypointDetails::setFiguresSlot(int height) {
+    const int inner = height - layout()->spacing();
+    pose_->setMinimumHeight(height > 0 ? inner : 0);
+    pose_->setMaximumHeight(height > 0 ? inner : QWIDGETSIZE_MAX);
 }
 
 QString WaypointDetails::headline() const {

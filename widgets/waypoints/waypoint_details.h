@@ -43,8 +43,8 @@ public:
     void setFiguresShown(bool shown);
     bool areFiguresShown() const { return figuresShown_; }
     int figuresHeight() const;  ///< Including the spacing to the headline [px].
-    /// Current height of the values with their spacing [px]; 0 if they are hidden.
-    int shownFiguresHeight() const;
+    /// Fixes the height of the values with their spacing [px]; 0: their natural height.
+    void setFiguresSlot(int height);
 
     QString headline() const;
     /// The pose as text, for screen readers.

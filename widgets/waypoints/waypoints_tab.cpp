@@ -241,9 +241,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointsTab::fitRoutes() {
-    if (const int shown = details_->shownFiguresHeight(); shown > 0) {
-        valuesHeight_ = shown;
-    }
+    details_->setFiguresSlot(0);
     routes_->setMinimumHeight(0);
     // In a narrow panel "Record path" is only in the menu.
     paths_->setVisible(true);
@@ -260,14 +258,22 @@ void WaypointsTab::fitRoutes() {
         column->removeWidget(routes_);
         column->insertWidget(instead ? column->indexOf(details_) + 1 : column->indexOf(pages_), routes_);
     }
-    routes_->fitInto({width(), instead ? spare + details_->figuresHeight() : spare});
-    routes_->setMinimumHeight(instead ? valuesHeight_ : 0);
+    const int available = spare + details_->figuresHeight();
+    const int wanted = routes_->sizeHint().height();
+    routes_->fitInto({width(), instead ? available : spare});
+    if (!both) {
+        // Values and buttons get the same height, so that the headline keeps its position when they are swapped.
+        const int slot = std::max(details_->figuresHeight(), std::min(wanted, available));
+        details_->setFiguresSlot(slot);
+        routes_->setMinimumHeight(instead ? slot : 0);
+    }
 }
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
     // Even while Go through replaces the values, so that the panel does not change.
-    least.rheight() += details_->areFiguresShown() ? 0 : details_->figuresHeight();
+    const bool slotIsKept = details_->areFiguresShown() || routes_->minimumHeight() > 0;
+    least.rheight() += slotIsKept ? 0 : details_->figuresHeight();
     if (details_->isHidden()) {
         // They appear with the first waypoint; this does not move buttons in a low panel.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();

@@ -140,7 +140,6 @@ private:
     GoToButton* goTo_ = nullptr;
     GoThroughBar* goThrough_ = nullptr;
     PathControls* paths_ = nullptr;
-    int valuesHeight_ = 0;          ///< of the values when shown last [px]
     FoldingRow* routes_ = nullptr;  ///< owned by these two
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
