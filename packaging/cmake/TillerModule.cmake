@@ -128,7 +128,7 @@ function(tiller_test_surroundings name timeout)
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
     # Those that may take long begin first, so that the last minutes do not wait for one of them alone.
     math(EXPR cost "${timeout} / 10")
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS 2
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS 4
         ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
 TSAN_OPTIONS=suppressions=${support}/tsan.supp die_after_fork=0;\
 LSAN_OPTIONS=suppressions=${support}/lsan.supp;${patience}${ARGN}")
@@ -163,7 +163,8 @@ endfunction()
 #             [PARTS n])
 # A Qt Test program, run by ctest under the name <last folder>/<tst_x>.
 # OFFSCREEN runs it on Qt's offscreen platform; SERIAL keeps other tests away from the machine while it runs.
-# ctest runs four jobs per processor. A test takes two of them, or one if it WAITS for real time most of the time.
+# ctest runs four jobs per processor. A test takes all four of one processor, or one if it WAITS for real time most of
+# the time.
 # COST is the measured time: tests with a large one begin first. Without it the timeout counts a tenth.
 # PARTS runs the functions and rows of the test as so many tests of ctest, side by side.
 function(tiller_test)
