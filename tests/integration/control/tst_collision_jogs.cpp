@@ -297,7 +297,8 @@ private Q_SLOTS:
                     .toUtf8();
             // A jog just outside the zone of a singularity passes it slowly or ends: less than a millimetre makes
             // the difference.
-            const double tolerance = axis < 3 ? 0.001 : 0.1 * kDeg;
+            // A rotation of 45 deg/s covers 0.09 deg per control period, and the end may be two periods later.
+            const double tolerance = axis < 3 ? 0.001 : 0.2 * kDeg;
             if (reach.end.kind == LimiterKind::Singularity && gone > reach.distance + tolerance &&
                 slowest < 0.1) {
                 ++crept;
