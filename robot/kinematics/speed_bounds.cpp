@@ -10,7 +10,8 @@
 namespace tiller::kinematics {
 namespace {
 
-constexpr int kSamples = 64;  ///< along a joint move
+constexpr int kJointSamples = 64;  ///< along a joint move
+constexpr int kLineSamples = 48;   ///< along a line
 
 Eigen::Vector3d elbowPosition(const DhParameters& dh, const JointPositions& q) {
     return linkFrames(dh, q)[2].translation();
@@ -42,9 +43,9 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
     double elbow = 0;
     // A single joint carries both points on circles around its axis, at constant speeds.
     const bool isSingleJoint = (way.array() != 0).count() == 1;
-    const int last = isSingleJoint ? 0 : kSamples;
+    const int last = isSingleJoint ? 0 : kJointSamples;
     for (int i = 0; i <= last; ++i) {
-        const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kSamples)));
+        const JointPositions q(Vector6(from.values + way * (static_cast<double>(i) / kJointSamples)));
         const auto frames = linkFrames(dh, q);
         tcp = std::max(tcp, velocityOf(frames[6] * tcpOffset.position, frames, kJointCount, qd).norm());
         elbow = std::max(elbow, velocityOf(frames[2].translation(), frames, 2, qd).norm());
@@ -82,11 +83,10 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
     if (!onTheSpot && turn.norm() > kNoTurn) {
         holdTo(rotationCap * length / turn.norm(), SpeedLimit::Rotation);
     }
-    constexpr int kSamples = 48;
     JointPositions q = from;
     Eigen::Vector3d elbow = elbowPosition(dh, q);
-    for (int i = 1; i <= kSamples; ++i) {
-        const double part = static_cast<double>(i) / kSamples;
+    for (int i = 1; i <= kLineSamples; ++i) {
+        const double part = static_cast<double>(i) / kLineSamples;
         const Pose pose(start.position + line * part,
                         rotationVector(R_start * rotationMatrix(Eigen::Vector3d(turn * part))));
         const auto next = inverseNearest(dh, pose, tcpOffset, q);
@@ -94,7 +94,7 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
             break;
         }
         const Eigen::Vector3d nextElbow = elbowPosition(dh, *next);
-        const double elbowPerTcp = (nextElbow - elbow).norm() / (counted / kSamples);
+        const double elbowPerTcp = (nextElbow - elbow).norm() / (counted / kLineSamples);
         if (elbowPerTcp > 0) {
             holdTo(cap / elbowPerTcp, SpeedLimit::Elbow);
         }

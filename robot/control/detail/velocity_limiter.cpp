@@ -46,6 +46,10 @@ constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
 constexpr SingularityZone kShoulderZone{0.10,
                                         0.02};  // [m] between the wrist and the cylinder around the base axis
 
+/// Below this part of SingularityZone::end no linear motion is possible, not even away: the joint speeds it would
+/// need change faster than a robot can follow, which then makes a protective stop.
+constexpr double kDeepPart = 1.0 / 3;
+
 constexpr int kBase = 0;
 constexpr int kElbow = 2;
 constexpr int kWrist2 = 4;
@@ -75,7 +79,7 @@ Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen
 
 // The damping is so small that it only has an effect at the singularity, where it keeps the values finite.
 Vector6 jointSpeeds(const Matrix6& jacobian, const Vector6& twist) {
-    constexpr double kDamping = 1e-3;
+    constexpr double kDamping = 1e-4;
     Matrix6 normal = jacobian * jacobian.transpose();
     normal.diagonal().array() += kDamping * kDamping;
     const Vector6 solved = normal.ldlt().solve(twist);
@@ -120,7 +124,9 @@ LimiterKind limiterKind(collision::Contact::With with) {
 }
 
 void holdAtSingularity(Limiter& limiter, double here, double ahead, const SingularityZone& zone, int joint) {
-    if (ahead < here && here < zone.begin) {
+    if (here < zone.end * kDeepPart) {
+        hold(limiter, 0, LimiterKind::Singularity, joint);
+    } else if (ahead < here && here < zone.begin) {
         hold(limiter, (here - zone.end) / (zone.begin - zone.end), LimiterKind::Singularity, joint);
     }
 }
@@ -335,13 +341,15 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (cartesian && fastest > 0) {
         // Joint jogs may pass: only Cartesian motion causes high joint speeds at a singularity.
-        constexpr double kLookAhead = 0.005;  // [rad] of the fastest joint
-        const JointPositions next(Vector6(q.values + qd * (kLookAhead / fastest)));
         const auto here = kinematics::singularityMeasure(arm_.dh, q);
-        const auto ahead = kinematics::singularityMeasure(arm_.dh, next);
-        holdAtSingularity(limiter, here.wrist, ahead.wrist, kWristZone, kWrist2);
-        holdAtSingularity(limiter, here.elbow, ahead.elbow, kElbowZone, kElbow);
-        holdAtSingularity(limiter, here.shoulder, ahead.shoulder, kShoulderZone, kBase);
+        // A path may approach the singularity at first and lead away from it in the end, or the other way round.
+        for (const double lookAhead : {1e-5, 0.005}) {  // [rad] of the fastest joint
+            const JointPositions next(Vector6(q.values + qd * (lookAhead / fastest)));
+            const auto ahead = kinematics::singularityMeasure(arm_.dh, next);
+            holdAtSingularity(limiter, here.wrist, ahead.wrist, kWristZone, kWrist2);
+            holdAtSingularity(limiter, here.elbow, ahead.elbow, kElbowZone, kElbow);
+            holdAtSingularity(limiter, here.shoulder, ahead.shoulder, kShoulderZone, kBase);
+        }
     }
     if (situation.check != nullptr) {
         keepClear(limiter, {target, q, g.jacobian, qd, twist, tcpPose}, situation);

@@ -53,9 +53,9 @@ Deadline within(std::chrono::milliseconds time) {
 }
 
 void sleepUntil(SteadyClock::time_point end) {
-    constexpr std::chrono::milliseconds kSlice(50);
-    for (auto now = SteadyClock::now(); now + kSlice < end; now = SteadyClock::now()) {
-        std::this_thread::sleep_for(kSlice);
+    constexpr std::chrono::milliseconds kWaitStep(50);
+    for (auto now = SteadyClock::now(); now + kWaitStep < end; now = SteadyClock::now()) {
+        std::this_thread::sleep_for(kWaitStep);
         throwIfInterrupted();
     }
     std::this_thread::sleep_until(end);

@@ -176,7 +176,13 @@ private Q_SLOTS:
             QVERIFY(cell.standsWithinMs(1000));
             QVERIFY2(least > -kAllowedBelow,
                      qPrintable(QStringLiteral("sequence %1: %2 mm").arg(sequence).arg(least * 1e3)));
-            QVERIFY(cell.controller->status().inControl);
+            const ControllerStatus status = cell.controller->status();
+            QVERIFY2(status.inControl,
+                     qPrintable(QStringLiteral("sequence %1: loss %2, safety mode %3, motion ended with %4")
+                                    .arg(sequence)
+                                    .arg(static_cast<int>(status.loss))
+                                    .arg(static_cast<int>(cell.robot.truth().safetyMode))
+                                    .arg(static_cast<int>(status.lastCause))));
             slowed += isSlowed;
         }
         qInfo("%d of 100 were slowed down before a collision; nearest %.2f mm from the safety distance",

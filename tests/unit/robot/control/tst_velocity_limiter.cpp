@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/kinematics/arm_kinematics.h"
@@ -280,6 +281,57 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint jogs can always leave a singularity
+    }
+
+    // A linear jog has no way out of the depth of a singularity: the robot would answer with a protective stop.
+    void deepInASingularityLinearJogsAreBlocked() {
+        const JointPositions wristAndElbow(-0.886325, -2.81512, -0.0419052, -3.73636, 3.14351, 0.189416);
+        JointPositions wrist = kGoodPose;
+        wrist[4] = 0.2 * kDeg;
+        for (const JointPositions& q : {wristAndElbow, wrist}) {
+            for (const JogTarget& target : {linear(0.05, 0, 0), linear(0, 0.05, 0), linear(0, 0, -0.05)}) {
+                const Limiter limiter = limitAt(target, q);
+                QCOMPARE(limiter.scale, 0.0);
+                QCOMPARE(limiter.kind, LimiterKind::Singularity);
+            }
+            QCOMPARE(limitAt(joint(4, 0.1), q).scale, 1.0);
+        }
+    }
+
+    // Inside the zone no permitted motion approaches the singularity, not even for its first micrometres.
+    void withinTheZoneNoPermittedMotionComesNearer() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> real(-1, 1);
+        int permitted = 0;
+        for (int i = 0; i < 200'000; ++i) {
+            JointPositions q = kGoodPose;
+            for (int j = 1; j < 5; ++j) {
+                q[j] += 1.6 * real(random);
+            }
+            const auto here = kinematics::singularityMeasure(ur5e().dh, q);
+            if (here.shoulder > 0.02 || here.wrist < 0.2 || here.elbow < 0.3) {
+                continue;
+            }
+            JogTarget target = linear(0.01 * real(random), 0.01 * real(random), 0.01 * real(random));
+            target.twist.angular = {real(random), real(random), real(random)};
+            if (limitAt(target, q).scale <= 0) {
+                continue;
+            }
+            ++permitted;
+            const Pose tcp = tcpAt(q);
+            constexpr double kMoment = 1e-5;  // [s]
+            const Eigen::Vector3d turn = target.twist.angular * kMoment;
+            const Pose soon(tcp.position + target.twist.linear * kMoment,
+                            rotationVector(rotationMatrix(turn) * rotationMatrix(tcp.rotation)));
+            const auto next = kinematics::inverseNearest(ur5e().dh, soon, {}, q);
+            if (!next) {
+                continue;
+            }
+            const double change = kinematics::singularityMeasure(ur5e().dh, *next).shoulder - here.shoulder;
+            QVERIFY2(change > -1e-7,
+                     qPrintable(QStringLiteral("%1 m at %2 m").arg(change).arg(here.shoulder)));
+        }
+        QVERIFY2(permitted > 50, qPrintable(QString::number(permitted)));
     }
 
     void nothingAskedIsNothingLimited() { QCOMPARE(limitAt(JogTarget{}, kGoodPose).scale, 1.0); }
