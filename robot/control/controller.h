@@ -148,7 +148,7 @@ public:
     /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues under a cap
     /// it was not started with.
     /// Errors   InvalidArgument (not a number, or not above 0), LimitExceeded (above 3 m/s: probably
-    /// millimetres)
+    ///          millimetres)
     Result<void> setSpeedCap(double metresPerSecond);
     /// All jogs slow down and end at the safety distance from the objects of this check: the arm itself, its
     /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths

@@ -45,7 +45,7 @@ bool isSince(const SoftwareVersion& version, const QString& since) {
 }
 
 /// mark  e.g. "teach_mode", or "time 5.17": true unless the controller has refused this function, and only
-/// from these versions on.
+///       from these versions on.
 bool isCalled(const SoftwareVersion& version, const QString& mark, const QStringList& refused) {
     const QString since = mark.section(QLatin1Char(' '), 1);
     return !refused.contains(mark.section(QLatin1Char(' '), 0, 0)) &&
