@@ -47,13 +47,9 @@ public:
     Result<void> start();
     void stop();  ///< Stops the robot and closes all connections. No effect if it is not running.
 
-    simulator::Simulator& robot() {
-        return robot_;
-    }  ///< For injecting faults, setting inputs and reading the actual state.
-    const simulator::Simulator& robot() const { return robot_; }  ///< As above.
-    const std::shared_ptr<VirtualClock>& clock() const {
-        return clock_;
-    }  ///< For objects created by the caller.
+    simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and the actual state.
+    const simulator::Simulator& robot() const { return robot_; }           ///< As above.
+    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For your own objects.
 
     /// Creates and starts a receiver of this robot that uses its clock.
     /// options  host, port and clock are overwritten
