@@ -102,7 +102,7 @@ public:
     Result<void> takeControl(const Deadline& deadline);
 
     /// Takes control of a running control program without sending one: the program of a client that has left
-    /// (leave()), or our own after a pause.
+    /// (leave()), or the program of this controller after a pause.
     /// Errors   as takeControl(); NotInControl if the running program is not a control program
     /// Threads  as takeControl()
     Result<void> joinProgram(const Deadline& deadline);

@@ -533,7 +533,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// The current motion has ended; the epoch knows the cause and the time.
+// Records the end of the current motion, if it has ended; the epoch contains the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {
