@@ -59,7 +59,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     disconnect();
-    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // they ended with the program before
+    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses have ended with the previous program
     auto taken = connect(deadline, join);
     if (!taken) {
         disconnect();
@@ -154,7 +154,7 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Typically 5 ms, unless the robot hangs: then its program ends the motion by itself.
+        // Typically 5 ms. If the robot hangs, its program ends the motion by itself.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
@@ -224,7 +224,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (auto quiet = awaitPulses(stops, deadline, context); !quiet) {
         return quiet.error();
     }
-    // Braking first, and nothing that is stopped from here on may begin.
+    // The stop comes first, so that the arm decelerates and no earlier command can start.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
         return stopCameFirst(context);

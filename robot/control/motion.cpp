@@ -182,7 +182,8 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
-        // The order matters: an epoch confirmed in the status read afterwards is confirmed at this point.
+        // The order matters: if the status read afterwards confirms this epoch, the confirmation is valid
+        // now.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
         status = d.loop.status();  // late data alone do not end the wait, as in state()

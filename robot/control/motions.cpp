@@ -51,7 +51,7 @@ ArgumentCheck& checkSilence(ArgumentCheck& check, milliseconds silence) {
                        Seconds(kLongestSilence).count(), "s");
 }
 
-/// The timeout to send for a command; 0 for the default.
+/// Heartbeat timeout to send for a command; 0 for the default.
 milliseconds ownSilence(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
@@ -168,7 +168,7 @@ Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, 
     return from.start(command, MotionKind::MoveJ, from.status.q, target.array(), plan);
 }
 
-/// Moves along a line to this pose; with `toJoints` the target is sent as joint positions.
+/// Moves along a straight line to this pose; with `toJoints` the target is sent as joint positions.
 Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPositions* toJoints,
                       const MoveParameters& parameters) {
     const Dynamics asked = toolDynamics(parameters, from.limits.tcpSpeed);

@@ -70,8 +70,8 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
-        // The reason for the end arrives slightly later on another connection, but before the state after the next
-        // one: the next state may have been sent earlier.
+        // The reason for the end arrives slightly later on another connection, but at the latest before the
+        // second robot state from now: the next state may have been sent earlier.
         const bool heardAll =
             messageDeadline && (messageDeadline->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
         bad = d.program.complaint(context);

@@ -11,7 +11,7 @@ namespace {
 // A stop takes about 20 ms to reach the arm; afterwards the arm decelerates.
 constexpr std::int64_t kBrakesAfterNs = 100 * kNsPerMs;
 constexpr std::int64_t kCompareEveryNs = 50 * kNsPerMs;
-// For an arm at standstill, the control program confirms within this time.
+// If the arm is at standstill, the control program confirms a stop within this time.
 constexpr std::int64_t kConfirmedAfterNs = 200 * kNsPerMs;
 constexpr std::int64_t kLongestBrakingNs = 1000 * kNsPerMs;
 

@@ -70,14 +70,14 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Wake
 /// Returns  true in the first two cases
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
-void close(Descriptor socket);  ///< Closes the descriptor.
+void close(Descriptor socket);
 
-/// The port of this end of a connection; 0 where there is none.
+/// Local port of a connection; 0 if there is none.
 std::uint16_t localPort(Descriptor socket);
-std::uint16_t peerPort(Descriptor socket);  ///< The same of the other end.
+std::uint16_t peerPort(Descriptor socket);  ///< Remote port of a connection; 0 if there is none.
 
-/// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
-/// when the system has none left.
+/// A second descriptor of the same connection, which can outlive the Qt socket that opened it. Negative if
+/// the system has no free descriptors.
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

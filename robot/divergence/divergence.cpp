@@ -26,7 +26,7 @@ constexpr double kGravity = 9.82;     // m/s2
 constexpr double kMostJoint = 100;    // rad: larger values mean a damaged file
 constexpr double kMostMass = 1000;    // kg
 constexpr std::uint64_t kRowsAtOnce = 4096;
-constexpr double kTeachButton = 4;  // of robot_status_bits
+constexpr double kTeachButton = 4;  // bit of robot_status_bits
 
 const Quantity kQuantities[kQuantityCount] = {Quantity::JointPosition, Quantity::TcpPosition,
                                               Quantity::JointCurrent, Quantity::TcpForce};

@@ -207,7 +207,7 @@ struct Outputs::Link {
         return error;
     }
 
-    /// Whether the robot's report of it is followed.
+    /// Whether the receiver receives the fields that confirm the command.
     Result<void> confirmable(const QString& what, const ReportFields& fields) const {
         for (const char* field : fields) {
             if (field != nullptr &&
@@ -220,7 +220,8 @@ struct Outputs::Link {
         return {};
     }
 
-    /// Just before something is sent: only what comes later confirms it, or ends the wait for it.
+    /// The state just before sending: only later reports confirm the command, and only later disconnects end
+    /// the wait.
     struct Moment {
         std::uint64_t sequence = 0;
         std::uint64_t disconnects = 0;

@@ -13,7 +13,7 @@ namespace {
 
 /// Half width of the smoothing window [s]: hand tremor has a frequency of about 10 Hz.
 constexpr double kSmoothedOver = 0.05;
-/// Variation of the joints at standstill [rad].
+/// Maximum joint movement that counts as standstill [rad].
 constexpr double kStands = 0.0005;
 /// Fraction of the tolerance available for smoothing.
 constexpr double kSmoothingShare = 0.5;
@@ -41,8 +41,8 @@ public:
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // The nearest position for the joints is not the nearest one for the TCP: near an end, the end itself may
-        // be closer.
+        // The position nearest in joint space is not the position nearest for the TCP: near an end, the end
+        // itself may be closer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
                 best = off;

@@ -57,7 +57,7 @@ public:
         return solved.has_value();
     }
 
-    /// The same for a path, whose joint steps must not increase.
+    /// As keepFlange(), for a path. The joint steps of the path must not increase.
     bool keepPath(RecordedPath& path) const {
         constexpr double kJump = 0.5;  // [rad] between two points: another configuration, or a singularity
         JointPositions before;

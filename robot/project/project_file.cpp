@@ -33,8 +33,8 @@ Error inFile(Error error, const QString& path) {
     return error;
 }
 
-/// Keeps a file that cannot be read completely under another name before it is replaced.
-/// there  its content
+/// Copies a file that cannot be read completely to another name before it is replaced.
+/// there  content of the file
 Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
     if (there.isEmpty() || parseProject(there).ok()) {
         return QString();

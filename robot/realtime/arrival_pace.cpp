@@ -105,8 +105,8 @@ void ArrivalPace::learnMargin(double more) {
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
-// Processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer, so that
-// packages are held back for a shorter time.
+// The processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer,
+// so packages are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {

@@ -299,7 +299,7 @@ struct Receiver::Worker {
         localPort = native_socket::localPort(connection.descriptor());
         state = ReceiverState::Receiving;
 
-        // From here to the return: no lock, no allocation, no system call except for the socket.
+        // From here to the return: no locks, no allocation, and no system calls except for the socket.
         std::int64_t heardNs = began;
         rtde::ByteView wire;
         while (!stopping) {

@@ -32,7 +32,7 @@ constexpr milliseconds kLookAtDiskEvery{1000};
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
-    // QStorageInfo does not know file systems whose mount is not listed, as in a chroot or a container.
+    // QStorageInfo does not know file systems whose mount point is not listed, as in a chroot or a container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
@@ -50,7 +50,7 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     return sentences;
 }
 
-/// `timestamp` first, unless they are to be as given; each once.
+/// `timestamp` first unless asGiven is set; without duplicates.
 std::vector<std::string> orderedFields(const RecorderOptions& options, const receive::SampleLayout& layout) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {
@@ -348,7 +348,7 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
         return Error{
             ErrorCode::InvalidArgument, QStringLiteral("a recording is under way to %1").arg(path()), {}};
     }
-    stop();  // the rest of a failed recording
+    stop();  // closes the file of a failed recording
     auto next = std::make_shared<Worker>();
     next->path = options.path;
     if (options.every < 1) {

@@ -16,8 +16,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// Maximum interval between two checks of the control thread without data. Real time; whether data are late is
-// decided by the Clock.
+// Maximum interval between two checks of the control thread if no data arrive. Real time; the Clock decides
+// whether data are late.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 // Data found within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
@@ -216,8 +216,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // in vain, since the newest package
-    // A controller that compiles a program may send nothing meanwhile, and nothing moves through this connection then.
+    int looks = 0;  // unsuccessful checks since the newest package
+    // A controller that compiles a program may send no data meanwhile, and no motion runs through this
+    // connection then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // After a delay of this computer, data may still be in transit.

@@ -15,7 +15,7 @@ namespace {
 // Time without an answer after which the program counts as ended.
 constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
 
-/// [mm/s], at least 1, because 0 means no torques yet. No cap becomes a value that is never reached.
+/// Cap in mm/s, at least 1, because 0 means no torques yet. kNoCap becomes a value that is never reached.
 std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
     constexpr double kMillimetresPerMetre = 1000;
@@ -286,7 +286,7 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // Older than the stored times: at least their whole duration.
+        // The command is older than all stored times, so the round trip is at least their whole duration.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
@@ -533,7 +533,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// The current motion has ended; the epoch knows the cause and the time.
+// Records the end of the current motion, if it has ended; the epoch contains the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {

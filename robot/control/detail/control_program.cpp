@@ -142,7 +142,8 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         own_ = {};
     }
     session_ = session;
-    // Connected until the program responds: a controller can drop a program whose sender disconnects immediately.
+    // Stays connected until the program responds: a controller can drop a program whose sender disconnects
+    // immediately.
     std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {

@@ -52,7 +52,7 @@ public:
 
     // ---- sending -------------------------------------------------------------------------------------------
 
-    /// Of the program sent or joined last; 0: none.
+    /// Session of the program sent or joined last; 0: none.
     std::int32_t session() const { return session_; }
     void setSession(std::int32_t session) { session_ = session; }
     int primaryPort() const {
