@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::JointLimit);
         QCOMPARE(bench.loop.status().limiter.joint, 3);
-        // Motion away from it is free, and the limit is no longer reported.
+        // Motion away from the limit is not slowed down, and the limit is no longer reported.
         jog.jog.qd[3] = -0.2;
         bench.mailbox.start(jog, bench.now());
         QCOMPARE(bench.tick().kind, ScriptCommand::JogJoints);
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, limiter);
         QCOMPARE(bench.loop.status().limiter.scale, 0.0);
-        // Without a cap no speed exceeds it.
+        // Without a chosen limit the speed does not exceed the limit of the arm.
         bench.loop.setSpeedCap(kNoCap);
         const MotionId next = bench.mailbox.start(stream, bench.now());
         QVERIFY(bench.mailbox.change(next, target, bench.now()));

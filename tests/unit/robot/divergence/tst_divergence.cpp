@@ -92,7 +92,7 @@ void TestDivergence::anUndisturbedArmNeverParts() {
     for (const Outcome& each : report.outcomes) {
         QVERIFY(each.missing.empty());
         QCOMPARE(each.rows, report.rows - report.leftOut);
-        // Much smaller, in fact.
+        // In fact, it is much smaller.
         QVERIFY2(each.greatest && each.greatest->amount < each.limit / 10,
                  qPrintable(QString::number(each.greatest ? each.greatest->amount : -1)));
     }

@@ -95,7 +95,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     }
 }
 
-// A simulated robot was held up, or the route has changed: reporting lateness forever would not help.
+// A simulated robot was delayed, or the network route has changed: reporting lateness forever would not help.
 void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
     StreamWatch watch;
     watch.begin(0.002);

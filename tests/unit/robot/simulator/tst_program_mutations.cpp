@@ -216,7 +216,7 @@ private Q_SLOTS:
             const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
-        // Otherwise all of them would have ended at the first line.
+        // Otherwise all programs would have ended at the first line.
         QVERIFY2(told > 50 && refused > 50, qPrintable(QStringLiteral("%1 %2").arg(told).arg(refused)));
     }
 
@@ -234,7 +234,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Every program that the program refers to is the program itself, so that it may call itself without end.
+    /// Resolves every program reference to the program itself, so that it may call itself without end.
     static pendant::PendantSource source(const QByteArray& content) {
         pendant::PendantSource source;
         source.files = [content](const QString& name) -> std::optional<QByteArray> {

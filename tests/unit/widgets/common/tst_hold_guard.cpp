@@ -70,7 +70,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         QTest::mouseMove(s.key, place);
-        QTest::mouseMove(s.key, QPoint(40, 30));  // coming back does not resume
+        QTest::mouseMove(s.key, QPoint(40, 30));  // moving back onto the key does not resume the motion
         s.expectStopped(StopCause::PointerLeft);
         s.expectNewPressMoves();
     }

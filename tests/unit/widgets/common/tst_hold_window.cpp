@@ -39,7 +39,7 @@ private Q_SLOTS:
         second.show();
         second.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&second));
-        s.expectStopped(StopCause::DialogOpened);  // showing it is enough
+        s.expectStopped(StopCause::DialogOpened);  // showing the dialog is sufficient
     }
 
     void deactivatedWindowStops() {

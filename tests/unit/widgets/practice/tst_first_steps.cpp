@@ -65,7 +65,7 @@ private Q_SLOTS:
     }
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         steps_ = std::make_unique<FirstSteps>(*session_, *document_);
         steps_->setFollowing(true);

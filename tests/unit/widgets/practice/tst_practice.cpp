@@ -50,7 +50,7 @@ private Q_SLOTS:
         setUp_.clear();
         tidied_ = 0;
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         PracticeHooks hooks;
         hooks.obstacle = [this](const SessionState&) { return elsewhere_; };

@@ -537,8 +537,8 @@ private Q_SLOTS:
         QTRY_VERIFY(counter.paints > 0);
     }
 
-    // The TCP rises by a twentieth of a pixel each time: most of these states need no new picture, but all of them
-    // together do.
+    // The TCP rises by a twentieth of a pixel each time: most of these states do not change the picture, but
+    // all of them together do.
     void hiddenViewsAreNotDrawn() {
         ShownView view;
         PaintCounter counter(view);

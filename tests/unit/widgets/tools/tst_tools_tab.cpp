@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         moves_.clear();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         MotionPort port;
         port.beginMove = [this](const MoveRequest& request) -> Result<MotionPort::Id> {

@@ -63,7 +63,7 @@ private Q_SLOTS:
 
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         document_->setAuthor("Ann");
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_);

@@ -98,7 +98,7 @@ private Q_SLOTS:
         document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✕ reach"));
         QVERIFY(!reachAdvice(document_->reach(2)).isEmpty());
-        // A longer arm gets there.
+        // A longer arm reaches the pose.
         document_->setRobot(robotModel(RobotModelId::UR20));
         far.pose.position = Eigen::Vector3d(1.2, 0, 0.3);
         document_->changeWaypoint(2, far, "x");

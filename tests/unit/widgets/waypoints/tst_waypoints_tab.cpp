@@ -75,7 +75,7 @@ private Q_SLOTS:
     void init() {
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
         goTo()->guard().setClock(clock_);
