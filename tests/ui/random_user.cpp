@@ -728,7 +728,7 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// Corrects the first problem, as a person at the robot would, without the window.
+/// Fixes the first problem, as a person at the robot would, without the window.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();

@@ -27,10 +27,10 @@ public:
     /// From a disconnection until data count as late [ms].
     static constexpr int kStaleMs = 300;
 
-    /// window  with header, joints and outputs; must outlive the check
+    /// `window`: has the header, joints and outputs; must outlive the check.
     explicit TruthCheck(const QWidget& window) : window_(window) {}
 
-    /// standing  the arm has come to rest: the header must not show motion any more
+    /// `standing`: the arm has come to rest, so the header must not show motion any more.
     QList<Lie> lies(const simulator::Truth& truth, bool standing);
     /// Number of displayed values that were compared so far: a window that marks everything as unknown would pass
     /// otherwise.

@@ -71,7 +71,7 @@ struct DeadLinkBench : WindowBench {
     bool hasSaid(const char* words) const { return said->join('\n').contains(QLatin1String(words)); }
 
     /// Advances time for robot and window, independent of the communication threads.
-    /// pauseMs  real time for them in each period
+    /// `pauseMs`: real time for these threads in each period.
     void goOn(int ms, int pauseMs = 0) {
         for (int t = 0; t < ms; t += kPeriodMs) {
             clock.advanceNs(kPeriodMs * kNsPerMs);

@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Space in a name must not end the program of the client that replaced us, at any later time.
+    // Space typed in a name must not end the program of the client that replaced us, however much later.
     void theKeysBelongToTheFocusAfterControlWasReplaced() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -329,7 +329,7 @@ private Q_SLOTS:
         bench.stop(way);
         QVERIFY(bench.within([&] { return standsStill(bench.cell); }));
         QVERIFY(bench.within([&] { return bench.state().control != ControlState::Taking; }));
-        // In all cases: no motion, and no program of another client is running.
+        // In all cases: the arm is at standstill, and no program of another client is running.
         QVERIFY(bench.within([&] {
             return bench.state().control == ControlState::InControl || !bench.state().foreignProgramRuns();
         }));
@@ -390,7 +390,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // An unnecessary stop would end a program started in the next moment.
+    // An unnecessary stop would end a program that is started a moment later.
     void nothingIsSentWhenNothingRuns() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

@@ -674,7 +674,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The notice is destroyed with its panel, and the view with its own, in any order.
+    // The notice and the view are destroyed with their panels, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));

@@ -123,7 +123,7 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-/// Usual findings with this PC and a new simulated robot.
+/// Findings that always occur on this PC with a new simulated robot.
 const QSet<QString> kUsual = {"privilege.none", "latency.none", "payload.unset"};
 
 QSet<QString> causesOf(const doctor::Report& report) {

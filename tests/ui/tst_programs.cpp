@@ -56,7 +56,7 @@ private:
     }
 
     /// A robot with this software version, or the default one, and a window connected to it.
-    /// local  as with --local
+    /// `local`: start the robot in Local mode, as with --local.
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
@@ -273,7 +273,7 @@ private Q_SLOTS:
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        // Another connection does not know it.
+        // A new connection does not show it.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
     }

@@ -100,7 +100,7 @@ struct Bench : WindowBench {
         return true;
     }
     /// Holds a button of the pad for a while and releases it.
-    /// Returns  distance of the TCP [mm]
+    /// Returns the distance of the TCP [mm].
     double jog() {
         auto* key = window.findChild<HoldButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });
@@ -253,7 +253,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
         QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
-        // For any time: nothing unlocks automatically.
+        // Nothing unlocks automatically, however long it takes.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());

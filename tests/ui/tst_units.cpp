@@ -122,7 +122,7 @@ constexpr const char* kPlaces[] = {
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
     "frame.table",  "frame.details.x", "frame.details.facts", "jog.Z+"};
 
-/// Those without the unit.
+/// Returns the places that do not show the unit.
 QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {
     const QStringList found = figuresIn(figure, root);
     QStringList places;

@@ -327,7 +327,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Nor when its condition becomes true.
+        // Nothing continues when the condition becomes true either.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);
