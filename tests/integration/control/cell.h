@@ -162,9 +162,10 @@ public:
         const bool expected = status.inControl || status.loss == control::ControlLoss::DataStale;
         return {expected, status.answeredTime, robot.inputPackages()};
     }
-    /// Waits until data newer than these were answered, and the answer has arrived; false after 20 s. Another
-    /// package is not necessarily the answer, because the controller also sends without a package: a stop, a set
-    /// point between two packages. Mistaking one for the answer would put the test one package ahead.
+    /// Waits until data newer than `before` were answered and the answer has arrived; false after 20 s. The
+    /// next package from the controller is not necessarily the answer, because it also sends packages on its
+    /// own: a stop, or a set point between two packages. Taking such a package for the answer would put the
+    /// test one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (before.expected && controller->status().answeredTime == before.time) {

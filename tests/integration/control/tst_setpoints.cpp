@@ -569,7 +569,7 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(200) >= 0);
     }
 
-    // Stop is final: eight threads send targets as fast as they can, and the arm stands all the same.
+    // Stop is final: eight threads send targets as fast as they can, and the arm still comes to a standstill.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

@@ -85,7 +85,7 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    /// software  without value: a version that has this motion
+    /// `given`: without a value, a version that has this motion.
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
                       const std::optional<SoftwareVersion>& given = std::nullopt) {

@@ -33,7 +33,7 @@ struct Cli {
         }
         return process.readLine();
     }
-    /// -1: it did not end by itself.
+    /// Exit code; -1 if the process did not exit by itself.
     int exitCode() {
         if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
             return -1;
@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // Also by the switch of the pendant, in both directions.
+        // The switch on the pendant works as well, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;

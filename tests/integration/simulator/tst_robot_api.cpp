@@ -127,7 +127,7 @@ private Q_SLOTS:
         const Answer stored = web.upload("POST", kProgram);
         QCOMPARE(stored.status, 200);
         QCOMPARE(stored.json()["programName"].toString(), QStringLiteral("wait"));
-        QCOMPARE(web.upload("POST", kProgram).status, 400);  // there is one already
+        QCOMPARE(web.upload("POST", kProgram).status, 400);  // the program already exists
         QCOMPARE(web.upload("PUT", R"({"name":"other"})").status, 404);
         QCOMPARE(web.upload("PUT", kProgram).status, 200);
         QCOMPARE(web.upload("POST", "no json").status, 400);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"none"})").status, 404);
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 200);
         QCOMPARE(web.ask("GET", "/program/v1/loaded").json()["name"].toString(), QStringLiteral("wait"));
-        QCOMPARE(web.upload("PUT", kProgram).status, 409);  // it is loaded
+        QCOMPARE(web.upload("PUT", kProgram).status, 409);  // the program is loaded
 
         const auto act = [&](const char* action) {
             const Answer answer =

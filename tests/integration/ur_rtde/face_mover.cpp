@@ -30,8 +30,8 @@ const List kDown{0, 0, -0.1, 0, 0, 0};
 constexpr double kTurn = 0.4;  // [rad/s]
 
 struct Way {
-    std::function<void(Control&)> begin;          ///< once
-    std::function<void(Control&, double)> cycle;  ///< every 4 ms, with the time since the beginning [s]
+    std::function<void(Control&)> begin;          ///< called once
+    std::function<void(Control&, double)> cycle;  ///< called every 4 ms, with the time since the start [s]
     std::function<void(Control&)> release;
 };
 
@@ -75,7 +75,7 @@ std::string risingFile() {
     return name;
 }
 
-/// A call that returns when the script is over.
+/// Runs a call that returns at the end of the script in a separate thread.
 template <class Call>
 std::function<void(Control&)> waiting(Call call) {
     return [call](Control& c) { std::thread([&c, call] { call(c); }).detach(); };
@@ -100,7 +100,7 @@ void addScripts(std::map<std::string, Way>& table) {
     add("custom program", [](Control& c) { c.setCustomScriptFile(risingFile()); });
 }
 
-/// There and back, by calls that return at each end.
+/// Moves back and forth with calls that return at each end.
 Way endless(const std::function<void(Control&, bool)>& move) {
     return {[move](Control& c) {
                 std::thread([&c, move] {
