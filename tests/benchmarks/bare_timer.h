@@ -14,7 +14,7 @@
 
 namespace tiller::benchmark {
 
-/// Threads  one, from construction to stop()
+/// Threads: one, from construction to stop().
 class BareTimer {
 public:
     explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nothing is cut off: every dialog and every page of the window, on the smallest screen, in both densities.
-// The same again at 150 and 200 %, in every language and in one that does not exist: see CMakeLists.txt.
+// No text is clipped: every dialog and every page of the window, on the smallest screen, in both densities.
+// Repeated at 150 and 200 %, in every language and in a pseudo language: see CMakeLists.txt.
 
 #include <QDialog>
 #include <QDockWidget>

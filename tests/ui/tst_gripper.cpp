@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gripper page in the real window, with real sockets, the simulated gripper, and a gripper that stops
-// responding or disconnects.
+// The gripper page in the real window, with real sockets and the simulated gripper, which may also stop
+// responding or disconnect.
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Something to try: a sample project is offered, opened as a copy, gone through with the simulated robot, and
-// never written to.
+// Sample projects are offered, opened as a copy, run with the simulated robot, and never overwritten.
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Settings take effect immediately, are restored at the next start, and cannot become dangerous by a file: the
-// speed cap can only be raised by the user, and the header then shows it.
+// Settings take effect immediately and are restored at the next start. A settings file cannot make them
+// dangerous: the speed limit can only be raised by the user, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Transfer of all settings by one file: the user sees what is replaced in advance, it takes effect immediately, and
-// a damaged or too new file changes nothing.
+// Transfer of all settings in one file: the user sees in advance what is replaced, it takes effect
+// immediately, and a damaged file or one of a newer format changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>

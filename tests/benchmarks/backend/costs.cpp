@@ -116,7 +116,7 @@ struct Ticking {
 
 /// A jog just above a floor: all limits are evaluated in each tick.
 struct Jogging : Ticking {
-    /// boxes  number of nearby boxes; negative: no collision check
+    /// `boxes`: number of nearby boxes; negative for no collision check.
     explicit Jogging(int boxes) {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         data.q = JointPositions(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);

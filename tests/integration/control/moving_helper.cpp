@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A program that takes control and moves the arm until it is killed, or a line of its standard input says how to
-// end, see endProcess(); "object" destroys the controller and keeps the process, "leave" leaves it unattended:
-//     moving_helper <host> <primary port> <rtde port> <way of moving>
+// Takes control and moves the arm until the process is killed, or until a line on its standard input selects
+// an end: see endProcess(); "object" destroys the controller and keeps the process, "leave" releases control
+// and lets motions continue unattended:
+//     moving_helper <host> <primary port> <rtde port> <type of motion>
 #include <QCoreApplication>
 #include <atomic>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cycles of a packet loop go on in step with the robot when packets come late or not at all, for a while.
+// The cycles of a packet loop stay in step with the robot when packets are late or missing for a while.
 #include <QRegularExpression>
 #include <functional>
 #include <semaphore>

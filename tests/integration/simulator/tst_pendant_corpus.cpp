@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs in the form in which the pendant saves them (tests/data/pendant): each is loaded and played in virtual
-// time, and what clients see of it is compared with its trace. For some there is a script as the pendant exports
-// it beside the program (exports/): it has the same effect.
+// Programs as saved by the pendant (tests/data/pendant): each is loaded and played in virtual time, and the
+// events visible to clients are compared with its trace. Some programs also have a script exported by the
+// pendant (exports/), which must have the same effect.
 //
 // To write the traces again:  TILLER_UPDATE=1 tst_pendant_corpus
 #include <QDir>

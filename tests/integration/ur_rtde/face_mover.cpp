@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A program for ur_rtde that moves the arm in one way until somebody ends it:
-//     face_mover <host> <way of moving>
-// It does not look at what the calls return, as many programs do not. When it is "ready" it does what the
-// lines of its standard input say, and answers each with "<line> done": "begin", "again" (from where it began
-// first), "release" (what ends this way of moving), "disconnect", "leave" (disconnect unattended), or how to end:
-// see endProcess().
+// A program for ur_rtde that moves the arm in one way until it is ended:
+//     face_mover <host> <type of motion>
+// Like many programs, it ignores the return values of its calls. It prints "ready", then executes the lines
+// of its standard input and answers each with "<line> done": "begin", "again" (from the first start
+// position), "release" (the function that ends this type of motion), "disconnect", "leave" (disconnect
+// unattended), or a way to end the process: see endProcess().
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <atomic>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The stop contract of the ur_rtde interface: every way of moving the arm, in a process of its own that does
-// not look at what calls return, and everything that must end it. The arm stands within 250 ms of the robot's
-// own time, and nothing but a new command moves it again. Where the process itself is killed or stopped, or
-// the cable cut, in real time; otherwise in virtual time.
+// The stop contract of the ur_rtde interface: every type of motion, in a separate process that ignores return
+// values, and every event that must end it. The arm is at standstill within 250 ms of robot time, and only a
+// new command moves it again. In real time if the process itself is killed or suspended or the cable is cut;
+// otherwise in virtual time.
 //
-//     tst_face_contract --assume NAME=VALUE    with another reading of what a real controller does
+//     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
 //     tst_face_contract --all                  with each of them, one after the other
 #include <ur_rtde/dashboard_client.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What control.script can do: streams, sections, braking as asked, and requests.
+// Functions of control.script: streams, sections, stops with a given deceleration, and requests.
 #include <QFile>
 #include <QTest>
 

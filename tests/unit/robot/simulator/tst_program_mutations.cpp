@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A program file of the pendant with every known node, damaged in a thousand ways: it is converted to URScript that
-// compiles or gives an error with its position, or it is refused with a reason. It never crashes or runs forever.
+// A program file of the pendant with every known node, damaged in a thousand ways. Either it is converted to
+// URScript that compiles or fails with the position of the error, or it is refused with a reason. It never
+// crashes or runs forever.
 
 #include <QTest>
 #include <random>

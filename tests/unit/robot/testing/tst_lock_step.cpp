@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lock-step with a simulated robot: the same course of events on every machine, with faults of the link too, and no waits in
-// real time for packets that do not come.
+// Lock-step with a simulated robot: the same sequence of events on every machine, including link faults, and
+// no waits in real time for packets that do not arrive.
 #include <QElapsedTimer>
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stop rule of the jog contract that a key can see by itself, with real events, in virtual time.
+// Every stop rule of the jog contract that a single key can detect, with real events, in virtual time.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thousand random hands: presses, releases, focus, keys, windows and stalls in any order, in virtual time.
-// Whatever happens, nothing moves without a held key, and a stopped motion never moves again.
+// A thousand random sequences of presses, releases, focus changes, keys, windows and stalls, in virtual time.
+// In all cases nothing moves without a held key, and a stopped motion never moves again.
 #include <QApplication>
 #include <QDialog>
 #include <QHBoxLayout>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stop rules about what happens around the key: focus, windows, dialogs, the application.
+// The stop rules for events around the key: focus, windows, dialogs, the application.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>

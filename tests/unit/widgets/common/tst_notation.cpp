@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths, speeds and orientations in the units the operator chose: what is shown, and what is typed.
+// Lengths, speeds and orientations are displayed and typed in the units selected by the operator.
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten thousand random sequences of what a hand, a keyboard and a window system can do, with every way of
-// holding at once and in any order: keys under any modifier and layout, events that get lost or come late,
-// wheels, focus, windows, dialogs, devices, a frozen display. 250 ms after the last of what held a motion
-// was let go, it does not move; short steps end by themselves, and by any stop. Nothing that was stopped
-// moves again.
+// Ten thousand random sequences of operator inputs and window system events, with all kinds of input in
+// parallel and in any order: keys with any modifier and layout, lost and late events, wheels, focus, windows,
+// dialogs, devices, a frozen display. A motion has stopped 250 ms after the release of the last input that
+// held it; short steps end by themselves, and by any stop. No stopped motion moves again.
 #include <QDialog>
 #include <QRandomGenerator>
 #include <QWheelEvent>

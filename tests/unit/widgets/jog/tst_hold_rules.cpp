@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every rule of the rule book for every way of holding: pad, joint keys, Go to, Go through, Back, Align, Home, Freedrive,
-// by mouse, finger and keyboard, the armed keyboard, gamepad and SpaceMouse.
+// Every hold rule for every kind of input: pad, joint keys, Go to, Go through, Back, Align, Home and
+// Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
 #include <QDialog>
 #include <QMenu>
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The armed keyboard follows physical keys by scan code from press to release, whatever modifier, lock key or
-// layout changes in between; events that do not fit end the motion.
+// The armed keyboard follows physical keys by scan code from press to release, even if modifiers, lock keys
+// or the layout change in between; unexpected events end the motion.
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>

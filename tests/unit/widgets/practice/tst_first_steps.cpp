@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checklist of the first five minutes: what ticks an item, what does not, and the card that shows it.
+// The checklist of the first five minutes: the actions that complete an item, those that do not, and the card
+// that shows it.
 
 #include <QLineEdit>
 #include <QPushButton>

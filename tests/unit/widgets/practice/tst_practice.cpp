@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Practice tasks: when they can be started, what is set up and restored, and the card that shows them.
+// Practice tasks: when they can be started, what they set up and restore, and the card that shows them.
 
 #include <QLabel>
 #include <QLineEdit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checks of the practice tasks: each passes for what the task asks, and for nothing less.
+// The checks of the practice tasks: each passes only for the required result.
 
 #include <QTest>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blended moves: when the first one returns, how close to the corner the path passes, which quantities stay
-// continuous.
+// Blended moves: when the first move returns, how close to the corner the path passes, and which quantities
+// stay continuous.
 #include <QTest>
 #include <cmath>
 

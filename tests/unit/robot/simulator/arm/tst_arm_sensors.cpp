@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the arm reports: torques, currents, forces, accelerometer, noise, history.
+// Values reported by the arm: torques, currents, forces, accelerometer, noise, history.
 #include <QTest>
 #include <cmath>
 

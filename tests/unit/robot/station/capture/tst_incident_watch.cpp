@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A protective stop in front of the window's session becomes a file, with what the log said.
+// A protective stop during a session is saved to a file, together with the log.
 #include <QDir>
 #include <QElapsedTimer>
 #include <QSignalSpy>

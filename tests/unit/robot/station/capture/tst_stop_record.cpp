@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is one stop and what is another, where the data were interrupted.
+// Distinguishes one continued stop from two stops when data were interrupted.
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Signals that are computed from others.
+// Signals computed from other signals.
 #include <QTest>
 #include <cmath>
 #include <random>

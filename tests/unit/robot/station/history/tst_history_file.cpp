@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long recording behind the plots: what is drawn from summaries loses no spike, what is near is exact, and a value is that
-// of the file wherever somebody asks.
+// A long recording in the plots: curves drawn from summaries lose no spike, curves of short ranges are exact,
+// and single values equal those of the file at any position.
 
 #include <QTemporaryDir>
 #include <QTest>

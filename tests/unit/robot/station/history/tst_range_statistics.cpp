@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of a range: those of its samples, whether they are in memory or in a long recording, and read but once.
+// Statistics of a range equal those of its samples, both in memory and in a long recording, and each sample
+// is read only once.
 
 #include <QSignalSpy>
 #include <QTest>

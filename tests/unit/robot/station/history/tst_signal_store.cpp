@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can be shown of a robot, and which of it has to be asked for.
+// The available signals of a robot, and the fields that have to be requested for them.
 #include <QSet>
 #include <QTest>
 #include <array>

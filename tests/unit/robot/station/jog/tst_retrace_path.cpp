@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trail and the way back along it, against doors that only write down what they are asked.
+// The recorded track and the motion back along it, with ports that only record their calls.
 #include <QTest>
 
 #include "robot/station/jog/retrace_path.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is left in each direction, and the way out of a limit, checked with the kinematics alone.
+// The remaining travel in each direction, and the direction away from a limit, checked with the kinematics
+// only.
 #include <QTest>
 #include <memory>
 #include <numbers>

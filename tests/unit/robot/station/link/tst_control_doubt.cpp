@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the session concludes about control when it lacks data: before the first ones, and after a dead connection.
+// The session's conclusions about control without data: before the first data, and after a lost connection.
 #include <QElapsedTimer>
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In control, and the robot goes from Remote to Local: motion stops, control is given back, and the operator
-// reads why. A robot that never was in Remote may be controlled as it is.
+// The robot changes from Remote to Local while in control: motion stops, control is released, and the
+// operator is told the reason. A robot that was never in Remote may be controlled as it is.
 #include <QElapsedTimer>
 #include <QTest>
 

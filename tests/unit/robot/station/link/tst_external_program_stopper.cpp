@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which stops mean a program that is not ours, too.
+// The stops that also apply to a program of another client.
 #include <QTest>
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One clock for the whole interface: each frame fetches what came since the last one, once, and everybody is shown
-// the last of it.
+// One clock for the whole user interface: each frame fetches the samples since the previous frame once, and
+// all parts of the window show the latest one.
 #include <QElapsedTimer>
 #include <QTest>
 #include <vector>

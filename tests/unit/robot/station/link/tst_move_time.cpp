@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The speed that the operator chose holds a move down, whatever part of the arm would get faster.
+// The chosen speed limits a move at every part of the arm.
 #include <QTest>
 #include <cmath>
 #include <limits>

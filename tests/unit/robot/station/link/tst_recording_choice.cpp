@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names of recordings: what a pattern becomes, and that no recording is ever written over another.
+// File names of recordings: the expansion of the pattern, and no recording overwrites another one.
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>

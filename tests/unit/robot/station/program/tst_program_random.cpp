@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random programs: valid ones run in the order that a model of the steps predicts, invalid ones are refused at the step
-// that is wrong, and damaged files crash nothing.
+// Random programs: valid programs run in the order predicted by a model of the steps, invalid programs are
+// refused at the faulty step, and damaged files cause no crash.
 
 #include <QRandomGenerator>
 #include <QTest>

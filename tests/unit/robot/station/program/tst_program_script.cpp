@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs as URScript: every kind compiles, and what is wrong is reported at its step.
+// Programs as URScript: every kind of step compiles, and errors are reported at their step.
 
 #include <QTest>
 
