@@ -38,7 +38,7 @@ public:
         values_.resize(connection_->outputs().size());
     }
 
-    /// Reads the next package. False: none arrived.
+    /// Reads the next package; false if none arrived.
     bool look() {
         if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
             return false;

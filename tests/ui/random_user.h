@@ -5,7 +5,7 @@
 // are triggered on the simulated robot. Occasionally a "care" function corrects problems, so that a usable robot
 // exists. Everything in real time, from one seed.
 //
-// Checks, permanently or after each quiet moment:
+// Checks, continuously or after each quiet moment:
 // - places: nothing moves under the pointer after a click (PlacesWatch);
 // - truth: the displayed state is correct, or marked as unknown (TruthCheck);
 // - rest: without operator input the arm stops, and remains stopped until the next press.

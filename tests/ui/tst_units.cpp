@@ -116,13 +116,13 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Places that display a length.
+/// Names of widgets that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
     "frame.table",  "frame.details.x", "frame.details.facts", "jog.Z+"};
 
-/// Returns the places that do not show the unit.
+/// Returns the names of the widgets in the list that do not show the unit.
 QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {
     const QStringList found = figuresIn(figure, root);
     QStringList places;
@@ -164,7 +164,7 @@ private Q_SLOTS:
             window.jogColumn().travel().look();
         }
 
-        // All places in millimetres must change to inches after an update of the panels.
+        // All lengths in millimetres must change to inches after an update of the panels.
         QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
                      qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
         QVERIFY(figuresIn(kInches, window).isEmpty());

@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
     }
 
-    // Released while the command is on its way to the worker: it is not sent any more.
+    // Released before the worker has received the command: it is not sent any more.
     void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());

@@ -91,8 +91,8 @@ class TestStopContract : public QObject {
                       const std::optional<SoftwareVersion>& given = std::nullopt) {
         const SoftwareVersion software =
             given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
-        // If forces may continue in a pause, and the process is killed meanwhile, nothing can end them: the program
-        // is paused and the PC is gone.
+        // If forces may continue in a pause, and the process is killed in the meantime, nothing can end them:
+        // the program is paused and the PC is not available.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs with signals of a Modbus device, and changes of the device meanwhile.
+// Programs with signals of a Modbus device whose values change while they run.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"

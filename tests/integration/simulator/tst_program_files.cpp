@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs of the pendant, as it saves them: variables that are told once and referred to, sequences,
-// branches, loops, threads, waypoints given by a variable.
+// Programs as saved by the pendant: variables that are defined once and then referenced, sequences, branches,
+// loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>

@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
-    // As on a robot: clients that read the answer and the data with one call must not get both at once.
+    // As on a real robot: clients that read the answer and the data with one call must not get both at once.
     void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");

@@ -106,7 +106,7 @@ struct Sampled {
     double hitAt = -1;  ///< as Contact::at; negative: none
 };
 
-/// In steps of at most a millimetre at the outermost point.
+/// Samples the path in steps of at most 1 mm at the outermost point.
 Sampled sampled(const CollisionCheck& check, const RobotModel& model,
                 const std::vector<JointPositions>& way) {
     const double longest = std::abs(model.dh.a[1]) + std::abs(model.dh.a[2]) + model.dh.d[0] + model.dh.d[3] +
@@ -271,7 +271,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(contact->distance - safety) < 0.001,
                      qPrintable(QString::number(contact->distance)));
             QVERIFY(!check.isInside(kStance, *contact));
-            // Half the distance inside, and 5 mm inside the floor itself.
+            // Starts at half the safety distance, and 5 mm inside the floor itself.
             for (const double start : {safety / 2 - 0.05, -0.055}) {
                 const JointPositions inside = shifted(start);
                 QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));
@@ -307,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    // A path that cannot be followed is not free.
+    // A path that the arm cannot follow does not count as free of collisions.
     void aPathWithNumbersThatAreNoneIsObstructed() {
         const CollisionCheck check(robotModel(RobotModelId::UR5e), {}, {});
         const JointPositions good(0, -1.57, 0.8, -1.57, -1.57, 0);
@@ -343,7 +343,7 @@ private Q_SLOTS:
         }
     }
 
-    // No collision is missed; false alarms are closer than a millimetre.
+    // No collision is missed. False alarms occur only below a distance of 1 mm.
     void agreesWithSamplingEveryMillimetre_data() {
         QTest::addColumn<int>("model");
         for (const RobotModel& model : robotModels()) {

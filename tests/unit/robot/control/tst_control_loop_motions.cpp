@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(moved > 10'000);
     }
 
-    // Eight threads permanently start, hold, change and stop motions while the loop ticks.
+    // Eight threads continuously start, hold, change and stop motions while the loop ticks.
     void stopIsFinalForTheRobotUnderContention() {
         Bench bench;
         bench.takeControl();
@@ -353,7 +353,7 @@ private Q_SLOTS:
         }
     }
 
-    // A round trip of more than 100 ms: a stop would be as late.
+    // With a round trip of more than 100 ms, a stop would be equally late.
     void aLateLinkEndsTheMotionAndLetsNoneBegin() {
         Bench bench;
         bench.takeControl();
@@ -476,8 +476,8 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().request.kind, RequestKind::None);
     }
 
-    // Eight threads permanently send targets; 10 000 times a stop occurs in between. After the first idle package,
-    // no later package moves the robot.
+    // Eight threads continuously send targets, with 10 000 stops in between. After the first idle package, no
+    // later package moves the robot.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Bench bench;
         bench.takeControl();

@@ -106,7 +106,7 @@ void TestDivergence::aPushIsFoundWhereItBegins_data() {
     QTest::newRow("lighter, found by the force alone") << true << 35.0;
 }
 
-// The stop comes later, as with a real controller.
+// The stop occurs later, as with a real controller.
 void TestDivergence::aPushIsFoundWhereItBegins() {
     QFETCH(bool, moving);
     QFETCH(double, force);

@@ -19,7 +19,7 @@ const DhParameters& arm() {
 }
 const Pose kTool(0.01, 0.02, 0.15, 0, 0, 0);
 
-/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremble.
+/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremor.
 Demonstration shownBy(std::mt19937& random, int samples, double tremble) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::normal_distribution<double> noise(0, tremble > 0 ? tremble : 1);

@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (std::int32_t n = 1; n < 5; ++n) {
             writer.write(n);
             writer.plant.step();
-            // The two newest values are mixed, nothing older.
+            // Only the two newest values are mixed.
             QCOMPARE(writer.first(), n - 1 + first);
             QCOMPARE(writer.third(), n - 1 + third);
             writer.inputs.applyRest();
@@ -377,7 +377,7 @@ private Q_SLOTS:
         QVERIFY(!missing.programs().submitText(text.toStdString()));
     }
 
-    // A camera that is switched on later need not end the program that names it.
+    // With deferred connections, a camera that is switched on later does not end the program that uses it.
     void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<bool>("goesOn");

@@ -392,7 +392,7 @@ private Q_SLOTS:
         b.devices.use(b.devices.devices().back().get());
         pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         b.run(50);
-        // A hand that holds the stick deflected and trembles.
+        // A stick held deflected by a hand with a slight tremor.
         for (int i = 0; i < 30; ++i) {
             pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
             b.run(100);

@@ -126,7 +126,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
-        // The next arrow key does not turn.
+        // The next arrow key does not start a rotation.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
         b.up(scan::kRight, Qt::Key_Right);

@@ -152,7 +152,7 @@ struct Bench {
         QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(view().viewport(), &drop);
     }
-    /// Chooses an action from the context menu at a place of the view.
+    /// Chooses an action from the context menu at a position in the view.
     void menuAt(const QPointF& place, const char* action) {
         QContextMenuEvent event(QContextMenuEvent::Mouse, place.toPoint(),
                                 view().viewport()->mapToGlobal(place.toPoint()));
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QVERIFY2(b.readout().startsWith("A–B Δt −9.800 s · ΔFz −9.8 N"), qPrintable(b.readout()));
     }
 
-    /// Anywhere in a plot including its upper edge, except on a name in the legend.
+    /// A click anywhere in a plot, including its upper edge, but not on a name in the legend.
     void aClickAnywhereInAPlotPlacesACursor() {
         Bench b;
         b.view().pause();
@@ -1052,7 +1052,7 @@ private Q_SLOTS:
         QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
         QVERIFY(&b.view() == first);
         QCOMPARE(b.view().cursor(PlotView::Cursor::B).value(), 56.0);
-        // Saving and restoring gives the same plots.
+        // Saving and restoring reproduces the same plots.
         const QByteArray kept = b.dock.arrangement();
         PlotDock another(b.session);
         another.arrange(kept);

@@ -549,7 +549,7 @@ private Q_SLOTS:
         QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
         QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
         QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);
-        // Any change to the text gives a layout or an error.
+        // Any modified text results in a layout or an error.
         PlotLayout good;
         good.pages.append({"Mine", {{{"actual_q_0"}, {}, 0, 2}}, {"robot_mode"}});
         const QByteArray text = good.toJson();

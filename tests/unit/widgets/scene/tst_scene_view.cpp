@@ -292,7 +292,7 @@ private Q_SLOTS:
         QTest::mouseDClick(&view, Qt::LeftButton, {}, {300, 200});
         QCOMPARE(view.camera().distance(), before.distance());
         QCOMPARE(view.camera().azimuth(), before.azimuth());
-        // The right button does not turn the view.
+        // The right button does not rotate the view.
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
         QTest::mouseMove(&view, {400, 250});
         QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
@@ -365,7 +365,7 @@ private Q_SLOTS:
         }
     }
 
-    // An operator who zooms or pans wants to see that place, until the complete view is requested.
+    // An operator who zooms or pans wants to keep that view until the complete view is requested.
     void viewChosenByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
@@ -424,7 +424,7 @@ private Q_SLOTS:
         QVERIFY((view.viewRotation().col(1) - Eigen::Vector3d::Unit(up)).norm() < 1e-9);
         picture(view);
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
-        // Turning by hand continues from there, and 3D leads back.
+        // Rotating with the keys continues from there, and the 3D button restores the initial view.
         QTest::keyClick(&view, Qt::Key_Right);
         QVERIFY(view.viewRotation().allFinite());
         QTest::mouseClick(view.findChild<QToolButton*>("scene.home"), Qt::LeftButton);

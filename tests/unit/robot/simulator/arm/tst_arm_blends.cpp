@@ -157,7 +157,7 @@ void TestArmBlends::processMoveKeepsItsSpeedThroughCorners() {
     const MotionStart one = go(arm, Move::P, kB, p);
     arm.run(0.3);
     run(one);
-    // The circle lies within the corner, at distance r / cos(45 deg) - r tan(45 deg) from it.
+    // The circle is inside the corner, at distance r / cos(45 deg) - r tan(45 deg) from it.
     const MotionStart two = go(arm, Move::P, kC, p);
     double nearest = 1;
     while (arm->motion().progress(two.id) == MotionProgress::Running) {

@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("order"), "tmtm");
     }
     void theMainProgramActsOnWhatItsThreadCopied() {
-        // The shape of the vendor's example of an RTDE control loop.
+        // Structured like the vendor's example of an RTDE control loop.
         const std::string text =
             "def m():\n setp = 0\n done = 0\n thread copy():\n while True:\n"
             " setp = read_input_float_register(0)\n sync()\n end\n end\n run copy()\n"
