@@ -28,7 +28,7 @@ public:
             thread_.join();
         }
     }
-    /// After stop(): delays and intervals of the wake-ups [ns].
+    /// Available after stop(): delays and intervals of the wake-ups [ns].
     const realtime::Histogram& lateness() const { return lateness_; }
     const realtime::Histogram& cycles() const { return cycles_; }
 

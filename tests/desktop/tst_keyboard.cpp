@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(0.3), "it moved again when the first layout came back");
     }
 
-    // As when another layout is selected in the settings of the desktop.
+    // The map is replaced as if another layout were selected in the settings of the desktop.
     void theMapIsReplacedWhileHeld_data() {
         QTest::addColumn<QString>("before");
         QTest::addColumn<QString>("after");

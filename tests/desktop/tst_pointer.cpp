@@ -23,7 +23,7 @@ class TestPointer : public InterruptedHold {
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
 
 private Q_SLOTS:
-    // On a screen smaller than the preferred size of the window.
+    // The screen is smaller than the preferred size of the window.
     void stopAndThePadAreOnTheScreen() {
         for (const char* name : {"stopButton", "jog.X+", "homeKey", "backKey"}) {
             const Place place = cell().place(name);

@@ -32,7 +32,7 @@ public:
     bool leftDown = false;
     QSet<KeyCode> keysDown;
 
-    /// From now on no query is answered.
+    /// While frozen, no query is answered.
     void freeze(bool frozen) {
         look();
         frozenNs_ = frozen ? clock_.nowNs() : 0;

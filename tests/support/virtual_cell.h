@@ -38,7 +38,7 @@ public:
     void advanceMs(int ms);
     /// Advances until the condition is true, for at most this virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
-    /// As advanceMs(), without the user interface, like a window that hangs.
+    /// As advanceMs(), but without processing the user interface, as if the window were hanging.
     void advanceWithFrozenInterface(int ms);
 
     std::function<void()> everyRefresh;

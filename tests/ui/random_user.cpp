@@ -31,7 +31,7 @@ constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
 /// Steps per hundred that are painted: painting is most of the cost of a step.
 constexpr int kPaintedOfHundred = 10;
-/// From release to standstill [ms]; the contract's bounds are tested in virtual time.
+/// Time from release to standstill [ms]; the contract's bounds are tested in virtual time.
 constexpr int kStandstillMs = 1000;
 /// Apparent motion of an arm at standstill due to the noise of its encoders [rad].
 constexpr double kRestTolerance = 0.0015;
@@ -411,7 +411,7 @@ void RandomUser::bringWindowBack() {
     if (!window_.isVisible()) {
         window_.show();
     }
-    // As a window manager after the active window was closed.
+    // Activates a window, as a window manager does after the active window was closed.
     if (QApplication::activeWindow() == nullptr && QApplication::activePopupWidget() == nullptr) {
         QWidget* modal = QApplication::activeModalWidget();
         (modal != nullptr ? modal : &window_)->activateWindow();

@@ -125,7 +125,7 @@ private:
     void cureAll();
     void tellPendant(const QByteArray& line);
 
-    // Before and after the steps.
+    // Clean-up before and after the steps.
     void bringWindowBack();
     void endOldDialogs();
     void closeAllDialogs();

@@ -20,11 +20,11 @@ struct Lie {
 
 class TruthCheck {
 public:
-    /// From a change on the robot until it is displayed [ms].
+    /// Time from a change on the robot until it is displayed [ms].
     static constexpr int kGraceMs = 300;
     /// The speed slider keeps the user's value until the robot had time to follow [ms].
     static constexpr int kSliderSettlesMs = 800;
-    /// From a disconnection until data count as late [ms].
+    /// Time from a disconnection until data count as late [ms].
     static constexpr int kStaleMs = 300;
 
     /// `window`: has the header, joints and outputs; must outlive the check.

@@ -202,7 +202,7 @@ private Q_SLOTS:
         verifyRefused("backKey", QStringLiteral("“crate”"));
     }
 
-    // From within the safety distance the arm may be moved away, but not closer.
+    // From inside the safety distance the arm may be moved away, but not closer.
     void motionOutOfTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
@@ -267,7 +267,8 @@ private Q_SLOTS:
         cell_->advanceMs(200);
         QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
     }
-    // Never empty in between: the old number, marked, or a sign that it is being calculated.
+    // The display is never empty in between: it shows the old number, marked, or a sign that a new one is
+    // being calculated.
     void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
         cell_ = &cell();
         addTable(0.08);

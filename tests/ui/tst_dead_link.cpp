@@ -379,7 +379,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());
         QVERIFY(!bench.hasSaid("program on the robot"));
-        // Also at standstill.
+        // A stop at standstill keeps control as well.
         bench.stop(key);
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());

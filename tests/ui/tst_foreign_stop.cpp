@@ -271,7 +271,7 @@ private Q_SLOTS:
         dialog.open();
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QVERIFY(bench.startMoving());
-        // Through the windows, as by the display server.
+        // Sends the click to the topmost window at this position, as the display server does.
         const auto& stop = bench.find<StopButton>("stopButton");
         const QPoint place = stop.mapToGlobal(stop.rect().center());
         QWindow* under = nullptr;  // the window shown last is on top
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
     }
 
-    // Its dashboard accepts the connection and sends nothing; a query is in progress.
+    // The dashboard accepts the connection and sends nothing; a query is in progress.
     void silentDashboardDoesNotDelayTheStop_data() {
         QTest::addColumn<Way>("way");
         for (const Way way : {Way::StopButton, Way::Device}) {

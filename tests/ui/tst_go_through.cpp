@@ -277,7 +277,7 @@ private Q_SLOTS:
         QVERIFY(!place.isVisible() && figures.isVisible() && through().isVisible());
     }
 
-    // In the default layout.
+    // The buttons are visible in the default layout.
     void itsKeysAreInSightOnAnOrdinaryScreen() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);

@@ -80,7 +80,7 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// By its shortcut, in the window that a window manager would have activated.
+/// Uses the shortcut, in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));

@@ -62,7 +62,7 @@ struct Cell {
         other = std::make_unique<test::RawPeer>(std::move(script));
         return other->port();
     }
-    /// Another program that uses these inputs.
+    /// Connects another program that uses these inputs.
     void hold(const std::vector<std::string>& registers) {
         rtde::ConnectionOptions client;
         client.host = patient.host;

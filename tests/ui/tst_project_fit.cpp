@@ -105,7 +105,7 @@ private:
         cell().advanceMs(300);
         return (cell().truth().tcpPose.position - before.position).norm();
     }
-    /// All buttons for positions of the project, and the session functions behind them.
+    /// Checks all buttons for positions of the project, and the session functions they call.
     void nothingMovesToThem() {
         for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
             QVERIFY2(movedBy(name) < 1e-4, name);

@@ -79,7 +79,7 @@ struct FileAnswer {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 timer.stop();
                 asked = true;
-                // As typed: a selection is ignored while the field has the focus.
+                // Enters the path as if typed: a selection is ignored while the field has the focus.
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             }

@@ -107,7 +107,7 @@ private:
             QTest::qWait(1);
         }
     }
-    /// While no data arrive: waiting for them would use real time.
+    /// Advances time without data from the robot, because waiting for data would take real time.
     void passWithoutLink(int ms) {
         for (int t = 0; t < ms; t += 20) {
             for (int tick = 0; tick < 10; ++tick) {
@@ -178,7 +178,7 @@ private:
         press(button);
         QVERIFY(button.isHolding());
     }
-    /// Until the motion of the button ends.
+    /// Holds the button until its motion ends.
     void holdToTheEnd(HoldButton& button) {
         hold(button);
         QVERIFY(until([&] { return !button.isHolding(); }));
@@ -225,7 +225,7 @@ private:
                 break;
         }
     }
-    /// In the dialog of the actions, which has its own event loop.
+    /// Runs `use` in the dialog of the actions, which has its own event loop.
     void inDialog(const std::function<void(QDialog&)>& use) {
         bool used = false;
         QTimer::singleShot(0, &window(), [&] {

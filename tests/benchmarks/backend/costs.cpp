@@ -146,7 +146,7 @@ double nanoseconds(int times, const std::function<void(int)>& work) {
     return static_cast<double>(std::chrono::nanoseconds(SteadyTime::now() - begin).count()) / times;
 }
 
-/// From the performance counter of the CPU; empty if not accessible, as in most virtual machines.
+/// Reads the performance counter of the CPU; empty if not accessible, as in most virtual machines.
 std::optional<double> instructions([[maybe_unused]] int times,
                                    [[maybe_unused]] const std::function<void(int)>& work) {
 #ifdef __linux__
@@ -175,7 +175,7 @@ std::optional<double> instructions([[maybe_unused]] int times,
     return {};
 }
 
-/// By callgrind, which runs this program again.
+/// Counts with callgrind, which runs this program again.
 std::optional<double> decodeInstructionsByCallgrind() {
     constexpr int kTimes = 1000;
     const QString valgrind = QStandardPaths::findExecutable(QStringLiteral("valgrind"));

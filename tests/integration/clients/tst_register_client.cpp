@@ -98,11 +98,11 @@ private Q_SLOTS:
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // As for a path: without pause and dashboard.
+        // Sent as for a path: without pause and dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
-        // As `reuploadScript` while it is running.
+        // The upload of `reuploadScript` while the script is running.
         QVERIFY2(client_->upload(), client_->trouble);
         QVERIFY(six(Client::kSix, 43, {}));
     }

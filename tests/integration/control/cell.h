@@ -28,7 +28,7 @@ public:
         }
         return clock_.nowNs();
     }
-    /// From now on, the accesses of this thread are counted.
+    /// Starts counting the accesses of this thread.
     void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }

@@ -40,7 +40,7 @@ constexpr double kSpeed = 0.1;         ///< of the tool, as in the jog contract 
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
 constexpr double kTurn = 0.4;          ///< of a joint [rad/s]
 
-// For fast moves.
+// Constants for fast moves.
 constexpr double kWideTurn = 4.5;          ///< of the base [rad]
 constexpr double kLongLine = 0.5;          ///< [m]
 constexpr double kHardAcceleration = 5.0;  ///< [rad/s2], [m/s2]

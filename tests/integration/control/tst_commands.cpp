@@ -209,7 +209,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
-        // It fails at the input, so not before the call has returned.
+        // The function fails at the input, so it cannot fail before the call has returned.
         const auto function = cell.during([&] {
             return programs.startFunction(
                 QStringLiteral("root"),

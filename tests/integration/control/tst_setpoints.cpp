@@ -344,7 +344,7 @@ private Q_SLOTS:
         // Without torques the arm holds its position.
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
-        // Also with zero torques: the controller compensates gravity.
+        // Zero torques also hold the arm: the controller compensates gravity.
         for (int i = 0; i < 100; ++i) {
             QVERIFY(stream->send(JointTorques()).ok());
             QVERIFY(cell.step());

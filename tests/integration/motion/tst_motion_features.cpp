@@ -137,7 +137,7 @@ private Q_SLOTS:
         const MotionSample there = robot_->marked(1).front();
         QVERIFY(std::abs(there.targetPose[2] - start[2] - 0.05) < 1e-6);
         QVERIFY(there.speed() < 1e-6);
-        // It remains at its new position.
+        // The arm remains at its new position.
         QVERIFY(std::abs(now().targetPose[2] - start[2] - 0.05) < 1e-5);
     }
 

@@ -65,7 +65,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
         QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
-        // It listens on its own address only.
+        // The simulator listens on its own address only.
         const auto last = ownAddress().section('.', 0, 2) + ".8";
         QVERIFY(!RawClient(last, 30004).isConnected());
 

@@ -285,7 +285,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(cell.folder.filePath("wait_program.urp")));
         QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("wait_program.urp")));
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
-        // Neither may the script next to a program be a link to the outside.
+        // The script next to a program must not be a link to the outside either.
         QFile program(cell.folder.filePath("pair.urp"));
         QVERIFY(program.open(QIODevice::WriteOnly));
         program.write(

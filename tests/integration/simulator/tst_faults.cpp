@@ -272,7 +272,7 @@ private Q_SLOTS:
         robot.controller.step(50);
         QVERIFY(stream.rtde.takeAll().isEmpty());
         QVERIFY(stream.rtde.isConnected());
-        // Its inputs are free again, and a new connection works.
+        // The inputs are free again, and a new connection works.
         RawRtde other = robot.rtde();
         QVERIFY(other.useVersion());
         QCOMPARE(other.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));

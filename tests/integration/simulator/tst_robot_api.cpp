@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(VirtualRobot(polyScopeX(10)).controller.ports().robotApi, quint16(0));
     }
 
-    // Neither read nor written through the link.
+    // The server must neither read nor write through the link.
     void aLinkOutOfTheProgramsFolderIsNoProgram() {
         QTemporaryDir place;
         const QDir outside(place.path());
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", "not json").status, 422);
     }
 
-    // As saved by the vendor's pendant.
+    // The layout is that of programs saved by the vendor's pendant.
     void aProgramInTheVendorsLayoutIsUnderstood() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);

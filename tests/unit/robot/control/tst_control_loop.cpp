@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
-    // For a jog, for force mode alone, and for a stream that has just sent its set point.
+    // Applies to a jog, to force mode alone, and to a stream that has just sent its set point.
     void aStopGoesOutBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();

@@ -204,7 +204,7 @@ private Q_SLOTS:
             hold(ScriptCommand::Idle, 1);
             hold(ScriptCommand::Idle, 1);
             for (int i = 0; i < 100; ++i) {
-                // With the maximum acceleration of an arm.
+                // Accelerates as fast as an arm can.
                 bench.host.qd[1] = std::min(kSpeed, bench.host.qd[1] + 40 * bench.host.step);
                 bench.host.q[1] += bench.host.qd[1] * bench.host.step;
                 hold(ScriptCommand::JogJoints, 2);

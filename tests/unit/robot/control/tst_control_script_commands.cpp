@@ -542,7 +542,8 @@ private Q_SLOTS:
             goOn();
         }
         QCOMPARE(bench.state(), ScriptState::Braking);
-        // In the same period, without a command in between that returns the joints to position control.
+        // The damping starts in the same period, without a command in between that returns the joints to
+        // position control.
         constexpr double kDamping = 30;
         const auto before = bench.host.motions.size();
         for (std::size_t i = 0; i < 10; ++i) {
@@ -713,7 +714,7 @@ private Q_SLOTS:
         }
         QCOMPARE(bench.host.motions.empty(), !has);
         QVERIFY(bench.running());
-        // It does not prevent the next motion either.
+        // A missing feature does not prevent the next motion either.
         bench.hold(ScriptCommand::JogJoints, 3, 60, {0.1, 0, 0, 0, 0, 0});
         QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
@@ -777,7 +778,7 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_force_mode"));
     }
 
-    // With software that has neither a clock nor a position record.
+    // The software has neither a clock nor a position record.
     void forceModeDoesNotOutliveAPauseOfOldSoftware() {
         for (const bool moves : {false, true}) {
             Bench bench(RegisterRange::Upper, {3, 15, 0, 0});

@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
         QVERIFY2(b.devices.used() == b.device(), "it is still there");
-        // When it is back, the stick has to be released first.
+        // When the driver responds again, the stick has to be released first.
         b.stick.reading.fresh = true;
         b.run(100);
         QCOMPARE(b.next, 1U);

@@ -18,7 +18,7 @@ class TestLimiterLine : public QObject {
     Q_OBJECT
 
 private:
-    /// One state per limit that the line can name.
+    /// Returns one state per limit that the line can show.
     static QList<QPair<QByteArray, SessionState>> limits() {
         using control::LimiterKind;
         QList<QPair<QByteArray, SessionState>> out;

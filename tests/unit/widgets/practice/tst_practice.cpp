@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(!practice_->isRunning() && practice_->task() == PracticeTask::Recover);
         practice_->turn(-1);
         practice_->start();
-        // Another robot.
+        // Another robot is connected.
         elsewhere_ = QStringLiteral("This is “Lab UR5e”.");
         show(liveState());
         QCOMPARE(tidied_, 2);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         practice_->start();
         QCOMPARE(document_->waypoints().size(), 1);
         QCOMPARE(document_->waypoints().at(0).joints.values, kReadyJoints.values);
-        // A touch-up with the arm at the part.
+        // Simulates a touch-up with the arm at the part.
         SessionState there = liveState();
         there.tcpPose.position.x() += kPartMoved;
         show(there);

@@ -299,7 +299,7 @@ private Q_SLOTS:
         QCOMPARE(view.camera().azimuth(), before.azimuth());
     }
 
-    // At every size the arm is large and not in the lower half.
+    // At every window size the arm is large and not in the lower half.
     void theArmFillsThePicture_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("as designed") << QSize(930, 520);

@@ -102,7 +102,8 @@ void TestArmBlends::firstMoveReturnsWhereTheZoneBegins() {
     const MotionStart one = go(arm, Move::L, kB, with(Move::L, 0.05));
     arm.finish(one);
     const double left = (arm.tcp() - kB.position).norm();
-    // One or two periods before the zone, so that the next move is available when the zone begins.
+    // The move returns one or two periods before the zone, so that the next move is available when the zone
+    // begins.
     QVERIFY2(left >= 0.05 && left < 0.05 + 3 * 0.25 * kTick, qPrintable(QString::number(left)));
 }
 

@@ -36,7 +36,7 @@ private Q_SLOTS:
     }
     void aLineHasItsFrequencyAndItsHeight() {
         QFETCH(int, count);
-        // Exactly on a line of the transform, for every length.
+        // The frequency is exactly on a line of the transform, for every length.
         const double hertz = 500.0 / 16;
         const auto spectrum = spectrumOf(wave(static_cast<std::size_t>(count), hertz, 3, -7), kPeriod);
         QVERIFY(spectrum.ok());

@@ -36,7 +36,7 @@ struct Arm {
         };
     }
     void comeTo(double base, double shoulder) {
-        // In small steps, as reported by a session.
+        // Moves in small steps, as reported by a session.
         const JointPositions to(base, shoulder, 0, 0, 0, 0);
         const int steps = std::max(1, static_cast<int>((to.values - q.values).cwiseAbs().maxCoeff() / 0.005));
         const JointPositions from = q;
