@@ -810,8 +810,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Not inside the timer event: a timer does not fire recursively, and the action may open the next dialog with its
-/// own event loop.
+/// Runs outside the timer event: a timer does not fire recursively, and the action may open the next dialog
+/// with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;

@@ -173,7 +173,7 @@ private Q_SLOTS:
 
     void homeStepsAndBackAreRefusedWithTheReason() {
         cell_ = &cell();
-        // Home: upright.
+        // The Home position is upright.
         const Pose home =
             kinematics::forwardTcp(dh(), JointPositions(0, -1.5707963, 0, -1.5707963, 0, 0), {});
         addCrate(home.position, 0.08);
@@ -194,7 +194,7 @@ private Q_SLOTS:
         chooseMotion(0);
         cell_->advanceMs(40);
 
-        // An obstacle added on the path of the arm since.
+        // An obstacle is added on the path of the arm.
         const Eigen::Vector3d from = state().tcpPose.position;
         jog("jog.Z+", 4000);
         QVERIFY((state().tcpPose.position - from).norm() > 0.15);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Connections that failed without a notification: the controller has dropped them or lost power. The window
-// must not rely on them: STOP, Esc, Space and a device's stop button still stop the arm, whoever moves it.
-// The real window, real events, real sockets, the simulated robot in virtual time.
+// must not rely on them: STOP, Esc, Space and a device's stop button still stop the arm, even if another
+// client moves it. The real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>

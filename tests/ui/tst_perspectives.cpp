@@ -602,7 +602,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // Still held: the motion does not resume.
+        // The input is still held, and the motion does not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);

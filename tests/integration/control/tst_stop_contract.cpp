@@ -204,8 +204,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause slows real time and program time down differently: the end of the program read its speed in one
-        // and decelerated in the other.
+        // A pause slows down real time and program time differently: the end of the program read its speed in
+        // one and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";

@@ -66,7 +66,7 @@ public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
-        int from = 1;               ///< the call from which on it fails
+        int from = 1;               ///< number of the first call that fails
         std::atomic<int> calls{0};  ///< calls of that step so far
         std::atomic<bool> closed{false};
     };
