@@ -33,7 +33,7 @@ struct Cli {
         }
         return process.readLine();
     }
-    /// Exit code; -1 if the process did not exit by itself.
+    /// Exit code; -1 if the process did not exit by itself, -2 if it crashed.
     int exitCode() {
         if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
             return -1;
