@@ -56,9 +56,9 @@ double seconds(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
 }
 
-/// A signal like a robot's: slow movement with noise.
-/// stretch  factor for the duration of the movement, so that a history with this factor in length has the same
-///          appearance
+/// A signal similar to a robot's: slow movement with noise.
+/// `stretch`: factor for the duration of the movement, so that a history that is longer by this factor looks
+/// the same.
 float signalAt(std::int64_t sample, int signal, double stretch) {
     const double t = static_cast<double>(sample) * kPeriod / stretch;
     const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +

@@ -151,7 +151,7 @@ Figures atRest(TimedApplication& application, int ms) {
     return meter.read();
 }
 
-/// Back and forth, half a second in each direction, so that the arm stays at its position.
+/// Jogs back and forth, half a second in each direction, so that the arm stays at its position.
 Figures jogging(TimedApplication& application, app::MainWindow& window, int ms) {
     const Meter meter(application);
     for (int way = 0; way * 500 < ms; ++way) {

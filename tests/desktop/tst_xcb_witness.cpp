@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second witness in front of a real X server: it knows keys and the left button, says nothing while the
-// server is frozen, and outlives its end.
+// The key-state check with a real X server: it reports the state of keys and of the left button, reports
+// nothing while the server is frozen, and survives the end of the server.
 #include <QRegularExpression>
 #include <QTest>
 #include <csignal>
@@ -20,7 +20,7 @@ private:
     QByteArray display_;
     std::unique_ptr<Child> server_;
 
-    /// What was said by a question put after this call.
+    /// The reply to a query sent after this call.
     HoldWitness::Word fresh(const XcbWitness& witness, int code) {
         const std::int64_t from = SteadyClock::shared().nowNs();
         const auto word = [&] {
@@ -36,7 +36,7 @@ private:
 private Q_SLOTS:
     void init() {
         server_ = std::make_unique<Child>();
-        // The server says on its output which number was free.
+        // Xvfb prints the free number that it has chosen.
         QVERIFY(server_->start(QStringLiteral("Xvfb"),
                                {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                 QStringLiteral("0"), QStringLiteral("320x200x24")},
@@ -99,7 +99,7 @@ private Q_SLOTS:
             const std::int64_t said = witness.leftButton().askedNs;
             QTest::qWait(100);
             QCOMPARE(witness.leftButton().askedNs, said);
-        }  // it ends with a question unanswered
+        }  // ends with an unanswered query
         server_->signal(SIGCONT);
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any lines said to the dashboard and to the gripper of one robot, which takes a control period now and then;
-// Every command gets one line, and nothing crashes.
+// Arbitrary lines sent to the dashboard and to the gripper of one robot, with occasional control periods in
+// between. Every command gets one line as its reply, and nothing crashes.
 
 #include <algorithm>
 #include <cstddef>

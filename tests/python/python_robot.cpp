@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software that takes
-// torques), "low" (begins where the programs of the stop contract do). Writes its address on the first line,
-// obeys the words that come in on standard input (freeze, thaw, hand, push, free, cut, join, still, speed, turning,
-// watch), and ends with it. "still" answers when the arm is at standstill: with how long it moved after the last
-// packet that came in, in milliseconds of the robot's time. "speed" answers with that of the TCP [m/s], "turning" with that of the fastest joint [rad/s]. "watch"
-// looks on for a second and answers with how long [ms] and how far [rad] it moved after that packet, how long
-// after the word [ms], and whether it still moves.
+// A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software with torque
+// commands), "low" (starts at the start position of the stop contract programs). Prints its address on the
+// first line, executes the commands on its standard input (freeze, thaw, hand, push, free, cut, join, still,
+// speed, turning, watch), and exits when the input ends.
+// "still" waits until the arm is at standstill and returns the duration of its motion after the last received
+// packet, in milliseconds of robot time. "speed" returns the TCP speed [m/s], "turning" the speed of the
+// fastest joint [rad/s].
+// "watch" observes the arm for one second and returns how long [ms] and how far [rad] it moved after the last
+// received packet, how long it moved after the command [ms], and whether it is still moving.
 #include <QCoreApplication>
 #include <algorithm>
 #include <iostream>

@@ -32,7 +32,7 @@ public:
     bool leftDown = false;
     QSet<KeyCode> keysDown;
 
-    /// From now on no query is answered.
+    /// While frozen, no query is answered.
     void freeze(bool frozen) {
         look();
         frozenNs_ = frozen ? clock_.nowNs() : 0;
@@ -188,7 +188,8 @@ struct Hands {
         column->addHoldKeys(keyboard);
         window.show();
         activate();
-        // A way behind the arm, so that "Back" leads somewhere, and a waypoint elsewhere.
+        // Moves the arm for some time, so that "Back" has a path, and teaches a waypoint away from the
+        // current position.
         SessionState state = readyState();
         for (int i = 0; i < 20; ++i) {
             state.q[0] += 0.05;

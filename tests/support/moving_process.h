@@ -21,7 +21,7 @@ namespace tiller::test {
 /// RTDE data of the robot, package by package.
 class ArmWatcher {
 public:
-    /// registers  used by the moving process
+    /// `registers`: range used by the moving process.
     ArmWatcher(const simulator::Simulator& robot, control::RegisterRange registers) {
         rtde::ConnectionOptions options;
         options.host = robot.listenAddress();
@@ -38,7 +38,7 @@ public:
         values_.resize(connection_->outputs().size());
     }
 
-    /// Reads the next package. False: none arrived.
+    /// Reads the next package; false if none arrived.
     bool look() {
         if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
             return false;
@@ -83,8 +83,8 @@ private:
     double heard_ = 0;
 };
 
-/// For use without any data connection: queries the robot itself until this time [s].
-/// Returns  duration of the observed motion after `since`, or after the last heartbeat [s]
+/// For use without any data connection: queries the robot itself until this time [s]. Returns the duration of
+/// the motion observed after `since`, or after the last heartbeat [s].
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();

@@ -14,8 +14,8 @@ namespace tiller::test {
 
 class TestPad : public DeviceSource {
 public:
-    /// name, directions  as displayed
-    /// reading           its state, neutral by default
+    /// `name`, `directions`: as displayed.
+    /// `reading`: state of the gamepad, neutral by default.
     explicit TestPad(QString name = QStringLiteral("Test pad"), QString directions = {},
                      const DeviceReading& reading = {})
         : made_(std::make_unique<Pad>(std::move(name), std::move(directions), reading)) {}

@@ -14,9 +14,9 @@
 
 namespace tiller::test {
 
-/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of real
-/// time.
-/// devices  for jogging without a button on the screen, may be null
+/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of
+/// real time.
+/// `devices`: for jogging without a button on the screen; may be null.
 inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys, AxisJog* devices = nullptr) {
     for (HoldButton* key : keys) {
         key->guard().setClock(cell.clock);

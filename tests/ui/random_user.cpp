@@ -31,7 +31,7 @@ constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
 /// Steps per hundred that are painted: painting is most of the cost of a step.
 constexpr int kPaintedOfHundred = 10;
-/// From release to standstill [ms]; the contract's bounds are tested in virtual time.
+/// Time from release to standstill [ms]; the contract's bounds are tested in virtual time.
 constexpr int kStandstillMs = 1000;
 /// Apparent motion of an arm at standstill due to the noise of its encoders [rad].
 constexpr double kRestTolerance = 0.0015;
@@ -411,7 +411,7 @@ void RandomUser::bringWindowBack() {
     if (!window_.isVisible()) {
         window_.show();
     }
-    // As a window manager after the active window was closed.
+    // Activates a window, as a window manager does after the active window was closed.
     if (QApplication::activeWindow() == nullptr && QApplication::activePopupWidget() == nullptr) {
         QWidget* modal = QApplication::activeModalWidget();
         (modal != nullptr ? modal : &window_)->activateWindow();
@@ -728,7 +728,7 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// Corrects the first problem, as a person at the robot would, without the window.
+/// Fixes the first problem, as a person at the robot would, without the window.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
@@ -810,8 +810,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Not inside the timer event: a timer does not fire recursively, and the action may open the next dialog with its
-/// own event loop.
+/// Runs outside the timer event: a timer does not fire recursively, and the action may open the next dialog
+/// with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;

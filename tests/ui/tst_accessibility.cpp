@@ -223,7 +223,7 @@ private Q_SLOTS:
                     continue;
                 }
                 ++looked;
-                // With any or no selection: the frame has to show the focus.
+                // With or without a selection, the frame has to show the focus.
                 view->clearSelection();
                 view->setCurrentIndex({});
                 view->clearFocus();

@@ -151,7 +151,7 @@ private Q_SLOTS:
     }
 };
 
-/// All functions of the window, with a robot that does not respond.
+/// Calls all functions of the window, with a robot that does not respond.
 void TestBlackHole::askForEverything(Waits& waits) {
     Bench bench;
     bench.window.resize(1280, 720);

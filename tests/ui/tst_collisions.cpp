@@ -173,7 +173,7 @@ private Q_SLOTS:
 
     void homeStepsAndBackAreRefusedWithTheReason() {
         cell_ = &cell();
-        // Home: upright.
+        // The Home position is upright.
         const Pose home =
             kinematics::forwardTcp(dh(), JointPositions(0, -1.5707963, 0, -1.5707963, 0, 0), {});
         addCrate(home.position, 0.08);
@@ -194,7 +194,7 @@ private Q_SLOTS:
         chooseMotion(0);
         cell_->advanceMs(40);
 
-        // An obstacle added on the path of the arm since.
+        // An obstacle is added on the path of the arm.
         const Eigen::Vector3d from = state().tcpPose.position;
         jog("jog.Z+", 4000);
         QVERIFY((state().tcpPose.position - from).norm() > 0.15);
@@ -202,7 +202,7 @@ private Q_SLOTS:
         verifyRefused("backKey", QStringLiteral("“crate”"));
     }
 
-    // From within the safety distance the arm may be moved away, but not closer.
+    // From inside the safety distance the arm may be moved away, but not closer.
     void motionOutOfTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
@@ -267,7 +267,8 @@ private Q_SLOTS:
         cell_->advanceMs(200);
         QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
     }
-    // Never empty in between: the old number, marked, or a sign that it is being calculated.
+    // The display is never empty in between: it shows the old number, marked, or a sign that a new one is
+    // being calculated.
     void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
         cell_ = &cell();
         addTable(0.08);

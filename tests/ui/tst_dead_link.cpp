@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connections that failed without a notification: the controller has dropped them, or had no power. The window must
-// not rely on them: STOP, Esc, Space and a device's stop button stop the arm nevertheless, whoever moves it. The
-// real window, real events, real sockets, the simulated robot in virtual time.
+// Connections that failed without a notification: the controller has dropped them or lost power. The window
+// must not rely on them: STOP, Esc, Space and a device's stop button still stop the arm, even if another
+// client moves it. The real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -71,7 +71,7 @@ struct DeadLinkBench : WindowBench {
     bool hasSaid(const char* words) const { return said->join('\n').contains(QLatin1String(words)); }
 
     /// Advances time for robot and window, independent of the communication threads.
-    /// pauseMs  real time for them in each period
+    /// `pauseMs`: real time for these threads in each period.
     void goOn(int ms, int pauseMs = 0) {
         for (int t = 0; t < ms; t += kPeriodMs) {
             clock.advanceNs(kPeriodMs * kNsPerMs);
@@ -379,7 +379,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());
         QVERIFY(!bench.hasSaid("program on the robot"));
-        // Also at standstill.
+        // A stop at standstill keeps control as well.
         bench.stop(key);
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());

@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(settings != nullptr && settings->isVisible());
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/settings.html"));
-        // It can be used while the dialog is open.
+        // The help window can be used while the dialog is open.
         QVERIFY(QTest::qWaitForWindowActive(bench.help()));
         QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
         QCOMPARE(bench.page(), QStringLiteral("index.html"));

@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-// In parts, because of the time limit of Qt Test for one test function.
+// Divided into parts because of Qt Test's time limit for a test function.
 constexpr int kParts = 10;
 constexpr int kSequences = 1000;  // per part
 constexpr quint32 kSeed = 20261121;
@@ -99,7 +99,7 @@ private Q_SLOTS:
         column.show();
         QVERIFY(QTest::qWaitForWindowActive(&column));
         QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
-        // Not displayed: painting would be most of the cost.
+        // Updates are disabled, because painting would be most of the cost.
         column.setUpdatesEnabled(false);
         const QVector<HoldButton*> keys = column.holdKeys();
         driveKeys(cell, keys);

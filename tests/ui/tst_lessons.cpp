@@ -49,7 +49,7 @@ struct Bench : WindowBench {
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// In control, with all buttons on the clock of the cell.
+    /// Takes control and puts all buttons on the clock of the cell.
     bool bringUp() {
         if (!cell.bringUp()) {
             return false;

@@ -32,7 +32,7 @@ private:
     QTemporaryDir folder_;
     app::Settings settings() const { return app::Settings(folder_.filePath("settings.ini")); }
 
-    /// For review: TILLER_SCREENSHOTS is the output folder.
+    /// Saves screenshots for review to the folder TILLER_SCREENSHOTS.
     static void saveScreenshots(app::MainWindow& window, const QString& name) {
         const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
         if (folder.isEmpty()) {

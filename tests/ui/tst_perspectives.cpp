@@ -80,7 +80,7 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// By its shortcut, in the window that a window manager would have activated.
+/// Uses the shortcut, in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -602,7 +602,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // Still held: the motion does not resume.
+        // The input is still held, and the motion does not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
@@ -674,7 +674,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The notice is destroyed with its panel, and the view with its own, in any order.
+    // The notice and the view are destroyed with their panels, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));

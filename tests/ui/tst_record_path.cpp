@@ -162,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(!paths().recorder().isRecording());
     }
 
-    // The table has the columns that recordings have, and comes back as the same path.
+    // The exported table has the same columns as recordings and is read back as the same path.
     void pathIsExportedAndReadBack() {
         recordByHand();
         const auto path = kept();

@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("measured");
 
-        // From the menu of the Record button to the page.
+        // Opens the page from the menu of the Record button.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();

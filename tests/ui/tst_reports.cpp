@@ -191,7 +191,7 @@ private Q_SLOTS:
         dialog.saveTo(zip);
         QVERIFY(unzipped(zip)["crash.txt"].contains("SIGSEGV"));
         QVERIFY(!unzipped(zip)["crash.txt"].contains("10.0.0.7"));
-        // It was reported: the next start does not offer it.
+        // The crash was reported, so the next start does not offer it again.
         QCOMPARE(QDir(bench.folder.path()).entryList({"crash*"}).size(), 0);
         notice->dismiss();
         bench.window.offerCrashReport(path);

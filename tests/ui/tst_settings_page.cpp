@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Settings take effect immediately, are restored at the next start, and cannot become dangerous by a file: the
-// speed cap can only be raised by the user, and the header then shows it.
+// Settings take effect immediately and are restored at the next start. A settings file cannot make them
+// dangerous: the speed limit can only be raised by the user, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +47,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// By the keyboard: focus, arrow key.
+/// Selects a value by keyboard: focus, then an arrow key.
 void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     auto* box = page.findChild<QComboBox*>(name);
     QVERIFY(box != nullptr);
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // As the page does; opening the page would stop the arm.
+        // Applied as by the page; opening the page itself would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the key is still held");
@@ -269,7 +269,7 @@ private Q_SLOTS:
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
-        // By the keyboard, in the field of the command.
+        // Enters the shortcut by keyboard, in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
         field->setFocus();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Transfer of all settings by one file: the user sees what is replaced in advance, it takes effect immediately, and
-// a damaged or too new file changes nothing.
+// Transfer of all settings in one file: the user sees in advance what is replaced, it takes effect
+// immediately, and a damaged file or one of a newer format changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -79,7 +79,7 @@ struct FileAnswer {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 timer.stop();
                 asked = true;
-                // As typed: a selection is ignored while the field has the focus.
+                // Enters the path as if typed: a selection is ignored while the field has the focus.
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             }

@@ -39,7 +39,7 @@ struct Text {
     QStringList translations;  ///< one, or one per plural form
 };
 
-/// By context and source text.
+/// Texts by context and source text.
 using Texts = QMap<QString, Text>;
 
 Text readMessage(QXmlStreamReader& xml, QString& source) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. Every
-// packet is in the file, in order; if the connection drops one in a hundred, every gap is in it with its length.
+// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. The
+// file contains every packet, in order; if the connection drops one in a hundred, the file contains every gap
+// with its length.
 //
-// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a row
-//                        to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
+// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a
+//                        row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 
 #include <QDir>
 #include <QFileInfo>

@@ -93,7 +93,7 @@ private Q_SLOTS:
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
-        // Another client sets a different one: the user is asked, and nothing is changed automatically.
+        // Another client sets a different TCP: the user is asked, and nothing is changed automatically.
         window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }));
         window().tools().tcps().setState(window().session().state());
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(found.mass - 2.0) < 0.05);
         QVERIFY((found.centre - Eigen::Vector3d(0.02, -0.03, 0.09)).norm() < 0.005);
 
-        // Before it is set the check fails, afterwards it passes.
+        // The check fails before the payload is set, and passes afterwards.
         click("payload.check");
         QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
         QVERIFY2(notice("payload.page").title().contains("wrong"),
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
         release(key);
-        // After undo, the button has its previous target.
+        // After undo, the Home button has its previous target.
         window().document().undoStack().undo();
         QVERIFY(window().document().positions().homePosition() == nullptr);
     }

@@ -45,7 +45,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// The rows of a table are 44 px high, which also limits widgets inside.
+/// Table rows are 44 px high, which also limits the height of widgets inside them.
 bool standsInARow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {

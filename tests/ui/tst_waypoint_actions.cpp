@@ -107,7 +107,7 @@ private:
             QTest::qWait(1);
         }
     }
-    /// While no data arrive: waiting for them would use real time.
+    /// Advances time without data from the robot, because waiting for data would take real time.
     void passWithoutLink(int ms) {
         for (int t = 0; t < ms; t += 20) {
             for (int tick = 0; tick < 10; ++tick) {
@@ -178,7 +178,7 @@ private:
         press(button);
         QVERIFY(button.isHolding());
     }
-    /// Until the motion of the button ends.
+    /// Holds the button until its motion ends.
     void holdToTheEnd(HoldButton& button) {
         hold(button);
         QVERIFY(until([&] { return !button.isHolding(); }));
@@ -225,7 +225,7 @@ private:
                 break;
         }
     }
-    /// In the dialog of the actions, which has its own event loop.
+    /// Runs `use` in the dialog of the actions, which has its own event loop.
     void inDialog(const std::function<void(QDialog&)>& use) {
         bool used = false;
         QTimer::singleShot(0, &window(), [&] {
@@ -327,7 +327,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Nor when its condition becomes true.
+        // Nothing continues when the condition becomes true either.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
     }
 
-    // Released while the command is on its way to the worker: it is not sent any more.
+    // Released before the worker has received the command: it is not sent any more.
     void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());

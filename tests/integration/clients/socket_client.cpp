@@ -104,7 +104,7 @@ bool SocketClient::connectRtde() {
     if (!rtde_->start()) {
         return fail("start");
     }
-    // It reads until it considers the controller booted; only data may arrive.
+    // The library reads until it considers the controller booted; only data may arrive.
     int packages = 0;
     do {
         robot_.controller.step();

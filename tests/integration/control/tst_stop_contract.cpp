@@ -85,14 +85,14 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    /// software  without value: a version that has this motion
+    /// `given`: without a value, a version that has this motion.
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
                       const std::optional<SoftwareVersion>& given = std::nullopt) {
         const SoftwareVersion software =
             given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
-        // If forces may continue in a pause, and the process is killed meanwhile, nothing can end them: the program
-        // is paused and the PC is gone.
+        // If forces may continue in a pause, and the process is killed in the meantime, nothing can end them:
+        // the program is paused and the PC is not available.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }
@@ -204,8 +204,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause slows real time and program time down differently: the end of the program read its speed in one
-        // and decelerated in the other.
+        // A pause slows down real time and program time differently: the end of the program read its speed in
+        // one and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";

@@ -224,7 +224,7 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     viewer.setReadChannel(QProcess::StandardError);
     TRY_VERIFY(viewer.canReadLine());
     QCOMPARE(viewer.readLine().trimmed(), QByteArray("subscribed"));
-    // Its request is in transit; nothing is sent to it until it arrives.
+    // The viewer's request is in transit; nothing is sent to it until the request arrives.
     while (bench.output.progress().messages == 0 && bench.sent < 1000) {
         bench.send(1);
         QTest::qWait(1);

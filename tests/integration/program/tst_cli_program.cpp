@@ -118,7 +118,7 @@ private Q_SLOTS:
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
     }
 
-    // A process that was killed cannot stop anything: the heartbeat in the script does.
+    // A killed process cannot stop anything; the missing heartbeat ends the motion in the script.
     void armStopsWithTheProcess_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("interrupted") << SIGINT;

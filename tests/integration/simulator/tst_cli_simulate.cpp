@@ -33,7 +33,7 @@ struct Cli {
         }
         return process.readLine();
     }
-    /// -1: it did not end by itself.
+    /// Exit code; -1 if the process did not exit by itself, -2 if it crashed.
     int exitCode() {
         if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
             return -1;
@@ -65,7 +65,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
         QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
-        // It listens on its own address only.
+        // The simulator listens on its own address only.
         const auto last = ownAddress().section('.', 0, 2) + ".8";
         QVERIFY(!RawClient(last, 30004).isConnected());
 
@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // Also by the switch of the pendant, in both directions.
+        // The switch on the pendant works as well, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;

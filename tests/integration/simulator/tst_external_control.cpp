@@ -56,7 +56,7 @@ struct Cell {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;
-        // Longer than the possible delay of this thread before the next piece.
+        // Longer than this thread may be delayed before the next piece.
         options.scriptSilence = std::chrono::seconds(2);
         return options;
     }
@@ -83,7 +83,7 @@ private Q_SLOTS:
         }
         QCOMPARE(provider->readAll(), QByteArray("request_program\n"));
         QCOMPARE(cell.state(), QByteArray("STOPPED external_control.urp\n"));
-        // In pieces, and the connection stays open: only a pause marks the end.
+        // The script is sent in pieces, and the connection stays open: only a pause marks the end.
         provider->write("# words before\n# HEADER_BEGIN\ndef own(n):\n  set_standard_digital_out(n, ");
         provider->waitForBytesWritten(kPatienceMs);
         provider->write(

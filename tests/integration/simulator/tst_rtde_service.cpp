@@ -22,7 +22,7 @@ private Q_SLOTS:
                      QByteArray("\x02INT32,INT32"));
             const QByteArray refused = second.setupInputs("input_int_register_24,input_int_register_30");
             QCOMPARE(refused, QByteArray("\0IN_USE,INT32", 13));
-            // A refused recipe claims nothing.
+            // A refused recipe does not reserve any field.
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
-    // As on a robot: clients that read the answer and the data with one call must not get both at once.
+    // As on a real robot: clients that read the answer and the data with one call must not get both at once.
     void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");

@@ -95,7 +95,7 @@ private Q_SLOTS:
             cell.robot.controller.drainSockets();
         }
         QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
-        // It continues as the program reads.
+        // The client continues to send as the program reads.
         const qint64 before = client->bytesToWrite();
         for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
             cell.robot.controller.step();
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
     }
 
-    // In real time, from a thread that does nothing else.
+    // Sends in real time, from a thread that does nothing else.
     void aFloodDoesNotEndTheProgram() {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;

@@ -78,8 +78,8 @@ private:
         return options;
     }
 
-    // Waits for a client that answers every package (the control interface does), in periods with a package; others
-    // get a little time.
+    // Waits for a client that answers every packet, as the control interface does, in periods with a packet;
+    // other clients get a little time.
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {

@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is running again
     }
 
-    // It may start and end between two checks of the waiting thread.
+    // The script may start and end between two checks of the waiting thread.
     void aShortScriptCountsHoweverLateTheThreadLooks() {
         urrtde::setInterruptCheck([] {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
-    // For example, while a robot is being restarted: the interface recovers.
+    // If reconnect() fails, for example while a robot is being restarted, the interface still recovers.
     void aFailedReconnectDoesNotEndTheAutomaticOne() {
         simulator::SimulatorOptions options;
         options.listenAddress = test::ownAddress(7);

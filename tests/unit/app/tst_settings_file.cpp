@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The settings file: its content is restored unchanged, and a damaged one is refused with a sentence and changes
-// nothing.
+// The settings file: its content is restored unchanged, and a damaged file is refused with an error message
+// and changes nothing.
 
 #include <QDir>
 #include <QFile>

@@ -39,7 +39,7 @@ QByteArray pattern(qsizetype size, char first) {
     return bytes;
 }
 
-/// Around the block size of file systems and the buffer size of QFile (16384).
+/// Sizes around the block size of file systems and the buffer size of QFile (16384).
 QList<qsizetype> sizesAroundBuffers() {
     QList<qsizetype> sizes{0, 1, 100};
     for (const qsizetype buffer : {4096, 8192, 16384, 32768, 49152}) {
@@ -158,7 +158,7 @@ private Q_SLOTS:
         }
     }
 
-    // A file of a colleague that both write through a common group. Only root can become someone else.
+    // A colleague's file, writable for both through a common group. Only root can change the owner.
     void theGroupStaysWithoutTheOwner_data() {
         QTest::addColumn<int>("group");
         QTest::addColumn<int>("expectedGroup");

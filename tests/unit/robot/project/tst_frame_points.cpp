@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Three points and the resulting frame; and points without a frame.
+// Three points and the resulting frame, and points that do not define a frame.
 
 #include <QTest>
 #include <limits>

@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(far.ruling, Ruling::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
-        // A position has joint positions only: it would be elsewhere.
+        // A position defined by joints only would move elsewhere.
         QCOMPARE(change.removed, QStringList{QStringLiteral("Outside")});
         QCOMPARE(change.project.positions.list.size(), std::size_t(1));
         QVERIFY(change.project.positions.home.isNull());

@@ -68,8 +68,8 @@ Isometry3d flangeAt(const DhParameters& dh, const JointPositions& q) {
     return T;
 }
 
-/// Returns the length that remains at the flange pose; negative when the arm is too short or too long by that much
-/// [m].
+/// Returns the distance of the flange pose from the limit of the reach; negative when the arm is too short or
+/// too long by that much [m].
 double slack(const DhParameters& dh, const Isometry3d& flange) {
     const Vector3d axis6 = flange.linear().col(2);
     const Vector3d wrist = flange.translation() - dh.d[5] * axis6;

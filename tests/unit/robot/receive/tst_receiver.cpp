@@ -169,7 +169,8 @@ void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
-    // Nothing listens there, and nothing did before: not waited for, unless that is asked for.
+    // No server listens there, and none did before: waitForData() fails at once unless OnRefusal::Wait is
+    // given.
     QCOMPARE(refused.waitForData(Deadline::never()).error().code, ErrorCode::ConnectionRefused);
     QCOMPARE(refused.waitForData(Deadline::after(1ms), OnRefusal::Wait).error().code,
              ErrorCode::ConnectionRefused);

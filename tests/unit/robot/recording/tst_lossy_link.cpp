@@ -47,7 +47,7 @@ struct Bench {
         return to;
     }
     /// Sends the packets of a range, except those that the link drops, and waits until they have arrived.
-    /// Returns  false if they have not arrived
+    /// Returns false if they have not arrived in time.
     bool send(int from, int to, std::mt19937* drops) {
         std::bernoulli_distribution isDropped(0.01);
         std::uniform_int_distribution<int> burst(1, 4);
@@ -122,7 +122,7 @@ std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
     return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
 }
 
-/// Checks that the rows are those that were sent, from the first one on, with the correct gaps.
+/// Checks that the rows are the sent ones, starting with the first, with the correct gaps.
 void verifyBeginningOf(const Bench& bench, const Recording& recording) {
     QVERIFY(recording.rows() <= bench.sent.size());
     const std::vector<double> stamps = column(recording, "timestamp");
@@ -217,7 +217,7 @@ void TestLossyLink::fullDiskKeepsWrittenData_data() {
 void TestLossyLink::fullDiskKeepsWrittenData() {
 #ifdef __linux__
     QFETCH(QString, format);
-    // A real file system of 128 kB, which only root can make.
+    // A real file system of 128 kB, which only root can create.
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=128k") != 0) {

@@ -66,7 +66,7 @@ public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
-        int from = 1;               ///< the call from which on it fails
+        int from = 1;               ///< number of the first call that fails
         std::atomic<int> calls{0};  ///< calls of that step so far
         std::atomic<bool> closed{false};
     };
@@ -237,7 +237,8 @@ void TestRecorder::ringOverrunIsAGapToo() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Far more than the ring holds; how many the recorder reads depends on the machine, the sum does not.
+    // Many more packages than the ring holds. How many the recorder reads depends on the machine; the sum
+    // does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
@@ -361,7 +362,7 @@ void TestRecorder::csvIsNotWrittenUnderTheNameOfAnotherFormat() {
     QCOMPARE(started.error().code, ErrorCode::InvalidArgument);
     QVERIFY2(started.error().toString().contains("formatForPath"), qPrintable(started.error().toString()));
     QVERIFY(!QFile::exists(bench.path(qPrintable(name))));
-    // A format that was chosen is written under any name.
+    // An explicitly chosen format is used regardless of the file name.
     QVERIFY(
         recorder.start({.path = bench.path(qPrintable(name)), .format = csvFormat()}, bench.receiver).ok());
 }
@@ -424,7 +425,7 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
 
 void TestRecorder::fullDiskKeepsRecordedData() {
 #ifdef __linux__
-    // A real file system of 64 kB, which only root can make.
+    // A real file system of 64 kB, which only root can create.
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=64k") != 0) {
@@ -503,7 +504,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): the progress must no longer claim that a recording runs.
+    // Without stop(): the progress must no longer report a running recording.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));

@@ -27,12 +27,12 @@ QByteArray stateWith(bool running) {
     return robotState(robotModeData(7, running));
 }
 
-/// "The socket is read-only": what a controller in Local answers with.
+/// The reply "The socket is read-only" of a controller in Local mode.
 QByteArray refusal() {
     return message(6, Wire().i32(210).i32(0).i32(3).u32(0).u32(0).text("read-only").bytes());
 }
 
-/// What each connection was sent, one line per entry, in the order of the connections.
+/// The data received on each connection, one line per entry, in the order of the connections.
 class Heard {
 public:
     void add(const QByteArray& line) {
@@ -49,7 +49,7 @@ private:
     QList<QByteArray> lines_;
 };
 
-/// A program runs until somebody says "stop program".
+/// Runs a program until the command "stop program" arrives.
 RawPeer::Script obedient(Heard& heard) {
     return [&heard](RawPeer::Link& link) {
         link.send(versionMessage() + stateWith(true));
@@ -94,8 +94,8 @@ private Q_SLOTS:
         QVERIFY(!stopper.isUnderWay());
     }
 
-    // A controller that has forgotten the connection takes what is sent on it, and never reads it. The clock stands
-    // still: the second connection is made because of the request, not because time has passed.
+    // A controller that has lost the connection accepts data on it but never reads them. The clock is
+    // stopped: the second connection is made because of the request, not because time has passed.
     void itLeavesOnANewConnectionAtOnceToo() {
         Heard heard;
         native_socket::Descriptor forgotten = -1;
@@ -157,7 +157,7 @@ private Q_SLOTS:
         RawPeer peer([&, obey = obedient(heard)](RawPeer::Link& link) {
             if (back) {
                 obey(link);
-            }  // else: hangs up at once
+            }  // otherwise it disconnects at once
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
@@ -170,8 +170,8 @@ private Q_SLOTS:
         QVERIFY(heard.lines().contains("stop program"));
     }
 
-    // A connection made in Local stays read-only after the switch to Remote. Time does not go on: the command is
-    // sent on the open connection and on one new connection, and not repeated.
+    // A connection made in Local stays read-only after the switch to Remote. The clock is stopped: the
+    // command is sent on the open connection and on one new connection, and not repeated.
     void aRefusalIsAnsweredByANewConnection() {
         Heard heard;
         native_socket::Descriptor readOnly = -1;
@@ -261,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(stopper.isUnderWay());
         constexpr std::int64_t kAgainNs = 300 * kNsPerMs;
         clock.advanceNs(kAgainNs);
-        QTest::qWait(50);  // five looks of its thread
+        QTest::qWait(50);  // five polling cycles of its thread
         QCOMPARE(heard.lines(), expected);
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(kNsPerMs);
@@ -302,7 +302,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::ConnectionRefused);
     }
 
-    // Its buffers full, a peer that does not read must not hold up whoever presses STOP.
+    // When the buffers of a peer that does not read are full, requestStop() must not block its caller.
     void whoeverAsksNeverWaits() {
         std::promise<void> done;
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Cancelled);
     }
 
-    // Whoever takes control now must not lose it to a stop of before.
+    // A client that takes control now must not lose it because of an earlier stop request.
     void whatIsWithdrawnIsNotSentAnyMore() {
         Heard heard;
         std::atomic<bool> back = false;

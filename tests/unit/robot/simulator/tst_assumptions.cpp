@@ -77,7 +77,7 @@ struct Writer {
         QVERIFY(rtde::encodeValues(recipe.layout, values, bytes));
         inputs.apply(recipe, bytes);
     }
-    /// Ends the current period; the next one begins.
+    /// Finishes the current period and starts the next one.
     void period() {
         plant.step();
         inputs.applyRest();
@@ -124,8 +124,8 @@ private Q_SLOTS:
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
-            // What depends on the assumption, how the control program deals with it, and the source of the
-            // question.
+            // The remaining columns: what depends on the assumption, how the control program handles it, and
+            // the source.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
             for (const QString& told : rest.first(3)) {
@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (std::int32_t n = 1; n < 5; ++n) {
             writer.write(n);
             writer.plant.step();
-            // The two newest values are mixed, nothing older.
+            // Only the two newest values are mixed.
             QCOMPARE(writer.first(), n - 1 + first);
             QCOMPARE(writer.third(), n - 1 + third);
             writer.inputs.applyRest();
@@ -377,7 +377,7 @@ private Q_SLOTS:
         QVERIFY(!missing.programs().submitText(text.toStdString()));
     }
 
-    // A camera that is switched on later need not end the program that names it.
+    // With deferred connections, a camera that is switched on later does not end the program that uses it.
     void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<bool>("goesOn");

@@ -140,7 +140,7 @@ private Q_SLOTS:
         const arm::Payload& load = robot.plant.arm().payload();
         QVERIFY(std::abs(load.mass - 2) < 1e-12);
         QVERIFY((load.centreOfGravity - Eigen::Vector3d(0.05, 0, 0.1)).norm() < 1e-9);
-        // Two points 0.05 m on either side of the middle, and the body's own.
+        // Two points 0.05 m on either side of the middle, and the centre of the body itself.
         QVERIFY(std::abs(load.inertia[0] - 0.01) < 1e-9);
         QVERIFY(std::abs(load.inertia[1] - (0.01 + 2 * 0.05 * 0.05)) < 1e-9);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A key looks hovered only while the pointer is over it.
+// A key has its hover look only while the pointer is over it.
 
 #include <QApplication>
 #include <QCursor>

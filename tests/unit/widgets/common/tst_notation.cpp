@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths, speeds and orientations in the units the operator chose: what is shown, and what is typed.
+// Lengths, speeds and orientations are displayed and typed in the units selected by the operator.
 
 #include <QApplication>
 #include <QClipboard>
@@ -81,11 +81,11 @@ private Q_SLOTS:
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");
-        QCOMPARE(told, 0);  // not before it is finished
+        QCOMPARE(told, 0);  // not before editing is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
-        // Spreadsheets and scripts know the hyphen only; both are taken.
+        // Spreadsheets and scripts use a hyphen only; the box accepts both.
         box.selectAll();
         QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames as a table, with every edit undoable on the history of the waypoints.
+// Frames as a table; every edit can be undone in the same history as those of the waypoints.
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>

@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         applyNotation(*qApp, {});
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<FramesTab>(*session_, *document_);
         tab_->resize(560, 560);

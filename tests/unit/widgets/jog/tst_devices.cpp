@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
         QVERIFY2(b.devices.used() == b.device(), "it is still there");
-        // When it is back, the stick has to be released first.
+        // When the driver responds again, the stick has to be released first.
         b.stick.reading.fresh = true;
         b.run(100);
         QCOMPARE(b.next, 1U);
@@ -392,7 +392,7 @@ private Q_SLOTS:
         b.devices.use(b.devices.devices().back().get());
         pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         b.run(50);
-        // A hand that holds the stick deflected and trembles.
+        // A stick held deflected by a hand with a slight tremor.
         for (int i = 0; i < 30; ++i) {
             pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
             b.run(100);

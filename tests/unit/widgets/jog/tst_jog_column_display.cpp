@@ -290,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // Both fit on a screen of 1600 x 900.
+    // Joints and pose fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();

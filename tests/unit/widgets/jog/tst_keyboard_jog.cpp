@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The armed keyboard follows physical keys by scan code from press to release, whatever modifier, lock key or
-// layout changes in between; events that do not fit end the motion.
+// The armed keyboard follows physical keys by scan code from press to release, even if modifiers, lock keys
+// or the layout change in between; unexpected events end the motion.
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>
@@ -126,7 +126,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
-        // The next arrow key does not turn.
+        // The next arrow key does not start a rotation.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
         b.up(scan::kRight, Qt::Key_Right);

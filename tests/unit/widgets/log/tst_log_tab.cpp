@@ -215,7 +215,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 3);
     }
 
-    // Messages that arrived while another page was shown are the ones the operator returns for.
+    // Messages that arrived while another page was shown are the ones that the operator needs to see.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));

@@ -261,7 +261,8 @@ private Q_SLOTS:
                 if (column < 1 || column > kColumns - 2) {
                     continue;
                 }
-                // In its own column, or, where columns hold many samples, at the edge of a neighbouring column.
+                // In its own column or, where a column holds many samples, at the edge of a neighbouring
+                // column.
                 bool isDrawn = false;
                 bool isKnown = false;
                 for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
@@ -392,7 +393,7 @@ private Q_SLOTS:
         QVERIFY(f.history.time(2) > 500.002);
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
-    // The time of the controller does not show the length of a silence after which it restarted.
+    // The controller's time does not show how long the connection was silent before a restart.
     void aSilenceIsAsLongAsItWasOnThisComputer_data() {
         QTest::addColumn<double>("timeBehind");
         QTest::addColumn<bool>("newLink");
@@ -455,7 +456,7 @@ private Q_SLOTS:
         const double shown = f.feed.plotTime(3 + 49 * 0.002);
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
         QVERIFY(!f.store.valueAt(scalar, 100.15).has_value());
-        // The last subscriber has gone.
+        // The last subscriber has unsubscribed.
         QVERIFY(f.store.want(this, {}));
         QCOMPARE(asked.last()[0].toStringList(), QStringList());
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
@@ -548,7 +549,7 @@ private Q_SLOTS:
         QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
         QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
         QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);
-        // Any change to the text gives a layout or an error.
+        // Any modified text results in a layout or an error.
         PlotLayout good;
         good.pages.append({"Mine", {{{"actual_q_0"}, {}, 0, 2}}, {"robot_mode"}});
         const QByteArray text = good.toJson();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checklist of the first five minutes: what ticks an item, what does not, and the card that shows it.
+// The checklist of the first five minutes: the actions that complete an item, those that do not, and the card
+// that shows it.
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -65,7 +66,7 @@ private Q_SLOTS:
     }
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         steps_ = std::make_unique<FirstSteps>(*session_, *document_);
         steps_->setFollowing(true);

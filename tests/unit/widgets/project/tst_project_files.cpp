@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
-    // As after a start with a damaged file: there is no file in which the work could be saved.
+    // The state after a start with a damaged file: there is no file in which the work could be saved.
     void workWithoutAFileIsAskedAbout() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");

@@ -249,7 +249,7 @@ private Q_SLOTS:
         }
         QCOMPARE(changed.count(), 0);
         QCOMPARE(elsewhere.count(), 1);
-        // With changes of its own it is asked, once.
+        // With unsaved changes, the other window asks the operator once.
         otherDocument.insertWaypoints(0, {named("mine")}, "Teach");
         for (int saves = 0; saves < 2; ++saves) {
             document_->insertWaypoints(0, {named("another")}, "Teach");
@@ -343,7 +343,7 @@ private Q_SLOTS:
         store_->setCopyFolder(folder);
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        // A killed program leaves the present content of the disk.
+        // The content of the disk is what a killed program would leave.
         QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
         const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
         QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);
@@ -396,7 +396,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.size(), 2);
     }
 
-    // Work that another window has opened as well must be on the disk even without a further change.
+    // Unsaved work that was reopened in another window must be saved to disk even without a further change.
     void openedWorkIsKeptAtOnce() {
         const QString folder = directory_->filePath("Unsaved");
         store_->setCopyFolder(folder);

@@ -359,7 +359,7 @@ private Q_SLOTS:
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
-    // Not only for a moment after a click: each button keeps its position.
+    // Each button keeps its position permanently, not only for a moment after a click.
     void buttonsKeepTheirPositionsForAllTexts_data() { secondClickHitsTheSameButton_data(); }
     void buttonsKeepTheirPositionsForAllTexts() {
         QFETCH(int, width);

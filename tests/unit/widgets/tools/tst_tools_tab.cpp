@@ -33,7 +33,7 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// Joints with which a tool of this offset touches the point, tilted by `turn` from vertical.
+/// Joint positions at which a tool with this offset touches the point, tilted by `turn` from vertical.
 std::optional<JointPositions> onPoint(const Pose& tool, const Eigen::Vector3d& point,
                                       const Eigen::Vector3d& turn) {
     const Pose target(point, rotationVector(rotationMatrix({M_PI, 0, 0}) * rotationMatrix(turn)));
@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         moves_.clear();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         MotionPort port;
         port.beginMove = [this](const MoveRequest& request) -> Result<MotionPort::Id> {
@@ -132,7 +132,7 @@ private Q_SLOTS:
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
         QVERIFY(document_->tooling() == tooling);
-        // Another program gives the robot a third TCP, which is new.
+        // Another program sets a third, new TCP on the robot.
         state.tcpOffset = Pose(0, 0, 0.12, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->isVisible());
@@ -158,11 +158,11 @@ private Q_SLOTS:
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
-        // After undo the project has 0 again, and the notice says so.
+        // After undo the value in the project is 0 again, and the notice shows this.
         document_->undoStack().undo();
         QVERIFY(notice("tcp.page")->isVisible());
         QVERIFY2(notice("tcp.page")->text().contains("100.0 mm"), qPrintable(notice("tcp.page")->text()));
-        // Another program gives the robot that TCP.
+        // Another program sets that TCP on the robot.
         state.tcpOffset = Pose();
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());

@@ -98,7 +98,7 @@ private Q_SLOTS:
         document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✕ reach"));
         QVERIFY(!reachAdvice(document_->reach(2)).isEmpty());
-        // A longer arm gets there.
+        // A longer arm reaches the pose.
         document_->setRobot(robotModel(RobotModelId::UR20));
         far.pose.position = Eigen::Vector3d(1.2, 0, 0.3);
         document_->changeWaypoint(2, far, "x");
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY2(back.ok(), qPrintable(back.error().toString()));
         QCOMPARE(back->at(0).name, QString("home"));
         QVERIFY(std::abs(back->at(0).joints[0] - kStart[0]) < 1e-12);
-        // Without the header line, in the order in which it is written.
+        // Without a header line, columns are read in the order in which they are written.
         QVERIFY(waypoint_clipboard::fromText(lines[1], {}).ok());
     }
 

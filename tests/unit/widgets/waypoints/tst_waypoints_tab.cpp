@@ -75,7 +75,7 @@ private Q_SLOTS:
     void init() {
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
         goTo()->guard().setClock(clock_);
@@ -337,7 +337,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&left, &deactivate);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::WindowDeactivated});
         QVERIFY(!goTo()->isHolding());
-        // Its release went elsewhere: the next press is a new one.
+        // The release went to another window: the next press is a new one.
         keyDown(to, scan::kG, Qt::Key_G);
         QCOMPARE(arm_.moves.size(), std::size_t(2));
         keyUp(to, scan::kG, Qt::Key_G);
@@ -524,7 +524,7 @@ private Q_SLOTS:
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(pasted.joints[i] - taught.joints[i]) < 0.5);
         }
-        // With a header line, some columns only.
+        // With a header line, a subset of the columns is sufficient.
         paste("Name\tX mm\tY mm\tZ mm\tRX °\tRY °\tRZ °\nover it\t" + figures);
         QCOMPARE(document_->waypoints().size(), 3);
         QCOMPARE(document_->waypoints().at(2).name, QStringLiteral("over it"));
