@@ -9,11 +9,11 @@
 //
 // Evidence that a key is still held:
 // - mouse button or keyboard key: the events of the window and, where available, a query of the display
-// server (HoldWitness) within the last 100 ms;
+//   server (HoldWitness) within the last 100 ms;
 // - finger on the screen, gamepad, SpaceMouse: their events. A finger or stick that is held still may send no
-// events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
-// (HoldBounds::silenceNs); after that it needs a new press. For a stick whose driver reports continuously the
-// limit is 100 ms.
+//   events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
+//   (HoldBounds::silenceNs); after that it needs a new press. For a stick whose driver reports continuously
+//   the limit is 100 ms.
 
 #include <QEvent>
 #include <QObject>

@@ -67,7 +67,7 @@ public:
 
 Q_SIGNALS:
     void namesChanged();
-    /// Return from past to live data.
+    /// The user wants to return from past to live data.
     void liveWanted();
 
 private:
