@@ -77,7 +77,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
-        // The demonstration moves the arm automatically and is not allowed on a real one.
+        // The demonstration moves the arm automatically and is not allowed on a real robot.
         return wrong(CommandLineText::tr(
             "--demo works on the simulated robot only and cannot be combined with --robot"));
     }

@@ -49,8 +49,8 @@ struct Preferences {
 
 /// True if the sequence contains a stop key, with any modifier, which must not have another function.
 bool stopsTheArm(const QKeySequence& keys);
+/// Reads the only value that is needed before the application exists [%].
 /// file  the settings file; empty: the default location
-/// The only value needed before the application exists [%].
 int readInterfaceSize(const QString& file);
 Preferences readPreferences(const SettingsView& settings);
 /// The values in the format of the settings.

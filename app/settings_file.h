@@ -23,7 +23,8 @@ inline constexpr SettingsPart kSettingsParts[] = {
 
 /// key  as in QSettings, e.g. "look/density"
 SettingsPart partOf(const QString& key);
-/// False for values that only apply to this computer: recent files, window position, the lock of a monitor-only PC.
+/// False for values that only apply to this computer: recent files, window position, the lock of a
+/// monitor-only PC.
 bool travels(const QString& key);
 
 struct SettingsBundle {
