@@ -17,7 +17,7 @@
 
 namespace tiller {
 
-/// Threads  GUI, unless said otherwise
+/// Threads  GUI, unless noted otherwise
 class HoldWitness {
 public:
     /// Reported state of one button or key. Times are those of the queries [ns, SteadyClock].
