@@ -19,7 +19,7 @@ namespace tiller {
 namespace {
 
 struct FreeReply {
-    void operator()(void* reply) const { std::free(reply); }  // NOLINT: allocated by the library with malloc()
+    void operator()(void* reply) const { std::free(reply); }  // NOLINT: malloc()ed by the library
 };
 template <class Reply>
 using Owned = std::unique_ptr<Reply, FreeReply>;
