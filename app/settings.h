@@ -19,7 +19,7 @@
 
 namespace tiller::app {
 
-/// Tutorial progress, by names of steps and tasks.
+/// Progress of the tutorial, by names of steps and tasks.
 struct Learned {
     bool dismissed = false;  ///< the checklist of the first steps was dismissed
     QStringList firstSteps;
