@@ -47,7 +47,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // As passed by a file manager.
+    // The file manager passes project files as positional arguments.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();

@@ -43,8 +43,9 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// For a step that moves the arm: repeats the motion if the arm stops before the step is complete. On
-        /// a busy machine a jog may end early (blocked event loop, old data) and has to be started again.
+        /// Only for a step that moves the arm: repeats the motion if the arm stops before the step is
+        /// complete. On a busy machine a jog may end early (blocked event loop, old data) and has to be
+        /// started again.
         std::function<void()> anew = {};
     };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr char kFactor[] = "QT_SCALE_FACTOR";
 constexpr char kProperty[] = "tillerInterfaceSize";
 /// Above this pixel density, a button of 72 px is smaller than 13 mm.
-constexpr double kDensePixels = 140;  // per inch
+constexpr double kDensePixels = 140;  // [pixels per inch]
 
 double factorOfTheEnvironment() {
     bool isNumber = false;

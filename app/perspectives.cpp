@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;  ///< with Shift
+    Qt::Key key;  ///< key that is combined with Shift
     const char* tab;
     StagePlan plan;
 };

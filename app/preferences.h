@@ -29,10 +29,10 @@ struct Preferences {
     bool monitorOnly = false;
     /// Maximum duration of a jog without a new press [s].
     int longestHold = kUsualLongestHold;
-    /// By action id; only differences from the defaults. Empty sequence: no shortcut.
+    /// Shortcuts by action id; only differences from the defaults. Empty sequence: no shortcut.
     QMap<QString, QKeySequence> shortcuts;
 
-    /// By type of device; only changed values.
+    /// Settings by type of device; only changed values.
     QMap<QString, DeviceTuning> devices;
 
     RecordingChoice recording;

@@ -29,7 +29,7 @@ bool travels(const QString& key);
 
 struct SettingsBundle {
     QString writtenBy;  ///< version of Tiller; may be empty
-    /// By QSettings key: texts, numbers, booleans, byte arrays and lists of texts.
+    /// Values by QSettings key: texts, numbers, booleans, byte arrays and lists of texts.
     QMap<QString, QVariant> values;
 
     QMap<QString, QVariant> part(SettingsPart which) const;

@@ -33,7 +33,7 @@ struct ReplayMark {
 /// Position of a waypoint.
 struct WaypointMark {
     QString name;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP, in the base frame [m]
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< position of the TCP in the base frame [m]
     bool selected = false;
 };
 

@@ -69,7 +69,7 @@ private:
     std::vector<std::unique_ptr<InputDevice>> devices_;
     std::vector<DeviceReading> readings_;  ///< one per device
     const InputDevice* used_ = nullptr;
-    QMap<QString, DeviceTuning> tunings_;  ///< by type; missing types use their defaults
+    QMap<QString, DeviceTuning> tunings_;  ///< settings by device type; missing types use their defaults
     bool stopHeld_ = false;
     bool wasNeutral_ = false;   ///< last input
     bool silent_ = false;       ///< deflected, but not reporting

@@ -17,7 +17,7 @@ namespace tiller {
 /// Conversion of raw axes to an input, adjustable by the user.
 struct DeviceTuning {
     double deadZone = 0.08;     ///< fraction of the full deflection
-    double exponent = 1.0;      ///< of the curve outside of the dead zone
+    double exponent = 1.0;      ///< exponent of the curve outside of the dead zone
     bool dominantAxis = false;  ///< only the axis with the largest deflection is used
 
     static constexpr double kLeastDeadZone = 0.03;
@@ -57,7 +57,7 @@ public:
     virtual ~InputDevice() = default;
     virtual QString name() const = 0;
     virtual DeviceShape shape() const = 0;
-    /// Its current state; empty after it was disconnected.
+    /// The current state of the device; empty after it was disconnected.
     virtual std::optional<DeviceReading> read() = 0;
 };
 

@@ -74,7 +74,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// With the digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// Uses the number of digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));

@@ -48,7 +48,7 @@ struct ShownJog {
     int axis = 0;                                         ///< 0-2: axis that defines the colour
     bool turns = false;  ///< rotation about the direction instead of translation
     int joint = -1;      ///< rotating joint, 0 ... 5; -1: none
-    int sign = 1;        ///< of the joint rotation
+    int sign = 1;        ///< sign of the joint rotation
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
 
@@ -92,7 +92,7 @@ public:
     void stopMotion(control::StopCause cause);
     /// True while a motion of a held button or device is active.
     bool isHolding() const;
-    /// For devices: with the same frame, speed and rules as the buttons.
+    /// Jogging by devices, with the same frame, speed and rules as the buttons.
     AxisJog& axisJog() { return *axisJog_; }
     /// Connects the arm button with this keyboard. While the keyboard is armed, these keys work as
     /// hold-to-run keys: F freedrive, Home home, End align, Backspace back.
@@ -173,7 +173,7 @@ private:
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
     bool payloadChecked_ = true;  ///< if true, the forces are checked before freedrive starts
     QString refusal_;
-    HoldBounds bounds_;  ///< of the last motion
+    HoldBounds bounds_;  ///< limits of the last motion
 
     JogSelectors* selectors_ = nullptr;
     SegmentedControl* detailTab_ = nullptr;

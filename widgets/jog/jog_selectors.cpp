@@ -53,7 +53,7 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
-/// With as few digits as possible: "0.1", "45".
+/// Uses as few digits as possible: "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
     const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;

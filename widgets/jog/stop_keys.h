@@ -65,7 +65,7 @@ private:
     std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs with the shortcuts
     int claimedKey_ = 0;                     ///< last pressed stop key without another function; 0: none
 
-    bool owned_ = false;  ///< in control or taking control, at the last state
+    bool owned_ = false;  ///< true if in control or taking control at the last state
     bool inControl_ = false;
     std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; not set if control was released
     std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after

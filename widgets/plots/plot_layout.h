@@ -26,7 +26,7 @@ struct PaneLayout {
 
 struct PageLayout {
     QString name{};
-    QVector<PaneLayout> panes{};  ///< from top to bottom, column by column
+    QVector<PaneLayout> panes{};  ///< panes from top to bottom, column by column
     QStringList lanes{};
 
     /// TCP force and joint currents.

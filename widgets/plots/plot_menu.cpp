@@ -23,7 +23,8 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// In the syntax of DerivedSignal. Characters of names or units with a meaning in this syntax are omitted.
+/// Returns the text in the syntax of DerivedSignal. Characters of names or units with a meaning in this
+/// syntax are omitted.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;

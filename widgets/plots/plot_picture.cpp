@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    const PaperColors paper_;  // before the plots, which read their colours at construction
+    const PaperColors paper_;  // constructed before the plots, which read their colours at construction
     PlotView plots_;
     PictureText text_;
 };

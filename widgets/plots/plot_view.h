@@ -220,7 +220,7 @@ private:
     double tickSpan_ = -1;
     double tickEnd_ = 0;
     QTimer sharpen_;              // runs while more details are available than displayed
-    QHash<int, double> offsets_;  // by signal; empty if not zeroed
+    QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
     QString name_;                // name of the page
     Drag drag_ = Drag::None;
     std::optional<int> legendPressed_;

@@ -49,7 +49,7 @@ private:
         std::array<double, 3> c;  ///< a x + b y + c >= 0 inside, for each edge
         std::array<float, 3> a, b;
         std::array<float, 3> nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], with [2] at the first vertex
-        std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, for red, green and blue
+        std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, but for red, green and blue
         float x0, y0;                               ///< position of the first vertex
         std::array<float, 3> least, most;           ///< limits of red, green and blue at the vertices
         std::int16_t left, right, top, bottom;      ///< [px], inclusive

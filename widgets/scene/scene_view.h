@@ -38,7 +38,7 @@ struct SceneJog {
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
     bool turns = false;  ///< rotation about the direction instead of translation
     int joint = -1;      ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
-    int sign = 1;        ///< of the joint rotation
+    int sign = 1;        ///< sign of the joint rotation
 };
 
 class SceneView : public QWidget {

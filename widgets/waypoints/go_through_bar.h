@@ -73,7 +73,7 @@ private:
     QString place_;  ///< e.g. "2 of 7"
     QString speed_;
 
-    std::array<HoldButton*, 3> keys_{};  ///< by RouteRunner::Way
+    std::array<HoldButton*, 3> keys_{};  ///< keys by RouteRunner::Way
     ChoiceBox* scope_;
     QCheckBox* loop_;
 };
