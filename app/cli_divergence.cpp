@@ -40,7 +40,7 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
 
-/// Output format of a quantity: name, and unit with its factor from SI.
+/// Output format of a quantity: its name, and its unit with the factor from SI.
 struct Spelling {
     const char* key;
     const char* name;
@@ -166,7 +166,7 @@ void print(const divergence::Report& report) {
     }
 }
 
-/// Reads an optional argument.
+/// Reads the value of an optional command line option.
 bool readLimit(const QCommandLineParser& parser, const QCommandLineOption& option, double factor,
                double& limit) {
     constexpr double kMost = 1e6;

@@ -74,9 +74,9 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-/// An unused file name in the folder.
+/// Returns an unused file name in the folder.
 QString newFileIn(const QString& folder, QString address) {
-    // Not allowed in file names on every system.
+    // These characters are not allowed in file names on all systems.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
@@ -87,7 +87,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Empty if an error was printed.
+/// Returns the options; empty if an error was printed.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});

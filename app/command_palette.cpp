@@ -16,7 +16,7 @@
 namespace tiller::app {
 namespace {
 
-/// All words must occur; matches at the beginning come first.
+/// All words must occur; actions that match at the beginning come first.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
     const QString all =
@@ -43,7 +43,8 @@ int rank(const QAction& action, const QStringList& words) {
 constexpr int kPaletteWidth = 640;     // [px]
 constexpr int kAroundPaletteRow = 72;  // margins, and a scroll bar
 
-/// Of a reason, as much as fits in a row: "Monitor only", "Not in control". The rest is in the tool tip.
+/// The first part of a reason that fits in a row: "Monitor only", "Not in control". The complete reason is in
+/// the tooltip.
 QString firstClause(const QString& reason) {
     static const QRegularExpression kEnd(QStringLiteral("[:.](\\s|$)"));
     return reason.left(reason.indexOf(kEnd));

@@ -102,7 +102,7 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has restored the default action: the process terminates as without the handler.
+    // SA_RESETHAND has restored the default action, so the process terminates as without the handler.
     ::raise(signal);
 }
 
@@ -115,7 +115,7 @@ void keepCrashReports(const QString& path) {
         return;
     }
     std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
-    // The first call loads a library, which is not allowed in the handler.
+    // The first call loads a library, which is not allowed in the signal handler.
     std::array<void*, 1> once{};
     ::backtrace(once.data(), 1);
 

@@ -31,7 +31,7 @@ public:
 
     void start();
     bool succeeded() const { return failed_.isEmpty(); }
-    /// The results line by line, as printed.
+    /// The results as printed, one per line.
     QString summary() const;
 
 Q_SIGNALS:
@@ -43,8 +43,9 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// For a step that moves the arm: the retry if the arm stops before the step is complete. On a busy machine
-        /// a jog may end early (blocked event loop, old data), and has to be started again.
+        /// Only for a step that moves the arm: repeats the motion if the arm stops before the step is
+        /// complete. On a busy machine a jog may end early (blocked event loop, old data) and has to be
+        /// started again.
         std::function<void()> anew = {};
     };
 
@@ -70,10 +71,10 @@ private:
     int pressedAnew_ = 0;
     QStringList done_;
     QString failed_;
-    QStringList troubles_;  ///< warnings and errors of the session
+    QStringList troubles_;  ///< warnings and errors reported by the session
 
     Pose jogStart_;
-    std::optional<Pose> jogEnd_;  ///< after it came to rest
+    std::optional<Pose> jogEnd_;  ///< pose after the jog came to rest
     control::StopMeasurement jogStop_;
 };
 

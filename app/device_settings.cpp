@@ -115,7 +115,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     connect(zone, &QDoubleSpinBox::valueChanged, this, choose);
     connect(curve, &QDoubleSpinBox::valueChanged, this, choose);
     connect(dominant, &QCheckBox::clicked, this, choose);
-    // The device test page also changes it.
+    // The device test page can also change the settings.
     connect(&devices_, &DeviceJog::tuned, this,
             [this, kind, show](const QString& of, const DeviceTuning& tuning) {
                 if (of == kind) {

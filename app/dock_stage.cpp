@@ -81,7 +81,7 @@ void DockStage::arrange(const StagePlan& plan) {
         }
     }
     below->show();
-    // Hidden panels also have a position, to which they return.
+    // Hidden panels have a position as well, to which they return.
     for (const StagePlan::Place& place : plan.row) {
         find(place.dock)->setVisible(place.shown);
     }
@@ -219,7 +219,7 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // After the panels know their size.
+    // Queued until the panels know their size.
     QTimer::singleShot(0, this, &DockStage::proportion);
 }
 

@@ -47,8 +47,8 @@ private:
     void begin(int percent);
 
     const std::vector<char*> given_;
-    const double desktopFactor_;    ///< factor requested by the environment
-    std::vector<char*> arguments_;  ///< Qt removes its own arguments
+    const double desktopFactor_;    ///< scale factor requested by the environment
+    std::vector<char*> arguments_;  ///< without the arguments removed by Qt
     int count_ = 0;
     std::unique_ptr<QApplication> application_;
 };

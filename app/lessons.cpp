@@ -95,7 +95,7 @@ void Lessons::showPractice() {
 
 void Lessons::onState(const SessionState& state) {
     const bool here = simulator_.controllerOf(state) != nullptr;
-    // A delay between two packets does not change the robot.
+    // A gap between two packets does not count as a change of the robot.
     if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
         return;
     }
@@ -130,7 +130,7 @@ PracticeHooks Lessons::hooks() {
                 },
             .addWaypoint =
                 [this](const project::Waypoint& point) {
-                    steps_.setFollowing(false);  // not taught by the user
+                    steps_.setFollowing(false);  // this waypoint is not taught by the user
                     document_.insertWaypoints(document_.waypoints().size(), {point},
                                               tr("Practice: place “%1”").arg(point.name));
                 }};

@@ -33,7 +33,7 @@ public:
     ~Lessons() override;
 
     void addTo(ActionTable& table);
-    /// Reloads the progress after a change of the settings.
+    /// Reloads the progress after an import of the settings.
     void readAgain();
     void showFirstSteps();
     void showPractice();
@@ -51,7 +51,7 @@ private:
     Practice practice_;
     FirstStepsCard* stepsCard_;
     PracticeCard* practiceCard_;
-    bool here_ = false;  ///< connected to the simulated robot of this program
+    bool here_ = false;  ///< true while connected to the simulated robot of this program
 };
 
 }  // namespace app

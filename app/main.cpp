@@ -38,7 +38,7 @@ void print(FILE* to, const QString& text) {
     }
 }
 
-/// The requested project, or the last one, or a new file.
+/// Returns the requested project, the last one, or a new file.
 app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
         // The demonstration starts with a new project every time.
@@ -68,7 +68,7 @@ int sizeFor(const QStringList& arguments) {
     return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
 }
 
-/// Shown once: any saved setting means that it was shown before.
+/// Shown only once: any saved setting means that it was shown before.
 void tellOfSize(app::MainWindow& window) {
     if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
@@ -127,7 +127,8 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     }
     connect(*window);
     window->show();
-    // Without a window manager, the window has to be activated here; an inactive window moves nothing.
+    // Without a window manager, the window has to be activated here; an inactive window does not start
+    // motions.
     window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
@@ -187,7 +188,7 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    // The demonstration connects by itself to receive all errors.
+    // The demonstration connects by itself, so that it receives all errors.
     auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);

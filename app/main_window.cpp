@@ -86,7 +86,7 @@ namespace tiller::app {
 namespace {
 
 constexpr QSize kStart{1600, 900};
-/// Between panels [px].
+/// Distance between panels [px].
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 
@@ -192,7 +192,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    // A process that is killed has no time to keep them.
+    // Saved after a delay, because a process that is killed cannot save anything at its end.
     layoutTimer_.setSingleShot(true);
     layoutTimer_.setInterval(kKeepLayoutMs);
     connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
@@ -210,13 +210,13 @@ MainWindow::~MainWindow() {
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // While all parts exist, the session announces its end. It is destroyed last.
+    // The session emits its last signals while all parts exist. It is destroyed last.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // Unsaved changes are saved when the store is destroyed; do not display this.
+    // Unsaved changes are saved when the store is destroyed; this is not displayed.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -266,7 +266,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Not earlier: floating panels would be shown before the window.
+    // Not restored earlier, because floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -849,7 +849,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The robot's menu is the main menu; the others are also available in it.
+    // The menu of the robot is the main menu; it also contains the other menus.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -1047,7 +1047,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // Not modal: STOP and the state must stay accessible.
+    // Not modal, because STOP and the state must remain accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 

@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// clock  of the session; for tests
+    /// clock  clock of the session; replaced by tests
     explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
                         QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -82,8 +82,8 @@ public:
     /// Starts the simulated robot in this process unless it is running, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Treats a simulated controller of this process as the simulated robot of the window, for the first steps and
-    /// the practice tasks. It must exist until null is passed.
+    /// Treats a simulated controller of this process as the simulated robot of the window, for the first
+    /// steps and the practice tasks. It must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
     /// Shows the start dialog: simulator, robot or project.
     void askForRobot();
@@ -112,14 +112,15 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page of "io"), "log".
+    /// Shows a tab, for the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page
+    /// of "io"), "log".
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// Request to replace this window by a new one in the selected language. It has released the robot and is
-    /// closed.
-    /// before  the state until then
+    /// Request to replace this window by a new one in the selected language. This window has released the
+    /// robot and is closed.
+    /// before  the state before closing
     void closedToOpenAnew(const tiller::SessionState& before);
 
 protected:
@@ -173,12 +174,12 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< as they hold now
-    QTimer layoutTimer_;              ///< the layout is kept when it has not changed for a time
-    bool monitorOnlyLocked_ = false;  ///< by the command line
+    Preferences preferences_;         ///< current values
+    QTimer layoutTimer_;              ///< saves the layout after it has not changed for some time
+    bool monitorOnlyLocked_ = false;  ///< set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
-    std::optional<RobotAddress> toRemember_;  ///< once it has responded
+    std::optional<RobotAddress> toRemember_;  ///< stored as soon as the robot has responded
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<HoldWitness> witness_;
     HoldTerms holdTerms_;
@@ -196,7 +197,7 @@ private:
     ToolsTab* tools_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
-    IoPages* ioPages_ = nullptr;  ///< owned by these two
+    IoPages* ioPages_ = nullptr;  ///< contains io_ and gripper_
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     RobotPopup* popup_ = nullptr;
@@ -214,8 +215,8 @@ private:
     PanelDock* tabsDock_ = nullptr;
     PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
-    QString crashReport_;          ///< an unreported crash report; empty: none
-    bool layoutRestored_ = false;  ///< layout of the last window
+    QString crashReport_;          ///< file with an unreported crash report; empty: none
+    bool layoutRestored_ = false;  ///< the layout of the last window was restored
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

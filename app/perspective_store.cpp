@@ -19,7 +19,7 @@ QByteArray sealed(const QByteArray& panels) {
     return sealOf(panels) + panels;
 }
 
-/// Empty if the checksum does not match.
+/// Returns the layout without its checksum; empty if the checksum does not match.
 QByteArray unsealed(const QByteArray& kept) {
     const QByteArray panels = kept.mid(kSealLength);
     return !panels.isEmpty() && kept.startsWith(sealOf(panels)) ? panels : QByteArray();
@@ -85,11 +85,11 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             if (found != there.end()) {
                 *found = mine;
             } else {
-                there.append(mine);  // deleted in the other window, and changed here
+                there.append(mine);  // deleted in the other window and changed in this one
             }
             continue;
         }
-        // New here. The other window may have used its number or name for another one.
+        // New in this window. The other window may have used its number or name for another perspective.
         while (withNumber(there, mine.number) != there.end()) {
             ++mine.number;
         }

@@ -23,7 +23,7 @@ namespace tiller::app {
 
 namespace {
 
-constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a quarter of it on a CB3
+constexpr double kPacketRate = 500;  // packet rate of an e-Series [Hz]; a quarter of it on a CB3
 
 QLabel* namedSecondary(const QString& name) {
     auto* label = new QLabel;
@@ -176,7 +176,8 @@ void RecordingSettings::askForFolder() {
 void RecordingSettings::takeFolder() {
     RecordingChoice next = choice_;
     const QString typed = folder_->text().trimmed();
-    // Relative to the working directory would be meaningless to the user.
+    // Relative to the home folder: a path relative to the working directory would have no meaning for the
+    // user.
     next.folder =
         typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
     folder_->setText(QDir::toNativeSeparators(next.folder));
@@ -185,7 +186,7 @@ void RecordingSettings::takeFolder() {
 
 void RecordingSettings::takePattern() {
     if (!patternProblem(pattern_->text()).isEmpty()) {
-        return;  // error shown below the field; the previous value remains
+        return;  // the error is shown below the field; the previous value remains
     }
     RecordingChoice next = choice_;
     next.pattern = pattern_->text().trimmed();
@@ -224,7 +225,7 @@ void RecordingSettings::takeSignals() {
         }
     }
     if (next.fields.isEmpty()) {
-        // An empty recording is not possible: keep the last signal.
+        // A recording must contain at least one signal: keep the last one.
         const QSignalBlocker quiet(signals_);
         for (int row = 0; row < signals_->count(); ++row) {
             const bool recorded = choice_.fields.contains(signals_->item(row)->text());

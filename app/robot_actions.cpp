@@ -19,13 +19,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// A missing service comes first: no other action would help.
+/// A missing service is reported first, because no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;
 }
 
-/// The program commands apply to programs stored on the robot.
+/// These commands apply to programs stored on the robot.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -131,7 +131,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::RestartSafety),
                tr("After a violation or a fault, once the cause is found. The arm stays powered off."),
                {},
-               // By the page that asks to inspect the arm first.
+               // Through the page that asks the user to inspect the arm first.
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);

@@ -64,7 +64,7 @@ Learned learnedIn(const SettingsView& settings) {
             settings.value("learned/practice").toStringList()};
 }
 
-/// Applies the difference between `before` and `after` to `there`.
+/// Applies the changes from `before` to `after` to the list `there`.
 QStringList merged(const QStringList& before, const QStringList& after, QStringList there) {
     for (const QString& word : before) {
         if (!after.contains(word)) {

@@ -19,7 +19,7 @@
 
 namespace tiller::app {
 
-/// Tutorial progress, by name.
+/// Progress of the tutorial, by names of steps and tasks.
 struct Learned {
     bool dismissed = false;  ///< the checklist of the first steps was dismissed
     QStringList firstSteps;
@@ -61,7 +61,8 @@ public:
     Learned learned() const;
     void setLearned(const Learned& learned);
 
-    // For the following values, each window writes only its own changes and keeps the other entries of the file.
+    // For the following values, each window writes only its own changes and keeps the other entries of the
+    // file.
 
     /// Values of the settings page.
     Preferences preferences() const;
@@ -69,8 +70,8 @@ public:
 
     /// All values that may be transferred to another computer.
     SettingsBundle bundle() const;
-    /// Replaces these parts completely. The current settings are first written to a backup file in the same folder;
-    /// if this fails, nothing is changed.
+    /// Replaces these parts completely. The current settings are first written to a backup file in the same
+    /// folder; if this fails, nothing is changed.
     /// Returns  the path of the backup
     /// Errors   FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
@@ -90,7 +91,7 @@ private:
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // Values last read or written by this window: only differences are written.
+    // Values last read or written by this window, because only differences are written.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
     mutable std::optional<Learned> knownLearned_;

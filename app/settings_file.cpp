@@ -104,7 +104,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // Integers remain integers: readers of an index expect "1", not "1.0".
+            // Integers stay integers, because readers of an index expect "1", not "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
@@ -121,7 +121,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
     }
 }
 
-/// As text, because settings read from a file have no numeric types.
+/// Returns the value as text, because settings read from a file have no numeric types.
 QStringList written(const QVariant& value) {
     return value.typeId() == QMetaType::QByteArray
                ? QStringList(QLatin1String(value.toByteArray().toBase64()))

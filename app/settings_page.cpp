@@ -53,7 +53,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Next to its field: a row of the form may be higher than the text.
+    // Aligned with its field, because a row of the form may be higher than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -207,7 +207,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     connect(lengths_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.length = static_cast<LengthUnit>(index);
         Q_EMIT preferencesChanged(preferences_);
-        showCommandNames();  // some names contain a length
+        showCommandNames();  // some command names contain a length
     });
     connect(rotations_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.rotation = static_cast<RotationNotation>(index);
@@ -230,7 +230,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // In its native name, for users who cannot read the current language.
+    // Languages are listed by their native names, for users who cannot read the current language.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
@@ -397,7 +397,7 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // Only one chord: a second key within a second would create a sequence of two.
+            // Only one key combination: a second key within a second would create a sequence of two.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {

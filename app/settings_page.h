@@ -28,7 +28,7 @@ class SettingsPage : public QDialog {
 
 public:
     /// theme    "light" or "dark"
-    /// devices  whose switches and parameters are shown
+    /// devices  the devices to be configured
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
                  DeviceJog& devices, QWidget* parent = nullptr);
 
@@ -41,7 +41,7 @@ public:
     void setHoldNote(const QString& text);
     /// Shows monitor only as fixed by the command line.
     void lockMonitorOnly();
-    /// Shows the reason why the window cannot be rebuilt now.
+    /// Shows the reason why the window cannot be replaced now.
     void refuseAnew(const QString& reason);
     /// Shows the page about recordings.
     void showRecording();
@@ -52,7 +52,7 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// Request to rebuild the window in the selected language.
+    /// Request to replace the window by one in the selected language.
     void windowAnewWanted();
     /// Request to open the device test page in front of this one.
     void trainerWanted();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Completes a manual page with what each command says of itself: man_page.py PROGRAM PAGE.rst, to standard output."""
+"""Adds the help of each command to a manual page: man_page.py PROGRAM PAGE.rst, to standard output."""
 import re
 import subprocess
 import sys

@@ -19,14 +19,14 @@ constexpr QLatin1Char kHyphen('-');
 constexpr QLatin1Char kPoint('.');
 constexpr QLatin1Char kComma(',');
 
-/// With the minus sign and the decimal separator of the user interface.
+/// Converts the text to the minus sign and the decimal separator of the user interface.
 QString asShown(QString text) {
     const QString sign = QLocale().decimalPoint();
     text.replace(kHyphen, kMinusSign).replace(kComma, kPoint);
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// With the characters expected by the base class.
+/// Converts the text to the characters expected by the base class.
 QString asRead(QString text) {
     return text.replace(kMinusSign, kHyphen)
         .replace(QLocale().decimalPoint(), QString(kPoint))

@@ -17,7 +17,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kDetailSize = 13;  // [px] of the letters
+constexpr int kDetailSize = 13;  // font size [px]
 constexpr int kHoldHintMs = 2000;
 
 }  // namespace
@@ -25,10 +25,10 @@ constexpr int kHoldHintMs = 2000;
 HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(parent), guard_(*this) {
     setText(text);
     setAccessibleName(text);
-    // The guard takes the focus at a press. A policy would take it before, from a key that another finger
-    // holds, and this press would then look like the first.
+    // The guard sets the focus on a press. A focus policy would set it earlier and take it from a key held by
+    // another finger, so that this press would look like the first one.
     setFocusPolicy(Qt::NoFocus);
-    setMouseTracking(true);  // a move without a button tells of a release that went elsewhere
+    setMouseTracking(true);  // a move without a pressed button shows that the release was not received
     setAttribute(Qt::WA_AcceptTouchEvents);
     setAttribute(Qt::WA_Hover);
     connect(&guard_, &HoldGuard::began, this, [this] { setDown(true); });
@@ -95,7 +95,7 @@ void HoldButton::sayHold() {
 QSize HoldButton::sizeHint() const {
     const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
                                QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
-    // As high as the keys beside it, which have a border besides.
+    // As high as the neighbouring push buttons including their border.
     return {words + 24, keyHeight(currentDensity()) + 2};
 }
 
@@ -142,7 +142,7 @@ void HoldButton::paintEvent(QPaintEvent*) {
     if (detail().isEmpty()) {
         painter.drawText(rect(), Qt::AlignCenter, text());
     } else if (both > height()) {
-        // No room for two lines: what has to be said for a moment goes before the name.
+        // There is no space for two lines: a temporary hint replaces the name.
         painter.drawText(rect(), Qt::AlignCenter, saysHold() ? detail() : text());
     } else {
         const int top = (height() - both) / 2;
@@ -155,7 +155,7 @@ void HoldButton::paintEvent(QPaintEvent*) {
 void HoldButton::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
-        // Where the window system makes a mouse of a finger, it is a finger still.
+        // Some window systems synthesize mouse events from touch: identify the finger by its device.
         const bool finger =
             event->device() != nullptr && event->device()->type() == QInputDevice::DeviceType::TouchScreen;
         guard_.press({finger ? Grip::By::Touch : Grip::By::Mouse});
@@ -165,13 +165,13 @@ void HoldButton::mousePressEvent(QMouseEvent* event) {
 }
 
 void HoldButton::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);  // the second of two quick presses is a press like any other
+    mousePressEvent(event);  // the second of two quick presses counts as a normal press
 }
 
 void HoldButton::mouseMoveEvent(QMouseEvent* event) {
     event->accept();
     if (!event->buttons().testFlag(Qt::LeftButton)) {
-        guard_.release();  // the release itself went to somebody else
+        guard_.release();  // the release was delivered elsewhere
         return;
     }
     guard_.pointerMoved(event->position().toPoint());
@@ -193,7 +193,7 @@ void HoldButton::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void HoldButton::wheelEvent(QWheelEvent* event) {
-    event->accept();  // nor may it scroll the key away under the finger
+    event->accept();  // the wheel must not scroll the key away from the pointer
 }
 
 bool HoldButton::event(QEvent* event) {
@@ -210,7 +210,7 @@ bool HoldButton::event(QEvent* event) {
 
 bool HoldButton::touchEvent(QEvent* event) {
     event->accept();
-    // What a cancelled touch held the rule book has ended already.
+    // A cancelled touch has already been ended by HoldRules.
     if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }

@@ -10,7 +10,7 @@ using control::StopCause;
 
 namespace {
 
-// Marks every key that has a guard, so that a press on one can be kept from it while another is held.
+// Marks widgets with a guard: a press on one of them is discarded while another key is held.
 constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 
 }  // namespace
@@ -56,7 +56,7 @@ bool HoldGuard::press(const Grip& grip) {
         return false;
     }
     if (const QString why = rules_.obstacle(&key_, grip); !why.isEmpty()) {
-        rules_.endOther();  // rule: a key of the screen while another hand holds
+        rules_.endOther();  // rule: a key on the screen is pressed while another input holds
         Q_EMIT refused({ErrorCode::Cancelled, why, {}});
         return false;
     }
@@ -72,7 +72,7 @@ bool HoldGuard::press(const Grip& grip) {
     const HoldBounds bounds = motion_.bounds ? motion_.bounds() : HoldBounds();
     hasEnd_ = bounds.longestNs > 0 && !runsToEnd_;
     beganNs_ = clock_->nowNs();
-    // A short step needs nobody who holds.
+    // A short step runs to its end without being held.
     rules_.begin(&key_, runsToEnd_ ? Grip{Grip::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();

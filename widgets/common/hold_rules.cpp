@@ -27,8 +27,8 @@ bool isEvent(const HoldNews& news, QEvent::Type type) {
     return news.kind == Kind::Event && news.event->type() == type;
 }
 
-/// A press passes the native window first and the widget then: it is decided at the widget, which may be a
-/// key itself.
+/// A press is delivered to the native window first and to the widget afterwards. It is evaluated at the
+/// widget, which may be a hold-to-run key itself.
 bool isAtWidget(const HoldNews& news) {
     return news.watched->isWidgetType();
 }
@@ -55,7 +55,7 @@ bool isOverTheWindow(const QWidget& widget) {
 
 // ---- the rules -------------------------------------------------------------------------------------------
 //
-// A rule looks at the news and says which cause ends the motion; None: it does not apply.
+// A rule checks an event and returns the cause that ends the motion, or None if the rule does not apply.
 
 struct HoldRules::Book {
     using Rule = StopCause (*)(const HoldRules&, const HoldNews&);
@@ -71,7 +71,7 @@ struct HoldRules::Book {
 
     static StopCause when(bool applies, StopCause cause) { return applies ? cause : StopCause::None; }
 
-    // what the holder does
+    // actions of the operator
 
     static StopCause letGo(const HoldRules&, const HoldNews& n) {
         return when(n.kind == Kind::LetGo, StopCause::Released);
@@ -97,7 +97,7 @@ struct HoldRules::Book {
         return when(n.kind == Kind::Unmatched, StopCause::HoldUnproven);
     }
 
-    // what happens in the application
+    // events in the application
 
     static StopCause escape(const HoldRules&, const HoldNews& n) {
         return when(isKeyPress(n, Qt::Key_Escape), StopCause::Escape);
@@ -135,7 +135,7 @@ struct HoldRules::Book {
         if (!isEvent(n, QEvent::FocusOut) || n.watched != h.key_) {
             return StopCause::None;
         }
-        // A key that is greyed or hidden loses the focus first: name the real reason.
+        // A key that is disabled or hidden loses the focus first: report the actual reason.
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(n.event)->reason();
         if (!h.key_->isEnabled()) {
             return StopCause::ControlLost;
@@ -158,7 +158,8 @@ struct HoldRules::Book {
                     hidden ? StopCause::WindowClosed : StopCause::WindowDeactivated);
     }
     static StopCause windowFocusLost(const HoldRules&, const HoldNews& n) {
-        // A panel that floats shares the activation of its window: only the focus tells that it was left for it.
+        // A floating panel shares the activation state of its window: only the focus shows that the operator
+        // switched to another window.
         return when(isEvent(n, QEvent::FocusOut) && n.watched->isWindowType(), StopCause::WindowDeactivated);
     }
     static StopCause windowMinimised(const HoldRules& h, const HoldNews& n) {
@@ -193,7 +194,7 @@ struct HoldRules::Book {
         return when(isEvent(n, QEvent::Quit), StopCause::WindowClosed);
     }
 
-    // what time tells
+    // timeouts
 
     static StopCause stalled(const HoldRules& h, const HoldNews& n) {
         const bool clocked = n.kind == Kind::Refresh || n.kind == Kind::Input;
@@ -227,11 +228,10 @@ struct HoldRules::Book {
         return when(n.kind == Kind::Refresh && h.leftNs() <= 0, StopCause::HeldTooLong);
     }
 
-    // what keeps a motion from beginning
+    // conditions for starting a motion
 
     static QString inactiveWindow(const HoldRules&, const QWidget* key, const Grip&) {
-        // The press that brings a window to the front is not meant for the arm; and the program in front of
-        // which the operator sits is the one that may move it.
+        // The press that activates a window must not move the arm, and only the active program may move it.
         if (key != nullptr) {
             return QApplication::activeWindow() == key->window()
                        ? QString()
@@ -240,7 +240,7 @@ struct HoldRules::Book {
         return QApplication::activeWindow() != nullptr ? QString() : tr("Click in the window first.");
     }
     static QString openDialog(const HoldRules&, const QWidget*, const Grip& grip) {
-        // A mouse or a finger cannot reach a key through a dialog that matters; a device can.
+        // A dialog blocks mouse and touch input, but not keyboard jogging and input devices.
         if (grip.by != Grip::By::Keys && grip.by != Grip::By::Device) {
             return {};
         }
@@ -309,7 +309,7 @@ const HoldRules::Book::BeginRow HoldRules::Book::beginRows[] = {
 };
 // clang-format on
 
-// ---- the book in use -------------------------------------------------------------------------------------
+// ---- evaluation ------------------------------------------------------------------------------------------
 
 HoldRules::HoldRules(std::function<void(StopCause)> stop, const Clock& clock, QObject* parent)
     : QObject(parent), stop_(std::move(stop)), clock_(&clock) {
@@ -418,7 +418,7 @@ bool HoldRules::anyWitnessed(const Test& test) const {
 }
 
 StopCause HoldRules::whyGone() const {
-    // A window that is being hidden takes its keys with it.
+    // Hiding a window also hides its keys.
     return key_ != nullptr && key_->window()->isHidden() ? StopCause::WindowClosed
                                                          : StopCause::SelectionChanged;
 }
@@ -447,7 +447,7 @@ bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
     news.watched = watched;
     news.event = event;
     const bool ended = happen(news);
-    // The press that stops one motion begins no other.
+    // The press that stops one motion must not start another.
     const bool press = event->type() == QEvent::MouseButtonPress ||
                        event->type() == QEvent::MouseButtonDblClick || event->type() == QEvent::TouchBegin ||
                        event->type() == QEvent::TabletPress;

@@ -12,7 +12,7 @@ namespace tiller {
 
 namespace {
 
-/// Stands where nobody can be asked.
+/// Used on platforms without a key-state query.
 class NoWitness : public HoldWitness {
 public:
     bool isThere() const override { return false; }

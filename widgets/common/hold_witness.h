@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The second witness of a hold: the display server itself, asked whether a mouse button or a key is down. The
-// events of the window may stop coming (a frozen or lost display server, a frozen remote desktop) or one of
-// them may go elsewhere (a grab of another program); what the server answers to a question just put does not.
+// Key-state check for hold-to-run keys: asks the display server whether a mouse button or key is pressed.
+// Window events alone are not sufficient: they may stop (frozen display server or remote desktop, lost
+// connection), or one may be delivered elsewhere (a grab by another program). A new query always returns the
+// current state.
 //
-// X11: XcbWitness, tested on Xvfb. On Wayland, Windows and macOS, and without a screen, there is none yet:
-// motions go on there under the other rules, and the window says so.
+// X11: XcbWitness, tested on Xvfb. Not available on Wayland, Windows, macOS and without a screen: motions
+// then depend on the other rules, and the window shows a note.
 
 #include <QString>
 #include <cstdint>
@@ -16,31 +17,31 @@
 
 namespace tiller {
 
-/// Threads  GUI, unless said otherwise
+/// Threads  GUI, unless noted otherwise
 class HoldWitness {
 public:
-    /// What was said about one button or key, by the time at which the question was put [ns, SteadyClock].
+    /// Reported state of one button or key. Times are those of the queries [ns, SteadyClock].
     struct Word {
-        std::int64_t askedNs = 0;  ///< the newest question that was answered; 0: none was
-        std::int64_t downNs = 0;   ///< the newest one that was answered with "down"; 0: none was
+        std::int64_t askedNs = 0;  ///< newest answered query; 0: none
+        std::int64_t downNs = 0;   ///< newest query answered with "pressed"; 0: none
     };
 
     virtual ~HoldWitness() = default;
 
-    /// False where there is none: then nothing is asked of it. Once there, it stays there.
+    /// False if no key-state check is available; then no queries are made. Never changes from true to false.
     virtual bool isThere() const = 0;
-    /// While wanted it asks about every 10 ms; otherwise it sleeps.
+    /// While wanted, queries the state about every 10 ms; otherwise the thread sleeps.
     virtual void want(bool wanted) = 0;
     virtual Word leftButton() const = 0;
     virtual Word key(KeyCode code) const = 0;
-    /// How long the newest question has been waiting for its answer [ns]; 0: none waits.
+    /// Time since the newest unanswered query [ns]; 0: all queries are answered.
     virtual std::int64_t waitingNs() const = 0;
-    /// A sentence for the operator: who it is, or why there is none.
+    /// A sentence for the operator: the type of the check, or the reason why it is not available.
     virtual QString description() const = 0;
 
-    /// The one of this platform, whose words go by the steady clock.
+    /// The implementation for this platform; its times are those of SteadyClock.
     static std::unique_ptr<HoldWitness> ofThisPlatform();
-    /// For a hand that is none: a demonstration presses keys of the screen without a mouse.
+    /// No key-state check, for a demonstration that presses keys on the screen without a mouse.
     static std::unique_ptr<HoldWitness> none();
 };
 

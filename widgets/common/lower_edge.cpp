@@ -12,8 +12,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kEdgeMargin = 8;  // [px]
-constexpr int kKept = 64;       // of an area, its header and a row [px]
+constexpr int kEdgeMargin = 8;  // distance from the border [px]
+constexpr int kKept = 64;       // height reserved for an area: its header and one row [px]
 
 }  // namespace
 
@@ -66,12 +66,12 @@ void LowerEdge::place() {
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
-    // Areas with little height are covered at the bottom: there are buttons above them.
+    // Areas with little height are covered at the bottom, because buttons are above them.
     const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
-    // A low area keeps a row; below that it is covered.
+    // An area with little height keeps one row visible; if it is even smaller, the row is covered.
     const int left = room.height() - kKept;
     reserve(area == areas_.cend() ? nullptr : *area,
             std::clamp(height + 2 * kEdgeMargin, 0, std::max(0, left)));

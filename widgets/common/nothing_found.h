@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Message for a list that is empty because of a search or filter.
+// Message shown over a list that is empty because of a search or filter.
 
 #include <QLabel>
 

@@ -48,7 +48,8 @@ public:
     Shape shape() const { return shape_; }
     /// advice  meaning and suggested action, shown as tooltip together with the text if that is elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
-    /// Up to two letters in (octagon) or next to the symbol, to distinguish states with the same symbol.
+    /// Up to two letters inside the octagon or next to the symbol, to distinguish states with the same
+    /// symbol.
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
     /// Use the fixed-width font for numbers.

@@ -19,12 +19,12 @@ namespace tiller {
 namespace {
 
 struct FreeReply {
-    void operator()(void* reply) const { std::free(reply); }  // NOLINT: as the library wants it
+    void operator()(void* reply) const { std::free(reply); }  // NOLINT: malloc()ed by the library
 };
 template <class Reply>
 using Owned = std::unique_ptr<Reply, FreeReply>;
 
-/// True once the answer to a request is there; null when the server refused.
+/// Returns true once the reply to a request has arrived; the reply is null if the server reported an error.
 template <class Reply>
 bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
     void* reply = nullptr;
@@ -39,7 +39,7 @@ bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
 
 }  // namespace
 
-/// The connection, and the one question that may be under way.
+/// The connection to the display server, with at most one pending query.
 class XcbWitness::Link {
 public:
     Link() : link_(xcb_connect(nullptr, nullptr)) {
@@ -63,10 +63,10 @@ public:
         keysRequest_ = xcb_query_keymap(link_).sequence;
         xcb_flush(link_);
     }
-    /// Reads what has come. True once both answers are there.
+    /// Reads received data. Returns true once both replies have arrived.
     bool answered(bool& button, std::array<bool, kKeys>& keys) {
         while (const Owned<xcb_generic_event_t> news{xcb_poll_for_event(link_)}) {
-            // Nothing was asked for, but what comes has to be taken off.
+            // Events are not requested; discard them.
         }
         if (!isAsking()) {
             return false;
@@ -99,7 +99,7 @@ private:
 XcbWitness::XcbWitness() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return;  // no thread, so nobody is there
+        return;  // without a thread the check is unavailable
     }
     wakeRead_ = ends[0];
     wakeWrite_ = ends[1];
@@ -120,7 +120,7 @@ XcbWitness::~XcbWitness() {
 
 void XcbWitness::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: it is awake anyway
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: already waking up
 }
 
 void XcbWitness::want(bool wanted) {
@@ -196,7 +196,7 @@ void XcbWitness::run() {
             waitingSinceNs_ = 0;
         }
         if (!link.isAlive()) {
-            // It is not there any more, and never says anything again: every hold ends by that.
+            // The connection is lost and will not answer again. This ends every hold.
             waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
             return;
         }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The second witness on X11: a connection of its own to the display server, on which a thread of its own asks
-// for the pointer's buttons and the map of keys. A server that hangs does not answer, one that is gone closes
-// the connection; in both cases nobody waits for it here, and the window hears that nothing was said. The
-// numbers of the keys are those of the window's events.
+// Key-state check on X11. It uses a separate connection to the display server, on which a separate thread
+// queries the pointer buttons and the keymap. A server that hangs does not answer, and a server that has
+// exited closes the connection. Neither case blocks the caller: the GUI thread only sees that no new answers
+// arrive. Key numbers are the same as in window events.
 
 #include <array>
 #include <atomic>
@@ -15,11 +15,11 @@
 
 namespace tiller {
 
-/// Threads  one of its own, normal priority: connects, asks, waits for answers. What it heard crosses to the
-///          GUI thread under a lock that is held for some copies only.
+/// Threads  a separate thread with normal priority connects, sends queries and waits for replies. Results are
+/// passed to the GUI thread under a lock that is held only while copying.
 class XcbWitness final : public HoldWitness {
 public:
-    /// Connects in the background, to the display the window is on.
+    /// Connects in the background to the display of the window.
     XcbWitness();
     ~XcbWitness() override;
     XcbWitness(const XcbWitness&) = delete;
@@ -32,7 +32,7 @@ public:
     std::int64_t waitingNs() const override;
     QString description() const override;
 
-    /// Between two questions.
+    /// Period of the queries [ms].
     static constexpr int kAskMs = 10;
 
 private:
@@ -46,7 +46,7 @@ private:
     std::atomic<bool> there_{false};
     std::atomic<bool> wanted_{false};
     std::atomic<bool> quit_{false};
-    std::atomic<std::int64_t> waitingSinceNs_{0};  ///< 0: no question waits
+    std::atomic<std::int64_t> waitingSinceNs_{0};  ///< 0: no query is pending
     int wakeRead_ = -1;
     int wakeWrite_ = -1;
 

@@ -30,7 +30,7 @@ public:
     QString headline() const;
 
 Q_SIGNALS:
-    /// The user edited a value: the new pose of the frame.
+    /// The user edited a value; contains the new pose of the frame.
     void placeEntered(const tiller::Pose& T_base_frame);
 
 protected:

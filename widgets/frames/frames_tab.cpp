@@ -155,7 +155,7 @@ void FramesTab::onFrames() {
         endTeaching();
     }
     showPage();
-    // The added frame (also by undo), otherwise the previous one, otherwise its neighbour.
+    // Select the added frame (also after undo), otherwise the previous one, otherwise its neighbour.
     const int row = one                       ? model_->rowOf(came)
                     : ids.contains(selected_) ? model_->rowOf(selected_)
                                               : std::min(std::max(before, 0), model_->rowCount() - 1);
@@ -263,7 +263,7 @@ QAction* FramesTab::addCommand(const QString& name, const QString& text, const Q
 }
 
 void FramesTab::buildActions() {
-    // Letters: s frame selected, l live data, t teaching three points.
+    // Requirements as letters: s frame selected, l live data, t teaching by three points.
     const auto with = [](QAction* action, const char* needs) {
         action->setProperty("needs", QLatin1String(needs));
         return action;

@@ -17,7 +17,7 @@ namespace tiller {
 
 class FigureBox;
 
-/// The values at the ends of the electrical range. Without a unit: not scaled.
+/// Values at the ends of the electrical range in the user's unit. Without a unit: not scaled.
 struct AnalogScale {
     double low = 0;
     double high = 10;

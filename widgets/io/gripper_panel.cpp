@@ -490,7 +490,7 @@ QString GripperPanel::obstacleOfLink() const {
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
     }
-    // The same for all buttons: they become enabled together.
+    // The same text for all buttons, because they are enabled together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 

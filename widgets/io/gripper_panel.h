@@ -92,7 +92,7 @@ private:
     QString robot_;  ///< address of the robot; empty: no robot
     GripperChoice choice_;
     std::optional<std::pair<QString, int>> address_;  ///< replaces the robot's address
-    QElapsedTimer chosen_;                            ///< time since the buttons appeared
+    QElapsedTimer chosen_;                            ///< runs since the buttons appeared
     QTimer refreshTimer_;
 
     OutputGripper outputs_;

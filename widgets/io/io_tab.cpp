@@ -304,7 +304,7 @@ void IoTab::refresh() {
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
-            // Confirmed after all, or no longer known.
+            // Confirmed late, or no longer known.
             unconfirmed_ = {-1, false};
             notice_->resolve(QLatin1String(kUnconfirmed));
         }

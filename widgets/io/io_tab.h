@@ -67,7 +67,7 @@ public:
 
 Q_SIGNALS:
     void namesChanged();
-    /// Return from past to live data.
+    /// The user wants to return from past to live data.
     void liveWanted();
 
 private:
@@ -97,7 +97,7 @@ private:
     QLabel* analogHeading_ = nullptr;
     QLabel* registerHeading_ = nullptr;
     RegisterPanel* registers_ = nullptr;
-    QVector<QLabel*> headings_;  ///< of the digital groups, by column and group
+    QVector<QLabel*> headings_;  ///< headings of the digital groups, by column and group
     QLineEdit* search_;
     NothingFound* nothing_ = nullptr;
     NoticeBar* notice_;

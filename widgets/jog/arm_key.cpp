@@ -14,8 +14,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kHeight = 26;  // in a title bar
-constexpr int kShape = 12;   // [px] of the hand symbol next to the text
+constexpr int kHeight = 26;  // height in a title bar [px]
+constexpr int kShape = 12;   // size of the hand symbol next to the text [px]
 
 }  // namespace
 

@@ -109,7 +109,7 @@ void AxisJog::begin() {
     if (why.isEmpty()) {
         why = obstacle_();
     } else {
-        rules_.endOther();  // rule: keyboard or stick while a button is held
+        rules_.endOther();  // rule: keyboard or stick input while a button is held
     }
     if (!why.isEmpty()) {
         Q_EMIT refused(why);

@@ -52,7 +52,7 @@ public:
     void setTerms(HoldTerms& terms);
     /// The newest state of the device. No effect if unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
-    /// Ends the motion, if any; the device must return to neutral.
+    /// Ends an active motion; the device must then return to neutral.
     void stop(control::StopCause cause);
     /// Requires a neutral position of this source before the next motion.
     void requireNeutral(Grip::By by) { neutralOf(by) = false; }
@@ -62,7 +62,7 @@ public:
     double factor() const { return factor_; }
     /// True while a stopped source has not returned to neutral.
     bool waitsForNeutral(Grip::By by) { return !neutralOf(by); }
-    /// An event of the keyboard for its motion.
+    /// Forwards a keyboard event to the rules of the motion held by keys.
     void tell(HoldNews::Kind kind);
     /// Maximum time without input from a stick at the current speed [ns].
     std::int64_t silenceNs() const;

@@ -151,7 +151,7 @@ void DeviceJog::poll() {
             continue;
         }
         if (devices_[i].get() == used_) {
-            jog_.stop(StopCause::DeviceLost);  // rule: the device is gone
+            jog_.stop(StopCause::DeviceLost);  // rule: the device was disconnected
             jog_.setInput(wish(nullptr));
             used_ = nullptr;
             Q_EMIT lost(devices_[i]->name());
@@ -174,7 +174,7 @@ void DeviceJog::poll() {
 
 void DeviceJog::follow(const DeviceReading& now) {
     if (now.stop && !stopHeld_) {
-        jog_.stop(StopCause::StopButton);  // rule: the device's stop key
+        jog_.stop(StopCause::StopButton);  // rule: the stop button of the device
         Q_EMIT stopPressed();
     }
     stopHeld_ = now.stop;
@@ -189,7 +189,7 @@ void DeviceJog::follow(const DeviceReading& now) {
     if (silent_) {
         wanted = wish(nullptr);
         if (!wasSilent && jog_.isActive()) {
-            jog_.stop(StopCause::DeviceLost);  // rule: the device falls silent
+            jog_.stop(StopCause::DeviceLost);  // rule: the device stops reporting
             Q_EMIT fellSilent(used_->name());
         }
     }

@@ -45,8 +45,8 @@ constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the selector of pose or joints
-/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above it are
-/// slightly smaller.
+/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above
+/// it are slightly smaller.
 constexpr int kTightBelow = 570;
 
 /// Button sizes of the pad: normal, minimum with all joints, and folded.
@@ -74,7 +74,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// With the digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// Uses the number of digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
@@ -266,7 +266,7 @@ void JogColumn::applyState(const SessionState& state) {
 }
 
 void JogColumn::tellWayBack() {
-    // Every sixth of sixty frames per second, because thousands of positions are passed.
+    // Every sixth frame (of sixty per second), because the path can have thousands of positions.
     constexpr int kFrames = 6;
     if (++wayBackFrames_ >= kFrames && track_->revision() != wayBackTold_) {
         wayBackFrames_ = 0;
@@ -317,7 +317,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // Small sideways deflections do not change the displayed direction.
+    // Smaller sideways deflections do not change the displayed direction.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -546,7 +546,7 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     });
     connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        // Our own refusal is a whole sentence already.
+        // Errors created by Tiller are already complete sentences.
         const bool own = !state_.canMove() || error.code == ErrorCode::UnsafeState ||
                          error.code == ErrorCode::Cancelled ||
                          (error.code == ErrorCode::NoSolution && error.controllerMessage.isEmpty());
@@ -711,7 +711,7 @@ QString JogColumn::deviceObstacle() const {
     if (const QString reason = cannotMoveReason(state_); !reason.isEmpty()) {
         return reason;
     }
-    // Only one motion at a time.
+    // Only one motion at a time is allowed.
     return isHolding() ? tr("Another key is already held.") : QString();
 }
 

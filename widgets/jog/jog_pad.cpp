@@ -101,7 +101,7 @@ JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
         const char* name;
         CartesianKey key;
     };
-    // Rows as on the screen; axis letters are not translated.
+    // Arranged as on the screen; axis letters are not translated.
     static constexpr Place kPlaces[3][4] = {
         {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
         {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},

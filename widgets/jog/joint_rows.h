@@ -61,7 +61,7 @@ public:
     void setCompact(bool compact);
     /// Use a full-width row with reduced height.
     void setLow(bool low);
-    /// The name ends before the value begins.
+    /// True if name and value do not overlap.
     bool isNameApart() const;
     static int heightWhen(bool compact, bool low);
 
@@ -84,14 +84,14 @@ private:
     int joint_;
     QString name_;
     QString value_;
-    QString shown_;  ///< the displayed value
+    QString shown_;  ///< displayed value
     QString speed_;
     HoldButton* minus_;
     HoldButton* plus_;
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
-    int speedWidth_ = 0;  ///< [px] before the bar; 0: the speed is shown elsewhere
+    int speedWidth_ = 0;  ///< width before the bar [px]; 0: the speed is shown elsewhere
     bool grey_ = true;
 };
 

@@ -18,7 +18,7 @@ void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
 void KeyGhosts::setState(const SessionState& state) {
     state_ = state;
     if (shown_ && !state.canMove()) {
-        hide();  // a target that no longer exists, although the pointer is on its button
+        hide();  // the target no longer exists, although the pointer is still on the button
     }
 }
 

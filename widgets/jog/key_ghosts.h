@@ -23,7 +23,7 @@ public:
 
     explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// target  of a press now; empty if the button has no target
+    /// target  returns the target of a press now; empty if the button has no target
     void offer(HoldButton& key, const QString& name, Target target);
     void setState(const SessionState& state);
 

@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
-/// Measurement noise of the speed of an arm at rest.
+/// Below these values the arm counts as stopped: measurement noise of the speed at rest.
 constexpr double kStands = 5e-5;              // [m/s]
 constexpr double kTurnsNot = toRadians(0.5);  // [rad/s]
 constexpr double kAtFlange = 5e-5;            // [m]
 
-/// Two decimals at rest, one during motion, padded with a blank.
+/// Two decimals at rest; one during motion, padded with a space.
 QString paced(double metres, bool moving) {
     const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;

@@ -63,7 +63,7 @@ public Q_SLOTS:
     /// Asks for a file and writes the displayed rows.
     void exportToFile();
     void focusSearch();
-    /// Shows rows of this severity and above.
+    /// Sets the minimum severity of the displayed rows.
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
@@ -92,7 +92,7 @@ private:
     LogModel* model_;
     LogModel* replayModel_;  ///< the log of the replayed recording
     std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< its events
-    bool replay_ = false;                                                    ///< it is shown
+    bool replay_ = false;  ///< true while the replayed log is shown
     LogFilter* filter_;
     ReplayBand* band_;
     SegmentedControl* severity_;
@@ -101,7 +101,7 @@ private:
     QTableView* table_;
     NothingFound* nothing_;
     QLabel* details_;
-    bool follows_ = true;  ///< the newest line was visible when the page was left
+    bool follows_ = true;  ///< true if the newest line was visible when the page was left
 };
 
 }  // namespace tiller

@@ -14,7 +14,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kFlagRoom = 28;  // [px] on the left side
+constexpr int kFlagRoom = 28;  // space on the left side [px]
 
 }  // namespace
 
@@ -44,7 +44,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    tell({}, {}, Key::None, false);  // the button needs its name before there is a result
+    tell({}, {}, Key::None, false);  // the button needs its text before there is a result
     style();
     hide();
 }

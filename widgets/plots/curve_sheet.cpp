@@ -26,7 +26,7 @@ constexpr double kSpike = 3;  // [px]
 /// Number of columns painted together.
 constexpr std::size_t kBlock = 16;
 
-/// Colour times coverage, premultiplied, for 0 ... 255.
+/// Colour multiplied by coverage, premultiplied, for coverages 0 ... 255.
 std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     std::array<QRgb, kOpaque + 1> out{};
     for (int i = 0; i <= kOpaque; ++i) {
@@ -36,9 +36,9 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     return out;
 }
 
-/// Premultiplied `above` over `below`.
+/// Composites premultiplied `above` over `below`.
 QRgb over(QRgb above, QRgb below) {
-    // Two channels at a time, each in sixteen bits.
+    // Two channels at a time, with sixteen bits each.
     constexpr QRgb kTwo = 0x00FF00FF;
     constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
@@ -179,8 +179,8 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
     for (std::size_t c = 0; c < drawn.size(); ++c) {
         drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
     }
-    // All curves of some columns before the next columns, each from top to bottom, for locality in the cache. The
-    // result is then transposed to the rows of the image.
+    // Paint all curves of some columns, each column from top to bottom, before the next columns, for cache
+    // locality. The result is then transposed to the rows of the image.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
         if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
@@ -202,7 +202,7 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
 }
 
 std::ptrdiff_t CurveSheet::blockPitch() const {
-    // Whole groups of four rows; and columns do not evict each other from the cache.
+    // Whole groups of four rows, and an odd stride, so that columns do not evict each other from the cache.
     return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
 }
 
@@ -264,7 +264,7 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
     // The coverage of a row is linear in its number: computed incrementally, in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    constexpr double kFar = 20000;  // beyond any row, without overflow of the incremental value
+    constexpr double kFar = 20000;  // beyond any row, but the incremental value does not overflow
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {

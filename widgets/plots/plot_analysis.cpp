@@ -22,10 +22,10 @@ namespace tiller {
 
 namespace {
 
-constexpr int kAnalyseAfter = 120;  // [ms] after the last change
+constexpr int kAnalyseAfter = 120;  // delay after the last change [ms]
 constexpr std::int64_t kMostSamples = 2'000'000;
-constexpr std::int64_t kMostPoints = 50'000;  // of one signal over another
-constexpr int kLeastLetters = 8;              // of a signal's name
+constexpr std::int64_t kMostPoints = 50'000;  // maximum number of points for one signal over another
+constexpr int kLeastLetters = 8;              // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
 /// With more samples, the worker is used.
 constexpr std::int64_t kOnTheSpot = 65'536;
@@ -44,7 +44,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
-    // Elements shown or hidden next to it must not move it from under the pointer.
+    // Fixed size, so that elements shown or hidden next to it do not move it away from the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
@@ -148,7 +148,7 @@ void PlotAnalysis::fillChoices() {
             box->addItem(nameOf(signal), signal);
         }
         const int first = box->findData(before);
-        // The signal read by the cursors over the previous one.
+        // Select the signal read by the cursors instead of the previous one.
         const int read = box->findData(view_->readoutSignal());
         box->setCurrentIndex(first >= 0 && before.isValid() ? first : box == y_ ? std::max(read, 0) : 0);
     }
@@ -260,7 +260,7 @@ void PlotAnalysis::run(const Task& task) {
 void PlotAnalysis::cancel() {
     cancel_.cancel();
     cancel_ = {};
-    worker_.cancelAll();  // including waiting jobs
+    worker_.cancelAll();  // cancels waiting jobs as well
     task_.reset();
     outcome_.reset();
     again_ = false;

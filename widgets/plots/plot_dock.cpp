@@ -84,7 +84,7 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
     return button;
 }
 
-/// Changes the text only if it differs, because this updates the layout of the title bar. The width is that of the
+/// Changes the text only if it differs, because this updates the layout of the title bar. The width fits the
 /// longest text, so that adjacent elements do not move.
 void keepWidth(QToolButton* key, const QStringList& texts) {
     const QString now = key->text();
@@ -298,8 +298,8 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
-    // The plots shrink for the table: otherwise a panel of minimum height would grow and move the button from under
-    // the pointer.
+    // The plots shrink to make space for the table. Otherwise a panel of minimum height would grow and move
+    // the button away from the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
     makeWay();
@@ -369,7 +369,7 @@ QString PlotDock::historyText() const {
 void PlotDock::buildPagesMenu() {
     QMenu* menu = pagesKey_->menu();
     menu->clear();
-    // These have buttons in the title bar if there is space.
+    // These have buttons in the title bar if there is enough space.
     const auto addSwitch = [this, menu](const char* name, const QString& text, bool on,
                                         void (PlotDock::*set)(bool)) {
         QAction* action = menu->addAction(text);
@@ -482,7 +482,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at) {
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
-    // Only the files of incidents are immutable: others may have been recorded again.
+    // Only the files of incidents are immutable; other files may have been overwritten by a new recording.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
@@ -516,7 +516,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
 }
 
 PageLayout PlotDock::pageFor(const QString& recording) const {
-    // Its standard plots if available, otherwise the first columns.
+    // The standard plots of the recording if available, otherwise its first columns.
     PageLayout page;
     page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
@@ -698,7 +698,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
-    readout_->setMinimumWidth(kLeastReadout);  // with and without text: the buttons do not move
+    readout_->setMinimumWidth(kLeastReadout);  // constant: the buttons do not move
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
@@ -828,7 +828,7 @@ void PlotDock::followLane(const SessionState& state) {
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // The last state ended with its last sample; the time continues.
+        // The last state ended with the last sample, but time continues.
         const LaneEntry none = noDataEntry();
         lane_->add(shown, none.kind, none.label);
         lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);

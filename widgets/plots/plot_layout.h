@@ -26,7 +26,7 @@ struct PaneLayout {
 
 struct PageLayout {
     QString name{};
-    QVector<PaneLayout> panes{};  ///< from top to bottom, column by column
+    QVector<PaneLayout> panes{};  ///< panes from top to bottom, column by column
     QStringList lanes{};
 
     /// TCP force and joint currents.
@@ -58,7 +58,7 @@ struct PlotLayout {
     static constexpr int kMostPages = 12;
     static constexpr int kMostPanes = 24;
     static constexpr int kMostColumns = 4;
-    static constexpr int kMostSignals = 48;  ///< of one plot
+    static constexpr int kMostSignals = 48;  ///< limit for one plot
     static constexpr int kMostLanes = 24;
 };
 

@@ -22,9 +22,9 @@ namespace tiller {
 
 namespace {
 
-constexpr int kPatience = 80;    // [ms]
-constexpr int kGoesOn = 20;      // [ms] between two checks of the summation
-constexpr int kLeastTable = 66;  // [px], its titles and one signal
+constexpr int kPatience = 80;    // delay after the last change [ms]
+constexpr int kGoesOn = 20;      // interval between two checks of the summation [ms]
+constexpr int kLeastTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -54,7 +54,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(between_);
     layout->addWidget(table_, 1);
-    // Before the table, which would copy one cell.
+    // A shortcut, because Ctrl+C in the table would copy one cell only.
     auto* copying = new QShortcut(QKeySequence::Copy, this);
     copying->setContext(Qt::WidgetWithChildrenShortcut);
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);

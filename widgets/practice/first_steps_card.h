@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The checklist of the first steps. It does not block anything.
+// The checklist of the first steps. It does not block other input.
 
 #include <array>
 

@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kHeight = 370;  // [px] height for the longest task with its check
+constexpr int kHeight = 370;  // height for the longest task with its check [px]
 
 }  // namespace
 
@@ -101,7 +101,7 @@ void PracticeCard::showTask() {
         answerRow_->setVisible(task == PracticeTask::Measure);
         setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
     }
-    // In the user's units, which may change.
+    // Texts contain values in the user's units, which may change.
     text_->setText(practiceText(task));
     check_->setText(practice_.text());
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));

@@ -21,7 +21,7 @@ struct PracticeText {
     Q_DECLARE_TR_FUNCTIONS(Practice)
 };
 
-/// Running and ready, as before the stop.
+/// True if the robot is in normal mode and ready, as before the stop.
 bool isReady(const SessionState& state) {
     return state.robotMode == RobotMode::Running && allowsMotion(state.safety());
 }

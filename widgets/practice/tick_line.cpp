@@ -60,7 +60,7 @@ void TickLine::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // Next to the first line of the text.
+    // Aligned with the first line of the text.
     const QRectF mark(0, (text_->fontMetrics().height() - kMark) / 2.0, kMark, kMark);
     if (done_) {
         themedIcon(QStringLiteral("check"), theme.text).paint(&painter, mark.toRect());

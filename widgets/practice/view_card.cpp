@@ -18,9 +18,9 @@ namespace tiller {
 namespace {
 
 constexpr int kGap = 8;            // distance from the edges of the view [px]
-constexpr int kMargin = 10;        // inner margin
-constexpr int kHeadMargin = 6;     // above and below the title
-constexpr int kLeastContent = 44;  // with less height it is folded
+constexpr int kMargin = 10;        // inner margin [px]
+constexpr int kHeadMargin = 6;     // margin above and below the title [px]
+constexpr int kLeastContent = 44;  // the card is folded if there is less height [px]
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
     auto* key = new QToolButton(parent);
@@ -124,7 +124,7 @@ void ViewCard::openQuietly() {
 }
 
 void ViewCard::putAway() {
-    // When hidden, it would pass the focus to the next control, e.g. a button or the speed slider.
+    // A hidden focus widget would pass the focus to the next control, e.g. a button or the speed slider.
     if (isAncestorOf(window()->focusWidget())) {
         view_.setFocus(Qt::OtherFocusReason);
     }

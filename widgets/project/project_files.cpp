@@ -51,7 +51,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
     connect(&store_, &ProjectStore::foreignChangeGone, this,
             [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
-        // These were about the project before.
+        // These notices referred to the previous project.
         for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {
             Q_EMIT noticeResolved(QLatin1String(cause));
         }
@@ -59,7 +59,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
 }
 
 void ProjectFiles::warn(const QString& title, const Error& error, const QString& cause) {
-    // The version is the file's here, never the robot's.
+    // Here the version is that of the file format, not of the robot.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
             ? tr("%1. Update Tiller to open it. The file was not changed.").arg(error.context)
@@ -257,7 +257,8 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                          .accept = tr("Open %n waypoints", nullptr, whole),
                          .accepted =
                              [this, path] {
-                                 // What was open when the file was found damaged may have been changed since.
+                                 // The project that was open when the damage was detected may have been
+                                 // changed since.
                                  if (!mayLeave(QApplication::activeWindow())) {
                                      return;
                                  }

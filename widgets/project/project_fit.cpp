@@ -22,7 +22,7 @@ bool isSameTcp(const Pose& a, const Pose& b) {
     return by.distance <= kSameDistance && by.angle <= kSameAngle;
 }
 
-/// The first names, and how many there are besides.
+/// The first names and the number of the others.
 QString namesText(const QStringList& names) {
     constexpr int kNamed = 8;
     const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));
@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Not in the press that is being refused.
+            // Queued, so that the question does not open during the press that is being refused.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;
@@ -74,7 +74,7 @@ std::optional<project::Tool> ProjectFit::otherTcp() const {
     if (const project::Tool* used = tooling.tools.find(tooling.activeTool)) {
         return isSameTcp(used->tcpOffset, state.tcpOffset) ? std::nullopt : std::optional(*used);
     }
-    // Without one in use, the TCPs that the waypoints were taught with.
+    // If no tool is active, use the TCPs with which the waypoints were taught.
     for (const project::Waypoint& point : document_.waypoints()) {
         if (isSameTcp(point.tcpOffset, state.tcpOffset)) {
             return {};
@@ -116,7 +116,7 @@ QString ProjectFit::obstacle() const {
 
 void ProjectFit::follow(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
-        resolve();  // it was about the robot that was connected
+        resolve();  // the notice was about the previously connected robot
     }
     if (!state.hasData() || !state.modelKnown) {
         return;
@@ -137,7 +137,7 @@ void ProjectFit::ask() {
         return;
     }
     if (session_.state().hasData() && !session_.state().modelKnown) {
-        return;  // follow() asks as soon as it is known
+        return;  // follow() asks as soon as the value is known
     }
     if (isOfOtherModel()) {
         askAboutModel();
@@ -176,7 +176,7 @@ void ProjectFit::askAboutModel() {
     question->setEscapeButton(cancel);
     connect(question, &QMessageBox::buttonClicked, this, [this, poses, joints](QAbstractButton* button) {
         if (!isOfOtherModel()) {
-            return;  // another robot or project meanwhile
+            return;  // another robot was connected or another project was opened in the meantime
         }
         if (button == poses) {
             change(project::Keep::Poses);
@@ -240,7 +240,7 @@ void ProjectFit::change(project::Keep keep) {
     }
 }
 
-/// After Cancel: where the question can be had again.
+/// Shown after Cancel: a notice that opens the question again.
 void ProjectFit::remind() {
     noticed_ = true;
     Q_EMIT noticeWanted({.title = tr("Moves to positions of this project are blocked"),

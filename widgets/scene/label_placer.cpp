@@ -12,8 +12,8 @@ std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size
     const double w = size.width();
     const double h = size.height();
     const double row = h + kApart;
-    // Names at the sides leave space for one below and one above; more distant ones are connected with the mark by
-    // a line.
+    // Labels at the sides leave space for one label below and one above. Labels further away are connected to
+    // the mark by a line.
     const std::array<QPointF, 8> corners = {
         QPointF(-w / 2, row / 2),           QPointF(kBeside, -h / 2),
         QPointF(-w - kBeside, -h / 2),      QPointF(-w / 2, -row / 2 - h),

@@ -59,7 +59,7 @@ void ScenePainter::ground(double reach, double height, bool solid) {
 }
 
 QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
-    // Legible over the arm: a thin outline in the colour of the surface.
+    // A thin outline in the background colour makes the text legible over the arm.
     painter_.setPen(theme_.panel);
     for (const QPointF& by : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)}) {
         painter_.drawText(box.translated(by), flags, text);
@@ -257,7 +257,7 @@ QRectF ScenePainter::turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& 
         return {};
     }
     constexpr int kPieces = 36;
-    constexpr double kArc = 4.9;  // [rad]: not a full circle, so that start and end are visible
+    constexpr double kArc = 4.9;  // [rad]; less than a full circle, so that start and end are visible
     const Eigen::Vector3d u = axis.normalized().unitOrthogonal();
     const Eigen::Vector3d v = axis.normalized().cross(u);
     QPolygonF line;

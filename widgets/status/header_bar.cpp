@@ -22,7 +22,7 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
-constexpr double kOrdinaryCap = 0.250;  // [m/s]; higher values are displayed in the header
+constexpr double kOrdinaryCap = 0.250;  // a higher speed limit is displayed in the header [m/s]
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
@@ -63,7 +63,7 @@ QString stepWords(const QPushButton& key, const QString& text, int width) {
 
 /// The width of the button for the next step, equal for all steps [px].
 int stepRoom(QPushButton& key, int least) {
-    key.ensurePolished();  // applies its font
+    key.ensurePolished();  // ensures that the font of the style sheet is used
     int room = least;
     for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
@@ -243,12 +243,12 @@ void HeaderBar::showLastStop() {
 void HeaderBar::showLink() {
     ModeLook look = linkLook(state_);
     if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
-        // In the normal state the rate is sufficient if there is little space.
+        // With little space, the packet rate is sufficient in the normal state.
         look.advice.prepend(look.text + QLatin1Char('\n'));
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // The consequence for jogging comes before the name of the state.
+    // Show the consequence for jogging before the name of the state.
     link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
@@ -373,7 +373,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
 
 void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
-        // Waiting: a second click is ignored.
+        // While waiting, a second click is ignored.
         keepPlaces();
         offerStep(true, false);
     }

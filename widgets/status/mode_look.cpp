@@ -111,7 +111,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
 }
 
 ModeLook safetyModeLook(SafetyStatus status) {
-    // An unknown number from newer software does not count as normal.
+    // An unknown value from newer software is shown as an alarm.
     return lookOf(kSafety, status, safetyWords(status), {status, Shape::Octagon, Emphasis::Alarm, "?"});
 }
 
@@ -159,7 +159,7 @@ ModeLook controlLook(const SessionState& state) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped) {
-        // A program other than Tiller's: it moves the arm.
+        // A program other than Tiller's may move the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
@@ -237,7 +237,7 @@ ModeLook linkLook(const SessionState& state) {
     }
     QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
-        // Only mentioned if relevant for jogging.
+        // Only shown if it is relevant for jogging.
         text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
             text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);

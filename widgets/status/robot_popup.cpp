@@ -21,10 +21,10 @@ namespace tiller {
 namespace {
 
 constexpr int kWidth = 460;       // [px]
-constexpr int kLeastMargin = 16;  // [px] distance from the edges of the covered widget
+constexpr int kLeastMargin = 16;  // minimum distance from the edges of the covered widget [px]
 constexpr int kMargin = 16;
 constexpr int kSign = 22;
-constexpr qsizetype kLongest = 600;  // [characters]; the log has the complete text
+constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the complete text
 
 using script::MessageSeverity;
 
@@ -112,7 +112,7 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
 // During a flood of popups, showing each one would overload the layout and the screen reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // another popup than the one that could be closed
+        showKey();  // another popup than the one that could be closed is displayed now
         return;
     }
     obstacle_ = obstacleNow(session_.state());
@@ -160,7 +160,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // The refusal applies to the displayed popup.
+    // The refusal refers to the displayed popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());

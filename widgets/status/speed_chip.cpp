@@ -14,7 +14,7 @@ namespace tiller {
 namespace {
 constexpr int kPadding = 13;
 constexpr int kSettleMs = 800;
-constexpr int kLeastPercent = 2;  // 0 has caused protective stops
+constexpr int kLeastPercent = 2;  // a speed of 0 has caused protective stops
 }  // namespace
 
 SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {

@@ -19,7 +19,7 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    // Screen readers activate the button by click().
+    // Screen readers activate the button through click().
     connect(this, &QAbstractButton::clicked, this, &StopButton::stopRequested);
     setKeysStop(false);
 }

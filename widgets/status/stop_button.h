@@ -14,7 +14,7 @@ class StopButton : public QAbstractButton {
 public:
     explicit StopButton(QWidget* parent = nullptr);
 
-    /// keys  Space and Esc stop as well; initially false
+    /// keys  whether Space and Esc stop as well; initially false
     void setKeysStop(bool keys);
     bool keysStop() const { return keysStop_; }
 

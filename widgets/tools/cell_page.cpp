@@ -25,7 +25,7 @@ namespace {
 constexpr double kFarthestInCell = 10;  ///< [m]
 constexpr double kNewEdge = 0.1;        ///< initial size of a box [m]
 
-/// A pose at this point with the normal as Z axis, and otherwise minimum rotation relative to the base.
+/// Returns a pose at this point whose Z axis is the normal, with minimum rotation relative to the base.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -244,7 +244,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // In a low panel the values scroll; the list and the row below do not move.
+    // In a panel with little height the values scroll; the list and the row below do not move.
     auto* figures = new SteadyScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
@@ -262,7 +262,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     layout->setSpacing(6);
     layout->addWidget(figures);
     layout->addLayout(cellRow);
-    constexpr int kSizeColumn = 150;  // [px]
+    constexpr int kSizeColumn = 150;  // width of the column for sizes [px]
     table().setColumnWidth(PartModel::FirstFigure, kSizeColumn);
 
     cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Corner here"),
@@ -270,7 +270,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
-            // The tool points at the surface; the arm stays on its side.
+            // The tool points at the surface, and the arm is on its own side of the plane.
             addPlane(planePose(state_.tcpPose.position, -rotationMatrix(state_.tcpPose.rotation).col(2)));
         }
     };

@@ -19,7 +19,7 @@ class FigureBox;
 class PoseEditor;
 class ProjectDocument;
 
-/// Three numbers in a row: a point or a size in the units of the settings, or a direction without unit.
+/// Three numbers in a row: a point or a size in the units of the settings, or a direction without a unit.
 class VectorEditor : public QWidget {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ public:
     void setVector(const Eigen::Vector3d& vector);  ///< [m], or without a unit
 
 Q_SIGNALS:
-    /// A value was edited; the other two keep the digits that are not displayed.
+    /// A value was edited; the other two keep their full precision.
     void entered(const Eigen::Vector3d& vector);
 
 protected:
@@ -64,7 +64,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // Boxes are first in the list, then planes. One of the two is null, both without a selection.
+    // Boxes are listed before planes. One of the two is null; both are null without a selection.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
     QString obstacle() const;

@@ -45,7 +45,7 @@ Q_SIGNALS:
 
 private:
     Content content_;
-    int rows_ = 0;  ///< as known to the views
+    int rows_ = 0;  ///< number of rows known to the views
 };
 
 }  // namespace tiller

@@ -22,7 +22,7 @@ constexpr double kProposals[][3] = {{0, 0, 0},      {0.6, 0, 0},     {-0.4, 0.7,
                                     {0, -0.7, 1.6}, {0.5, 0.5, 2.4}, {-0.5, -0.5, -0.8}};
 constexpr double kProposedSpeed = 0.5;         ///< [rad/s]
 constexpr double kProposedAcceleration = 1.0;  ///< [rad/s2]
-/// Differences above the noise between the poses [N, Nm].
+/// Minimum difference of the forces and torques between the poses, above the noise [N, Nm].
 constexpr double kPoorForce = 1.0;
 constexpr double kPoorTorque = 0.1;
 

@@ -27,7 +27,7 @@ public:
     explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 
-    /// Restarts with the current position.
+    /// Restarts the estimation with the current position.
     void begin();
     void setState(const SessionState& state);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { heldSpeed_ = std::move(speed); }

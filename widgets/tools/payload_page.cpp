@@ -65,7 +65,8 @@ struct Preset {
     double mass;    ///< [kg]
     double height;  ///< height of the centre of gravity above the flange [m]
 };
-/// Source: estimates, not yet compared with the manufacturers' data sheets; with coupling, without a part.
+/// Estimated values, not compared with the manufacturers' data sheets. They include the coupling, but no
+/// workpiece.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
@@ -190,7 +191,7 @@ void PayloadPage::takeFigure(int figure) {
     const project::Payload* payload = current();
     const auto at = static_cast<std::size_t>(figure);
     if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
-        return;  // keep the digits that are not displayed
+        return;  // keep the full precision
     }
     project::Payload after = *payload;
     if (figure == 0) {
@@ -198,7 +199,7 @@ void PayloadPage::takeFigure(int figure) {
     } else {
         after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
     }
-    // It was valid for the previous mass.
+    // The inertia was valid for the previous mass.
     after.inertia.reset();
     change(after, tr("Change the payload “%1”").arg(payload->name));
 }

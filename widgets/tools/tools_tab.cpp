@@ -17,7 +17,7 @@ namespace tiller {
 
 namespace {
 
-/// A page that scrolls where the tab is too low for it, and is never narrower than its keys.
+/// A page that scrolls if the tab has little height, and is never narrower than its buttons.
 class PageArea : public SteadyScrollArea {
 public:
     explicit PageArea(QWidget* page) {

@@ -151,7 +151,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // Fields do not move when the action type changes.
+        // All fields have the same position for all action types.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -164,7 +164,7 @@ QWidget* ActionsDialog::buildFields() {
 void ActionsDialog::add() {
     Action action;
     action.kind = Action::Kind::SetOutput;
-    // The next action is usually of the same type as the last one.
+    // The next action usually has the same type as the last one.
     const int row = list_->currentRow();
     if (row >= 0) {
         action = actions_[static_cast<std::size_t>(row)];

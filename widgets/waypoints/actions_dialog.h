@@ -45,7 +45,7 @@ private:
     void refresh();
 
     project::WaypointActions actions_;
-    bool filling_ = false;  ///< the fields are updated by the program, not by the user
+    bool filling_ = false;  ///< true while the program updates the fields
     QListWidget* list_;
     QPushButton* remove_ = nullptr;
     QPushButton* up_ = nullptr;

@@ -67,8 +67,8 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
     const KeyCode code = PhysicalKeys::codeOf(key);
     const bool press = key.type() == QEvent::KeyPress;
     if (!key_.isEmpty() && !key_.isDown(code)) {
-        // Another key in addition to the held one: two keys do not count as holding, and an unmatched release may
-        // have been that of the held key.
+        // Another key was pressed or released in addition to the held one. Two keys do not count as holding,
+        // and an unmatched release may have been that of the held key.
         if (!key.isAutoRepeat()) {
             guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
         }
@@ -105,7 +105,7 @@ bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    // Of any window: the panel of this button may have moved to another one since the press.
+    // For any window: the panel of this button may have moved to another one since the press.
     if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
         static_cast<QWidget*>(watched)->isWindow()) {
         key_.clear();  // its release will not be received

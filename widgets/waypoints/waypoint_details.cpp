@@ -82,7 +82,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
                                      : tr("Shows the Go through controls instead of the values."));
     };
-    // The width of its longer text: it keeps its position when pressed.
+    // Measure the longer text, so that the button keeps its size when it is pressed.
     name(true);
     const int valuesWidth = place_->sizeHint().width();
     name(false);
@@ -111,7 +111,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    // Buttons below do not move, independent of the texts.
+    // Buttons below do not move when the texts change.
     for (QWidget* part :
          {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();

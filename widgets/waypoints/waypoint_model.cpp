@@ -26,13 +26,13 @@ constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
 constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
 constexpr double kMostBlend = 1.0;         ///< [m]
 
-/// The colours of the curves, which are distinguishable with colour vision deficiencies.
+/// The colours of the curves, which remain distinguishable with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);
 }
 
-/// With additional information: the next waypoint, and the number of actions.
+/// The name with additional information: the next waypoint is marked, and the number of actions is shown.
 QString shownName(const project::Waypoint& point, bool coming) {
     QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
     if (!point.actions.empty()) {
@@ -123,7 +123,7 @@ void WaypointModel::setPathLimit(const QUuid& id, const QString& limit) {
     }
 }
 
-// ---- the table's face ------------------------------------------------------------------------------
+// ---- data and flags for the view -------------------------------------------------------------------
 
 int WaypointModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : document_.waypoints().size();
@@ -205,7 +205,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                              (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
-            // The view displays the row number, because it would change with every insertion above.
+            // The view displays the row number; as model data it would change with every insertion above.
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
@@ -278,7 +278,7 @@ QVariant WaypointModel::headerData(int section, Qt::Orientation orientation, int
 
 Qt::ItemFlags WaypointModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) {
-        return Qt::ItemIsDropEnabled;  // between rows only
+        return Qt::ItemIsDropEnabled;  // drop between rows only
     }
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     if (index.column() != Number && index.column() != ReachColumn) {
@@ -385,7 +385,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         return true;
     }
     if (text == QStringLiteral("—")) {
-        // The joint positions become those of the current pose.
+        // The joint positions are set to those of the current pose.
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
@@ -415,7 +415,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
 bool WaypointModel::setFigure(int row, int column, const QString& text) {
     project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
-        return true;  // keep the digits that are not displayed
+        return true;  // keep the full precision
     }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {

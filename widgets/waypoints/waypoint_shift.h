@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog for moving the selected waypoints together: offset, rotation or mirror image, and its frame.
+// Dialog for moving the selected waypoints together: offset, rotation or mirror image in a selectable frame.
 
 #include <QDialog>
 #include <array>

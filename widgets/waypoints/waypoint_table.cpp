@@ -132,7 +132,7 @@ void WaypointTable::dropEvent(QDropEvent* event) {
         before = event->position().y() < rect.center().y() ? over.row() : over.row() + 1;
     }
     model_.dropMimeData(event->mimeData(), Qt::MoveAction, before, 0, {});
-    // The model has moved the rows; with MoveAction the view would delete them as well.
+    // The model has already moved the rows; with MoveAction the view would delete them in addition.
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }

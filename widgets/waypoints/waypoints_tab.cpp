@@ -262,7 +262,8 @@ void WaypointsTab::fitRoutes() {
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
-        // Values and buttons get the same height, so that the headline keeps its position when they are swapped.
+        // Values and buttons have the same height, so that the headline keeps its position when they are
+        // swapped.
         const int slot = std::max(details_->figuresHeight(), std::min(wanted, available));
         details_->setFiguresSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
@@ -271,18 +272,19 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // Even while Go through replaces the values, so that the panel does not change.
+    // This also applies while Go through replaces the values, so that the panel does not change.
     const bool slotIsKept = details_->areFiguresShown() || routes_->minimumHeight() > 0;
     least.rheight() += slotIsKept ? 0 : details_->figuresHeight();
     if (details_->isHidden()) {
-        // They appear with the first waypoint; this does not move buttons in a low panel.
+        // The details appear with the first waypoint; this must not move buttons in a panel with little
+        // height.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
     return least;
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // After any answer to the question.
+    // The question was answered.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -338,7 +340,7 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    // While the arm moves through the waypoints, the next one.
+    // Show the next waypoint while the arm moves through the waypoints.
     const int row =
         goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
@@ -378,7 +380,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        // Places of two arms in one project could not be told apart.
+        // Positions of two different arm models could not be distinguished in one project.
         return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                                           : QString();
     }
@@ -485,7 +487,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // In the whole window: the focus may be on the jog pad while teaching.
+    // Added to the whole window, because the focus may be on the jog pad while teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -554,7 +556,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Through the document, which reports the change.
+        // Undo through the document, which reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -589,7 +591,8 @@ void WaypointsTab::teach() {
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
-        // Neighbouring waypoints usually have the same move type, frame and speed.
+        // Neighbouring waypoints usually have the same move type, frame and speed: use those of the selected
+        // one.
         point = document_.waypoints().at(row);
         point.extra = {};
         point.note.clear();
