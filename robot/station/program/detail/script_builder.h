@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The script while it is being written. Private to robot/station/program.
+// State of the script under construction. Private to robot/station/program.
 
 #include <QHash>
 #include <QMap>
@@ -29,7 +29,7 @@ public:
         double blend = 0;
     };
     using Steps = std::vector<project::ProgramStep>;
-    /// The step being written, with what surrounds it.
+    /// The current step and its context.
     struct Place {
         const project::ProgramStep* step = nullptr;
         const StepKind* kind = nullptr;
@@ -62,14 +62,14 @@ public:
     const ScriptOptions options;
     const RobotModel& model;
     ProgramScript result;
-    const project::Program* program = nullptr;  ///< the one being written
+    const project::Program* program = nullptr;  ///< the current one
     Lines main;
     Lines functions;
     QMap<QString, QString> helpers;
     std::vector<std::pair<QString, VariableType>> variables;
     QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< by program and step
-    QStringList calls;                      ///< ids of the programs being written, the main program first
-    QHash<QString, QString> callFunctions;  ///< by program and scope
+    QStringList calls;                            ///< ids of the programs being written, main program first
+    QHash<QString, QString> callFunctions;        ///< by program and scope
     Scope scope;
     Place place;
     Lines* lines = nullptr;
