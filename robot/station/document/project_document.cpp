@@ -528,7 +528,7 @@ void ProjectDocument::followCorners(const std::vector<project::Waypoint>& change
     for (const project::Pattern& pattern : project::PatternList(patterns())) {
         project::Pattern after = pattern;
         for (const project::Waypoint& point : changed) {
-            // In the pattern's frame, whatever frame the corner is given in.
+            // In the pattern's frame, whatever frame the corner waypoint uses.
             const auto place = project::givenIn(point, pattern.first.frame, frames());
             if (!place) {
                 continue;

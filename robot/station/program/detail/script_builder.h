@@ -52,7 +52,7 @@ public:
     QString fieldError(const StepField& field) const;
     void checkPosition();
     void report(const QString& field, const QString& text);
-    /// Index of the enabled sibling before (-1) or behind (1) the step that is no comment; -1: none.
+    /// Index of the previous (-1) or next (1) enabled sibling that is not a comment; -1: none.
     std::ptrdiff_t neighbour(int direction) const;
     const StepField* field(const char* key) const;
     QJsonValue value(const char* key) const;
