@@ -68,7 +68,7 @@ struct Ports {
     std::uint16_t gripper = 63352;      ///< of the Robotiq gripper
     std::uint16_t faults = 29990;       ///< fault injection, see faults.h
 
-    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< True if no port is set.
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.
 };
 
 }  // namespace tiller::simulator
