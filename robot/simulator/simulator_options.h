@@ -46,8 +46,8 @@ struct SimulatorOptions {
         0;  ///< deviation of the arm from its nominal model, up to this many mm and mrad, as reported
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
     Text programsFolder = {};     ///< folder for `load`; empty: no programs
-    Text urcapsFolder = {};  ///< more stand-ins for nodes of URCaps, see README.md; empty: none
-    Text serialNumber = {};  ///< empty: a default per model
+    Text urcapsFolder = {};       ///< more stand-ins for nodes of URCaps, see README.md; empty: none
+    Text serialNumber = {};       ///< empty: a default per model
     /// Pause in the received data after which the script of an External Control node is complete.
     std::chrono::milliseconds scriptSilence{150};
     Assumptions assumptions = {};  ///< behaviour that is not documented for real controllers
@@ -64,9 +64,9 @@ struct Ports {
     std::uint16_t secondaryReadOnly = 30012;
     std::uint16_t realtimeReadOnly = 30013;
     std::uint16_t interpreter = 30020;  ///< 0 for software without interpreter mode
-    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 where port 80 is reserved by the system
-    std::uint16_t gripper = 63352;      ///< of the Robotiq gripper
-    std::uint16_t faults = 29990;       ///< fault injection, see faults.h
+    std::uint16_t robotApi = 80;    ///< HTTP, PolyScope X only; 8080 where port 80 is reserved by the system
+    std::uint16_t gripper = 63352;  ///< of the Robotiq gripper
+    std::uint16_t faults = 29990;   ///< fault injection, see faults.h
 
     static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.
 };
