@@ -77,7 +77,7 @@ void ArmGeometry::evaluate(const Vector6& q, Posture& posture) const {
     posture.T_base_tcp = posture.frames[6] * T_flange_tcp_;
     const Eigen::Vector3d p = posture.T_base_tcp.translation();
     for (int i = 0; i < kJointCount; ++i) {
-        // Joint i+1 turns about the z axis of frame i.
+        // Joint i+1 rotates about the z axis of frame i.
         const Eigen::Isometry3d& T = posture.frames[static_cast<std::size_t>(i)];
         const Eigen::Vector3d z = T.linear().col(2);
         posture.jacobian.col(i).head<3>() = z.cross(p - T.translation());

@@ -75,7 +75,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         const double T = request.blendInTime;
         double a = std::min(request.a, 2 * request.blendInLength / square(T));
         a = std::min(a, request.v / T);
-        // The remaining path must be long enough to come to rest.
+        // The remaining path must be long enough to stop.
         const double feasible = L / (0.5 * square(T) * (1 + a / request.a));
         a = std::min(a, feasible);
         profile.append(a, T);

@@ -174,7 +174,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = laidOver(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // A goal at standstill gives a velocity of exactly zero, so that standstill is detected.
+    // A goal at standstill results in a velocity of exactly zero, so that standstill is detected.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
         // The offset is applied in joint space: the goal may jump, but the motion to it must be smooth.
         if (!geometry_.follow(pose, goal, posture_)) {

@@ -30,7 +30,8 @@ public:
     void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v,
                 double r);
 
-    /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
+    /// Called when no further command has arrived: speed commands decelerate to rest; servo targets are kept,
+    /// without their velocity.
     void expire();
     /// Ends the motion; the next command starts from the current velocity of the arm.
     void drop() { running_ = false; }

@@ -15,7 +15,7 @@ const DhParameters& ScriptArm::dh() const {
     return plant_.arm().model().dh;
 }
 
-// ---- readings -------------------------------------------------------------------------------------------
+// ---- measured values ------------------------------------------------------------------------------------
 
 JointPositions ScriptArm::jointPositions(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQ : state().targetQ;
