@@ -27,7 +27,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Maximum number of periods caught up after the machine was busy. Further ones are dropped, and robot time
-/// stands still for them.
+/// is paused for them.
 constexpr std::uint64_t kMostCatchUp = 25;
 /// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;

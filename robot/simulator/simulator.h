@@ -59,7 +59,7 @@ struct RtdeDelivery {
 struct TickTiming {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;        ///< periods that started too late and were caught up
-    std::uint64_t lost = 0;        ///< dropped periods: robot time stood still for them
+    std::uint64_t lost = 0;        ///< dropped periods: robot time was paused for them
     realtime::Histogram lateness;  ///< from the due time of a period to its actual start
     realtime::Histogram work;      ///< duration of the work of a period
     double threadSeconds = 0;      ///< processor time of the thread [s]; 0 if the system does not report it

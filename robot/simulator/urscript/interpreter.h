@@ -69,7 +69,7 @@ public:
     /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside
     State runFrame();
 
-    void pause();  ///< from the next frame on; pending sleeps and read timeouts stand still
+    void pause();  ///< from the next frame on; pending sleeps and read timeouts are paused
     void resume();
     void stop();  ///< ends the program; inside runFrame(): when the current statement returns
 
