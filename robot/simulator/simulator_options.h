@@ -65,7 +65,7 @@ struct Ports {
     std::uint16_t realtimeReadOnly = 30013;
     std::uint16_t interpreter = 30020;  ///< 0 for software without interpreter mode
     std::uint16_t robotApi = 80;    ///< HTTP, PolyScope X only; 8080 where port 80 is reserved by the system
-    std::uint16_t gripper = 63352;  ///< of the Robotiq gripper
+    std::uint16_t gripper = 63352;  ///< Robotiq gripper
     std::uint16_t faults = 29990;   ///< fault injection, see faults.h
 
     static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.

@@ -56,7 +56,7 @@ private:
     const RobotModel& model_;
     Vector6 sinAlpha_;
     Vector6 cosAlpha_;
-    std::array<Eigen::Matrix3d, 6> turned_;  ///< by beta
+    std::array<Eigen::Matrix3d, 6> turned_;  ///< rotations about y by the angles beta
     Pose tcp_;
     Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
     double determinantScale_ = 1;

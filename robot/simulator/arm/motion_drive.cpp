@@ -351,8 +351,8 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
             joint = j;
             return StopReason::JointSpeedLimit;
         }
-        // A joint must always be able to stop within its range. This is given for a move between two joint
-        // positions, because both are within the range.
+        // A joint must always be able to stop within its range. A move between two joint positions satisfies
+        // this, because both are within the range.
         const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
         const double stopping = outward > 0 ? outward * stopTime : 0.0;
         if (!path_.withinItsEnds() && std::abs(candidate.q[j]) + stopping > limits_.position) {

@@ -337,7 +337,7 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
         (rates - qd).norm() > kBranchTolerance) {
-        // There is no motion, or one that the tool could not describe.
+        // There is no motion, or the tool velocity does not determine the joint velocities.
         startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
         return start;
     }

@@ -106,8 +106,8 @@ struct FreedriveParameters {
 /// Unknown properties of a real arm; see assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
-    bool programStopsScaled = false;  ///< so do protective stops and abort()
-    bool speedCommandsScaled = true;  ///< so do speedj, speedl, servoj and servoc
+    bool programStopsScaled = false;  ///< protective stops and abort() run in program time
+    bool speedCommandsScaled = true;  ///< speedj, speedl, servoj and servoc run in program time
     bool compliesInPause = false;     ///< force mode and freedrive continue while the program is paused
 };
 

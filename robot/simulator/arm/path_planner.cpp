@@ -11,7 +11,7 @@ constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
 constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
-constexpr double kSmallestFraction = 1e-4;  // of the path, below which a large rotation is a singularity
+constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within less is a singularity
 constexpr double kLongestFollowed = 5;      // m: no path from one end of the reach to the other is longer
 }  // namespace
 

@@ -73,8 +73,8 @@ private:
 
     bool offsetOn_ = false;
     OffsetFrame frame_ = OffsetFrame::Base;
-    Vector6 wanted_ = Vector6::Zero();   // in the axes of frame_
-    Vector6 applied_ = Vector6::Zero();  // same
+    Vector6 wanted_ = Vector6::Zero();   // requested offset, in the axes of frame_
+    Vector6 applied_ = Vector6::Zero();  // applied offset, in the axes of frame_
     double alpha_ = 1;
     double mostTranslation_ = 0.1;
     double mostRotation_ = 0.52;

@@ -70,14 +70,14 @@ private:
     double slowedBy_ = 1;
 
     Vector6 velocity_ = Vector6::Zero();        // in program time: joint rates or twist
-    Vector6 targetVelocity_ = Vector6::Zero();  // same
+    Vector6 targetVelocity_ = Vector6::Zero();  // target of velocity_
     double a_ = 1;
     double aRot_ = 1;
     ToolPoint tool_;  // commanded TCP pose; integrated, so that a rotation does not drift
 
     Vector6 servoQ_ = Vector6::Zero();
     Vector6 servoRate_ = Vector6::Zero();      // velocity of the target, from successive commands
-    Vector6 servoFiltered_ = Vector6::Zero();  // the same, smoothed
+    Vector6 servoFiltered_ = Vector6::Zero();  // servoRate_, smoothed
     double servoPeriod_ = 0;
     double lookahead_ = 0.1;
     double gain_ = 300;

@@ -14,7 +14,7 @@
 namespace tiller::simulator::urscript {
 
 enum class TokenKind : std::uint8_t {
-    End,  ///< of the text
+    End,  ///< end of the text
     Identifier,
     Integer,
     Float,

@@ -13,7 +13,7 @@ namespace tiller {
 QString amountText(divergence::Quantity quantity, double amount);
 /// Short label for the mark in the plots: "Elbow 0.80°"
 QString partingMark(const divergence::Difference& parting);
-/// "Arm and model part at 12.348 s: Elbow is 0.80° off"
+/// "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°"
 QString partingText(const divergence::Difference& parting);
 /// Result of the whole comparison, also when there is no deviation.
 QString reportText(const divergence::Report& report);

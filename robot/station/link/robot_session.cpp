@@ -27,7 +27,7 @@ QString stopSentence(const control::StopMeasurement& stop) {
         .arg(format::length(stop.distanceMm / 1e3, 1));
 }
 
-/// "C157A1 Collision noticed by a joint (elbow)"
+/// "C157A1 Collision detected by a joint (elbow)"
 QString codeTitle(const script::ControllerMessage& message, const CodeWords& words) {
     const QString name = message.codeName() + QLatin1Char(' ');
     if (message.text.isEmpty()) {

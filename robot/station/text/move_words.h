@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-/// "Forearm meets “crate” after 62 % of the path".
+/// "Forearm collides with “crate” after 62 % of the path".
 /// Threads  any
 QString limitText(const collision::MoveLimit& limit, const collision::Surroundings& surroundings);
 

@@ -11,9 +11,9 @@
 
 namespace tiller::texts {
 
-/// "The robot at 192.168.0.10:30004 refused the connection. Switch the service on: ..."
+/// "Connection refused: 192.168.0.10:30004. Enable the interface on the robot: ..."
 QString errorText(const Error& error);
-/// "released", "pointer left the key"; for "Jog stopped: ...".
+/// "released", "pointer left the key"; for messages about a stop.
 QString stopCauseText(control::StopCause cause);
 /// The reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);

@@ -110,7 +110,7 @@ struct SessionBackend {
 
     // Last: their jobs use the members above.
     SerialExecutor files;
-    SerialExecutor controlling;  ///< takes control and gives it back
+    SerialExecutor controlling;  ///< takes and releases control
     SerialExecutor worker;
     SerialExecutor pulses;  ///< a pulse occupies it until its output is off
     ExtraFieldStream further{*clock, worker};
