@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-/// Time from the last sample to the first one after an interruption of unknown duration [s].
+/// Minimum time between the last sample and the first one after an interruption [s].
 constexpr double kRestartDistance = 0.1;
 /// A step of more than this many times the previous sample distance is a gap, independent of lost-packet
 /// counts.
