@@ -52,7 +52,7 @@ py::tuple sampleTuple(const Sample& sample) {
 }
 
 struct NativeSubscription {
-    std::shared_ptr<NativeReceiver> receiver;  ///< keeps it alive
+    std::shared_ptr<NativeReceiver> receiver;  ///< kept alive for the subscription
     receive::Subscription subscription;
     Sample sample;
 

@@ -11,7 +11,7 @@ namespace tiller::python {
 
 namespace {
 
-/// The robot; in virtual time with its clock and its clients in lock-step.
+/// The robot; in virtual time with the simulator's clock and in lock-step with its clients.
 class NativeSimulator : public ProcessOwned {
 public:
     explicit NativeSimulator(const simulator::SimulatorOptions& options) {

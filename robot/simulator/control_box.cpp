@@ -14,14 +14,15 @@ ControlBox::ControlBox(const SimulatorOptions& options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
 void ControlBox::service() {
-    // Accepts connections and moves the sockets of scripts on: nothing else in this thread has events.
+    // Qt events are needed only to accept connections and for sockets of scripts; nothing else in this thread
+    // uses them.
     const bool hasClient = services.link().poller().poll();
     if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }
     }
-    services.faults().service();  // also on a mute controller, otherwise its silence could not be ended
+    services.faults().service();  // also while the controller is silent, so that the silence can be ended
     if (!silent) {
         services.service();
     }

@@ -13,15 +13,15 @@ namespace tiller::simulator {
 struct ControlBox {
     explicit ControlBox(const SimulatorOptions& options);
 
-    /// Takes connections, reads and answers; no time passes.
+    /// Accepts connections, reads requests and answers; does not advance time.
     void service();
-    /// One control period.
+    /// Runs one control period.
     void tick();
     void setRemoteControl(bool remote);
 
     Plant plant;
     Services services;
-    bool silent = false;  ///< nothing is read or sent, connections stay
+    bool silent = false;  ///< nothing is read or sent; connections stay open
 
 private:
     std::uint64_t boots_ = 0;

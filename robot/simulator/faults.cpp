@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Arguments of a line. A wrong one is remembered and reported once, at the end.
+/// Arguments of a line. An invalid one is remembered and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -65,7 +65,7 @@ public:
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
-    /// Nothing was wrong so far; more may follow.
+    /// No error so far; more arguments may follow.
     bool goodSoFar() const { return complaint_.isEmpty(); }
 
 private:
@@ -230,7 +230,7 @@ QString answer(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-/// All words that are left, at least one.
+/// All remaining words, at least one.
 std::vector<std::int32_t> modbusValues(Words& words) {
     std::vector<std::int32_t> values;
     do {

@@ -23,9 +23,9 @@ struct ControlBox;
 /// Errors   InvalidArgument, with the reason
 /// Threads  the simulator's
 Result<QString> injectFault(ControlBox& controlBox, const QString& line);
-/// The same as the fault port speaks, newline included.
+/// The same in the format of the fault port, newline included.
 std::string answerFaultLine(ControlBox& controlBox, std::string_view line);
-/// All lines there are, one paragraph of text.
+/// Help on all lines, one paragraph of text.
 QString faultHelp();
 
 }  // namespace tiller::simulator

@@ -31,7 +31,7 @@ public:
             plant.arm().setTcp(*options.tcp);
         }
         plant.registers().followed.number = static_cast<std::size_t>(options.followedRegister);
-        // A period without a program: from here on the arm reports where it is.
+        // One period without a program, after which the arm reports its position.
         plant.step();
     }
 

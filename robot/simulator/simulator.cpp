@@ -26,7 +26,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Periods caught up after the machine was busy; further ones are dropped, and robot time is stopped for them.
+/// Maximum number of periods caught up after the machine was busy. Further ones are dropped, and robot time
+/// is paused for them.
 constexpr std::uint64_t kMostCatchUp = 25;
 /// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;
@@ -73,7 +74,7 @@ public:
         thread.reset();
     }
 
-    /// Hands work to the thread; it is dropped when none runs.
+    /// Queues work for the thread; it is dropped when the thread is not running.
     void post(Work work) {
         {
             const std::lock_guard lock(mutex);
@@ -85,7 +86,7 @@ public:
         wake.notify_all();
     }
 
-    /// As post(), and waits until it is done.
+    /// As post(), but waits until the work is done.
     void call(const Work& work) {
         std::promise<void> done;
         std::future<void> finished = done.get_future();
@@ -114,12 +115,12 @@ public:
     Truth truth;
     std::vector<RtdeDelivery> deliveries;
     bool linkIsPlain = true;
-    TickTiming timing;  ///< the thread's, as what follows
+    TickTiming timing;  ///< this and the following members belong to the simulator thread
     std::chrono::steady_clock::time_point timingBegan;
     double threadSecondsBefore = 0;
-    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
+    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read from any thread
 
-    // In the thread.
+    // In the simulator thread.
     void resetTiming() {
         const bool granted = timing.priorityGranted;
         timing = TickTiming();
@@ -177,7 +178,7 @@ private:
             rtde = &controlBox.services.rtde();
             accepting = true;
         }
-        opened.set_value(std::move(outcome));  // from here on `opened` may be gone
+        opened.set_value(std::move(outcome));  // `opened` may be destroyed from here on
         if (!isOpen) {
             return;
         }
@@ -243,14 +244,15 @@ private:
 
 namespace {
 
-/// Without one no socket notifier is called: the ports accept connections, but no client is served.
+/// Without an application object no socket notifier is called: the ports accept connections, but no client is
+/// served.
 void makeApplication() {
     if (QCoreApplication::instance() == nullptr) {
         static int count = 1;
         static char name[] = "tiller";
         static char* arguments[] = {name, nullptr};
         static QCoreApplication* const application = new QCoreApplication(count, arguments);
-        static_cast<void>(application);  // lives as long as the process
+        static_cast<void>(application);  // exists until the process exits
     }
 }
 

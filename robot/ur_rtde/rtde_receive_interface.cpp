@@ -69,19 +69,19 @@ struct RTDEReceiveInterface::Private {
     PausingState state = PausingState::RUNNING;
     double resumedAt = 0;  ///< `timestamp` at the end of the last pause [s]
 
-    /// The newest package, in a copy of the calling thread.
+    /// Copies the newest package to the buffer of the calling thread and returns it.
     const Sample& newest() const;
     List list(std::string_view field) const;
     double number(std::string_view field) const;
     double registerValue(const std::string& field) const;
     double speed();
-    /// Starts the receiver and waits for the first package. Without data, the receiver keeps trying.
+    /// Starts the receiver and waits for the first package. Without data, the receiver keeps retrying.
     void start();
     bool waitForPackage(milliseconds atMost);
 };
 
 const Sample& RTDEReceiveInterface::Private::newest() const {
-    // One per thread, to avoid locking and allocation.
+    // One buffer per thread, to avoid locking and allocation.
     thread_local Sample sample;
     receiver.latest(sample);
     return sample;

@@ -11,7 +11,7 @@ constexpr double kCatchUpRate = 15;          // 1/s
 constexpr double kCatchUpSpeed = 0.6;        // rad/s above the speed of the goal
 constexpr double kCatchUpAcceleration = 10;  // rad/s2
 constexpr double kCaughtUp = 1e-4;           // rad/s and rad
-constexpr double kStands = 1e-4;             // m/s: below this a path has no tangent
+constexpr double kStands = 1e-4;             // m/s: below this speed a path has no tangent
 
 Eigen::Isometry3d toTransform(const Vector6& v) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -174,9 +174,9 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = laidOver(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // A goal at standstill gives a velocity of exactly zero, so that standstill is detected.
+    // A goal at standstill results in a velocity of exactly zero, so that standstill is detected.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
-        // The offset applies at the joints: the goal may jump, but the motion to it must be smooth.
+        // The offset is applied in joint space: the goal may jump, but the motion to it must be smooth.
         if (!geometry_.follow(pose, goal, posture_)) {
             return StopReason::PoseUnreachable;
         }
@@ -192,7 +192,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     return std::nullopt;
 }
 
-// Exactly to the goal where that is smooth, else towards it.
+// Moves exactly to the goal if that is smooth, otherwise towards it.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
     // Jumps of the goal do not count as its speed.

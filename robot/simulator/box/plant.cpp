@@ -15,10 +15,10 @@ Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
-/// Stop category 1: power is removed at standstill, at the latest after this time [s].
+/// Stop category 1: power is removed at standstill, but no later than after this time [s].
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
-/// In reduced mode the program is slowed down to this speed [m/s]. Installations can set other values.
+/// Speed of the program in reduced mode [m/s]. Installations can set other values.
 constexpr double kReducedToolSpeed = 0.75;
 /// Speed while a joint is outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
 constexpr double kRecoveryToolSpeed = 0.25;
@@ -31,8 +31,8 @@ arm::ArmOptions armOptions(const SimulatorOptions& options) {
     return arm;
 }
 
-/// Numbers as the vendor's error code manual gives them; C153, C157, C158 and C159 are named in the RTDE
-/// guide too. The words are ours.
+/// Numbers as in the vendor's error code manual; C153, C157, C158 and C159 are also named in the RTDE guide.
+/// The texts are ours.
 struct StopMessage {
     std::int32_t code;
     const char* text;
@@ -59,18 +59,18 @@ StopMessage stopMessage(arm::StopReason reason) {
     return {153, ""};
 }
 
-/// A robot's real-time thread is busy for so long [ms]; the same in each run.
+/// Execution time of the real-time thread of a robot [ms]; the same in each run.
 double executionTime(std::uint64_t tick, bool programActive) {
     const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
-/// An arm with manufacturing tolerances: deviates by up to this many mm and mrad.
+/// An arm with manufacturing tolerances: it deviates by up to this many mm and mrad.
 RobotModel deviating(const RobotModel& model, double size) {
     RobotModel result = model;
     DhParameters& dh = result.dh;
     for (std::size_t i = 0; i < dh.a.size() && size != 0; ++i) {
-        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
+        // Any fixed pattern is suitable; it must be the same each time, because clients compute a hash of it.
         const double off = size * 1e-3 * std::sin(1.0 + 2.0 * static_cast<double>(i));
         const bool parallel = i == 1 || i == 2;
         dh.theta[i] += off;
@@ -133,7 +133,7 @@ Plant::Plant(const SimulatorOptions& options)
 }
 
 Plant::~Plant() {
-    programs_->endAll();  // they still speak to the host, which asks this object
+    programs_->endAll();  // ending programs still use the host, which accesses this object
 }
 
 double Plant::timestamp() const {
@@ -148,7 +148,7 @@ void Plant::step() {
     stepWatchdogs();
     host_->beginPeriod();
     programs_->step();
-    reactToSafety();  // a script may have asked for a protective stop
+    reactToSafety();  // a script may have requested a protective stop
     stepArm();
     ++tick_;
     reactToArm();
@@ -264,7 +264,7 @@ void Plant::reactToSafety() {
 
 void Plant::reactToArm() {
     while (arm_.takeWarning()) {
-        // Shown on a pendant; no client waits for it.
+        // Warnings are only shown on a pendant; no client waits for them.
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();
@@ -305,7 +305,7 @@ void Plant::restart(double seconds, bool safetyUnconfirmed) {
 }
 
 void Plant::followBoot() {
-    // In the middle of a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
+    // During a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
     const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
     if (was && !disconnected_) {
         startTick_ = tick_;

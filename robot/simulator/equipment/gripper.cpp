@@ -8,13 +8,13 @@ namespace tiller::simulator {
 
 namespace {
 
-// Where the fingers of a real one end, and how fast they go. Source: instruction manual, 2F-85: 20 to 150
-// mm/s over 85 mm, which are 255 steps.
+// End positions and speeds of the fingers of a real gripper. Source: instruction manual, 2F-85: 20 to 150
+// mm/s over 85 mm, which correspond to 255 steps.
 constexpr double kMostOpen = 3;
 constexpr double kMostClosed = 230;
 constexpr double kSlowest = 20.0 / 85.0 * 255.0;   ///< [steps/s]
 constexpr double kFastest = 150.0 / 85.0 * 255.0;  ///< [steps/s]
-/// Closing and opening once.
+/// Time to close and open once.
 constexpr double kActivationTime = 1.2;
 constexpr double kReleaseSpeed = kSlowest;
 constexpr std::string_view kLights[] = {"LBP", "LRD", "LBL", "LGN"};
@@ -63,7 +63,7 @@ bool Gripper::setAside(std::string_view name, int value) {
         currentLimit_ = value;
         return true;
     }
-    return name == "SID" || name == "MOD" || name == "SCN_BLOCK";  // one gripper, one mode: nothing to choose
+    return name == "SID" || name == "MOD" || name == "SCN_BLOCK";  // accepted without effect
 }
 
 void Gripper::activate(bool active) {
@@ -138,7 +138,7 @@ void Gripper::move(double target, double speed, double dt) {
 
 void Gripper::step(double dt) {
     if (release_ != 0 && activated_ != 0 && !isReleased()) {
-        // From here on it counts as in reset, until it is reset and activated again.
+        // From here on the gripper counts as reset, until it is reset and activated again.
         status_ = kReset;
         fault_ = kReleasing;
     }

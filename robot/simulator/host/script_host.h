@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of parts.
+// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of several
+// classes.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"
@@ -28,7 +29,7 @@ class ScriptHost final : public urscript::Host,
 public:
     explicit ScriptHost(Plant& plant);
 
-    /// Once a control period, before the scripts run.
+    /// To be called once per control period, before the scripts run.
     void beginPeriod();
 
     // ProgramHost

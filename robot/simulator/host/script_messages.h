@@ -20,7 +20,7 @@ public:
     /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
     /// type.
     bool answerRequest(const urscript::RequestAnswer& answer);
-    /// Type of value that the oldest request expects; nothing if none is open.
+    /// Type of value expected by the oldest request; nothing if there is none.
     std::optional<urscript::RequestedType> asked() const;
     void forgetRequests() { requests_.clear(); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// URScript's motion commands in the arm's words.
+// Converts URScript's motion commands to those of the arm.
 
 #include <map>
 
@@ -40,8 +40,8 @@ public:
 private:
     struct Motion {
         arm::MotionId id = 0;
-        bool settles = false;  ///< a stop, which waits until the arm has come to rest
-        double settled = 0;    ///< [s] since it stands
+        bool settles = false;  ///< a stop, which waits until the arm is at rest
+        double settled = 0;    ///< time at standstill [s]
     };
     bool comesToRest(Motion& motion) const;
     Result<void> begunForces(const arm::ForceModeParameters& parameters);

@@ -15,7 +15,7 @@ class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
     explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
 
-    /// Runs once per control period after the scripts: counts the encoders and moves conveyors.
+    /// To be called once per control period after the scripts: counts the encoders and moves conveyors.
     void stepConveyors();
     const Encoders& encoders() const { return encoders_; }
 
@@ -34,7 +34,7 @@ public:
 
 private:
     Encoders encoders_;
-    int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked
+    int trackedEncoder_ = 0;  ///< encoder of the tracked conveyor
     Plant& plant_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Registers, flags and terminals of a program, and the rules that it sets for the terminals.
+// Registers, flags and terminals of a program, and the automatic functions that it configures for the
+// terminals.
 
 #include <array>
 #include <bitset>
@@ -18,9 +19,9 @@ class ScriptTerminals : public virtual urscript::RegisterHost, public virtual ur
 public:
     explicit ScriptTerminals(Plant& plant) : plant_(plant) {}
 
-    /// A program has begun or ended: some outputs follow.
+    /// A program has started or ended, which changes some outputs.
     void programChanged(bool running);
-    /// Whether an input that acts as a freedrive button is high.
+    /// Returns whether an input that acts as a freedrive button is high.
     bool freedriveWanted() const;
 
     bool boolRegister(urscript::RegisterSide side, int address) const override;

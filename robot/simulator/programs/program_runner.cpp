@@ -16,14 +16,14 @@ using urscript::Program;
 using urscript::ProgramKind;
 
 namespace {
-constexpr std::string_view kSetSpeed = "set speed ";  // and the speed slider's new place, 0 to 1
+constexpr std::string_view kSetSpeed = "set speed ";  // followed by the new speed slider value, 0 to 1
 }
 
 ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
 void ProgramRunner::endAll() {
     controlled_.reset();
-    runningSecondary_ = true;  // secondaries end without touching the arm
+    runningSecondary_ = true;  // secondary programs end without affecting the arm
     secondaries_.clear();
     runningSecondary_ = false;
     main_.reset();
@@ -42,7 +42,7 @@ bool ProgramRunner::submitText(std::string_view text) {
 }
 
 void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) {
-    // Whoever listens on this machine alone can be spoken to, and answered, from this machine only.
+    // A controller that listens on this machine only can also reach its script provider only on this machine.
     const QHostAddress here(plant_.options().listenAddress);
     if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
         provider.host = QStringLiteral("127.0.0.1");
@@ -99,7 +99,7 @@ void ProgramRunner::runCommand(std::string_view words) {
     } else if (words.starts_with(kSetSpeed)) {
         setSpeed(words.substr(kSetSpeed.size()));
     }
-    // "set sim", "set real" and whatever else: understood, nothing to do.
+    // "set sim", "set real" and other commands are accepted without effect.
 }
 
 void ProgramRunner::setSpeed(std::string_view fraction) {
@@ -223,7 +223,7 @@ void ProgramRunner::stepMain() {
         if (main_->error() && main_->error()->overrun) {
             plant_.safety().protectiveStop();  // the controller has lost its program
         }
-        ended_ = true;  // the period in which it ran still counts as playing
+        ended_ = true;  // its last period still counts as playing
     }
 }
 

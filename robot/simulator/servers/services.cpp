@@ -11,7 +11,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// What programs of the pendant are read with, now.
+/// Current data for reading programs of the pendant.
 pendant::PendantSource pendantSource(const Plant& plant) {
     const Assumptions& assumptions = plant.assumptions();
     pendant::PendantSource source;
@@ -23,7 +23,7 @@ pendant::PendantSource pendantSource(const Plant& plant) {
         : assumptions.unknownUrcap == Assumptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
                                                                      : pendant::UnknownUrcap::Refuse;
     if (!plant.options().urcapsFolder.isEmpty()) {
-        (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // Simulator::start() has checked it
+        (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // checked by Simulator::start()
     }
     return source;
 }
@@ -84,10 +84,10 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
     };
     const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
     if (entry.server == &gripper_ && wanted > 65535) {
-        return {};  // its number is so high that many an offset has no room for it
+        return {};  // the default port is so high that offsets may exceed the range
     }
     const Result<void> opened = at(wanted);
-    // Most systems keep port 80 to themselves, or have a web server there.
+    // Most systems reserve port 80, or already run a web server there.
     constexpr int kOtherWebPort = 8080;
     return opened || entry.server != &robotApi_ || options.anyFreePorts
                ? opened
@@ -107,7 +107,7 @@ Result<void> Services::open(const SimulatorOptions& options) {
             return opened;
         }
     }
-    // Listening everywhere includes the address that programs have for this controller.
+    // Listening on all addresses includes the address by which programs reach this controller.
     const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
     std::map<int, int> own;
     for (const Entry& entry : all_) {
@@ -146,7 +146,7 @@ void Services::service() {
 void Services::publish() {
     link_.setTime(plant_.elapsed());
     gripper_.step(plant_.stepTime(), plant_.telemetry().powered);
-    // Real-time data first: a tenth of a millisecond of messages shall not delay them.
+    // Real-time data are sent first, so that 0.1 ms of message processing does not delay them.
     rtde_.publish();
     realtime_.publish();
     realtimeReadOnly_.publish();

@@ -9,7 +9,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-constexpr int kMostAtOnce = 123;  ///< registers in one request
+constexpr int kMostAtOnce = 123;  ///< maximum number of registers in one request
 constexpr int kLongestName = 20;
 
 template <class T>
@@ -39,7 +39,7 @@ Status addSignal(Call& c) {
             signal.kind = Kind::Input;
             break;
         case 1:
-        case 15:  // the function code for several
+        case 15:  // the function code for multiple values
             signal.kind = Kind::Coil;
             break;
         case 2:
@@ -108,7 +108,7 @@ Status getInvalidTime(Call& c) {
     return Status::Done;
 }
 
-/// One value, or a list of them.
+/// One value, or a list of values.
 std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
     std::vector<double> given;
     if (c.args[i].is(Value::Type::List)) {

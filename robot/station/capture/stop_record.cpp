@@ -11,13 +11,13 @@
 namespace tiller {
 namespace {
 
-constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
-constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
-constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
-constexpr double kLongestGap = 0.5;   ///< [s] between two packets of one story
-constexpr double kElsewhere = 0.002;  ///< [rad] by more than this an arm has moved
+constexpr double kHeardWithin = 2.0;  ///< [s] maximum time between a stop and messages about it
+constexpr double kBlameWindow = 0.5;  ///< [s] time before the stop that is searched for a deviating joint
+constexpr double kBlameLeast = 0.5;   ///< [A] minimum deviation of current to name a joint
+constexpr double kLongestGap = 0.5;   ///< [s] maximum time between two packets of one record
+constexpr double kElsewhere = 0.002;  ///< [rad] threshold for a moved arm
 
-/// What the robot does not send is drawn as nothing.
+/// Missing values are drawn as zero.
 double orNothing(double value) {
     return std::isfinite(value) ? value : 0.0;
 }
@@ -33,7 +33,7 @@ int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
     return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
 }
 
-/// Where one of the two is not known, it has.
+/// Unknown positions (NaN) count as moved.
 bool hasMoved(const JointPositions& from, const JointPositions& to) {
     return !((to.values - from.values).cwiseAbs().array() <= kElsewhere).all();
 }
@@ -83,7 +83,8 @@ void StopRecorder::take(const receive::Sample& sample) {
             points_.clear();  // the controller was restarted
         }
     }
-    // Unseen, the arm may have been unlocked, moved and stopped again: the same stop leaves it where it was.
+    // While no data arrived, the arm may have been unlocked, moved and stopped again. If it has not moved, it
+    // is the same stop.
     const bool another = gap && hasMoved(q_, robot.q());
     connection_ = sample.connection;
     q_ = robot.q();

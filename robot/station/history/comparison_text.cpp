@@ -15,7 +15,7 @@ namespace {
 
 using divergence::Quantity;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ComparisonText {
     Q_DECLARE_TR_FUNCTIONS(Comparison)
 };

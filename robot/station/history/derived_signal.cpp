@@ -14,7 +14,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct DerivationText {
     Q_DECLARE_TR_FUNCTIONS(DerivedSignal)
 };
@@ -39,10 +39,10 @@ QString fromParser(const mu::string_type& text) {
     return QString::fromStdString(text);
 }
 
-/// An expression whose names in braces are replaced by words that the parser takes for names.
+/// An expression in which the names in braces are replaced by identifiers that the parser accepts.
 struct Plain {
     QString expression;
-    QStringList braced;  ///< the names, in their order
+    QStringList braced;  ///< in order of appearance
 
     explicit Plain(const QString& text) {
         static const QRegularExpression kBraced(QStringLiteral("\\{([^{}]+)\\}"));
@@ -53,14 +53,14 @@ struct Plain {
             if (known < 0) {
                 braced.append(match.captured(1));
             }
-            // Between blanks: what stands beside a name must not become part of it.
+            // The surrounding blanks keep an adjacent name from merging with the identifier.
             expression += text.mid(done, match.capturedStart() - done) + QLatin1Char(' ') +
                           word(known < 0 ? braced.size() - 1 : known) + QLatin1Char(' ');
             done = match.capturedEnd();
         }
         expression += text.mid(done);
     }
-    /// The name that a word of the expression stands for.
+    /// Returns the original name of an identifier in the expression.
     QString nameOf(const QString& given) const {
         for (qsizetype i = 0; i < braced.size(); ++i) {
             if (given == word(i)) {
@@ -69,7 +69,7 @@ struct Plain {
         }
         return given;
     }
-    /// What the parser says, in the names that were given to it.
+    /// Replaces the identifiers in a parser message by the original names.
     QString inNames(QString words) const {
         for (qsizetype i = braced.size(); i-- > 0;) {
             words.replace(word(i), braced[i]);
@@ -81,10 +81,10 @@ private:
     static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
 };
 
-/// An expression over the values of one moment.
+/// An expression over the values of one sample.
 class Expression : public DerivedSignal {
 public:
-    /// Returns  what is wrong; empty: nothing
+    /// Returns  the error; empty if none
     QString read(const Plain& plain, const std::function<bool(const QString&)>& exists) {
         try {
             parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
@@ -132,7 +132,7 @@ public:
             const double result = parser_.Eval();
             return std::isfinite(result) ? result : kNoResult;
         } catch (const mu::Parser::exception_type&) {
-            return kNoResult;  // a division by nothing, in versions that say so
+            return kNoResult;  // some muParser versions throw on division by zero
         }
     }
 
@@ -141,7 +141,7 @@ private:
     std::vector<double> values_;
 };
 
-/// Over a stretch of time that ends with the sample.
+/// A value computed over a time window that ends with the sample.
 class Stretch : public DerivedSignal {
 public:
     Stretch(const QString& input, double seconds, bool mean) : seconds_(seconds), mean_(mean) {
@@ -153,7 +153,7 @@ public:
     double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                    std::int64_t sample) override {
         const double value = history.value(columns[0], sample);
-        // Begins anew where the samples do not go on from the last one.
+        // Restart the window where the samples are not consecutive.
         if (sample != next_ || history.gapBefore(sample) || std::isnan(value)) {
             points_.clear();
             sum_ = 0;
@@ -165,7 +165,7 @@ public:
         points_.push_back({history.time(sample), value});
         sum_ += value;
         const double since = points_.back().time - seconds_ * (1 + 1e-9);
-        // The rate of change needs the point at the far end, the mean only those inside.
+        // The rate of change needs the point at the far end of the window, the mean only the points inside.
         while (points_.size() > 2 && (mean_ ? points_.front().time : points_[1].time) < since) {
             sum_ -= points_.front().value;
             points_.pop_front();
@@ -184,7 +184,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t kSumAnew = 4096;  // rounding does not add up
+    static constexpr std::int64_t kSumAnew = 4096;  // limits accumulated rounding errors
 
     struct Point {
         double time, value;
@@ -221,7 +221,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // The parser would write into the signal.
+    // A single "=" would make the parser assign to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
@@ -252,7 +252,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     made->text_ = made->unit_.isEmpty()
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
-    // It is read from its own spelling too.
+    // The normalized text must be accepted as input too, so it has the same length limit.
     return made->text_.size() > kLongestText ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
                                              : Result<std::shared_ptr<DerivedSignal>>(made);
 }

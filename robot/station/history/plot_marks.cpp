@@ -114,7 +114,7 @@ void PlotMarks::check() {
                 mark({time, words(threshold), true});
                 Q_EMIT crossed(threshold, time);
                 if (i >= thresholds_.size() || thresholds_[i] != threshold) {
-                    return;  // somebody who heard of it has changed them
+                    return;  // a connected slot has changed the thresholds
                 }
             }
         } else {

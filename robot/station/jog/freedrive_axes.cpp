@@ -9,7 +9,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct FreedriveText {
     Q_DECLARE_TR_FUNCTIONS(Freedrive)
 };
@@ -35,7 +35,7 @@ QString freedriveAxesText(FreedriveAxes axes) {
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
     control::Freedrive freedrive;
     if (axes == FreedriveAxes::All) {
-        return freedrive;  // without a frame, so that older software knows it too
+        return freedrive;  // without a frame, so that older software accepts it too
     }
     switch (axes) {
         case FreedriveAxes::All:

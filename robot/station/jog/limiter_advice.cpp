@@ -21,7 +21,7 @@ constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct LimiterAdviceText {
     Q_DECLARE_TR_FUNCTIONS(LimiterAdvice)
 };
@@ -29,7 +29,7 @@ struct LimiterAdviceText {
 LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
-        int joint;  ///< as the controller's limiter names it
+        int joint;  ///< number used by the controller's limiter
         bool near;
         QString what;
         QString slowed;
@@ -52,7 +52,8 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
          LimiterAdviceText::tr("rotate wrist 2"), LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // What slows the jog down comes first; after it ended there the controller still says so.
+    // The limit that slows the jog down has priority; the controller still reports it after the jog has ended
+    // there.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {
@@ -72,12 +73,12 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// What is as near as it may be, or nearly; while it slows a jog down, with the share of the speed.
+/// Bodies at or near the safety distance; while they slow a jog down, with the remaining speed in percent.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
-    constexpr double kWarnBeyond = 0.010;  // the safety distance [m]
+    constexpr double kWarnBeyond = 0.010;  // [m] added to the safety distance
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the jog has ended the arm may have been moved by others.
+    // After the end of the jog the arm may have been moved by another program.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {

@@ -12,7 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPadKeys = 12;
-/// Which leads out has at least so far to go.
+/// Minimum remaining travel of a key that leads out of a limit.
 constexpr double kWayRoom = 0.030;     ///< [m]
 constexpr double kWayTurnRoom = 0.10;  ///< [rad]
 
@@ -34,7 +34,7 @@ bool hasWayRoom(const SessionState& state, const Vector6& direction, int key) {
     return jogFollowed(state, direction, room).distance >= room;
 }
 
-/// The key with the largest gain, of those with room and more than `least`.
+/// The key with the largest gain above `least` and sufficient travel.
 /// gain  of a joint velocity [1/s]
 int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, double least,
             const std::function<double(const Vector6& qd)>& gain) {
@@ -45,7 +45,7 @@ int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, doub
     int best = -1;
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
-        // A metre counts as much as a radian: either is a good second of jogging.
+        // A metre and a radian are weighted equally: either takes about one second of jogging.
         const double gained = gain(solver.solve(twist));
         if (gained > least && hasWayRoom(state, twist, key)) {
             least = gained;
@@ -79,7 +79,7 @@ std::optional<NearestBodies> nearestBodies(const SessionState& state, double bey
 
 int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint) {
     const double away = state.q[joint] > 0 ? -1.0 : 1.0;
-    constexpr double kLeast = 0.05;  // [rad/m] less does not lead anywhere
+    constexpr double kLeast = 0.05;  // [rad/m] smaller gains are ignored
     return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) { return away * qd[joint]; });
 }
 
@@ -87,7 +87,7 @@ int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
              const collision::CollisionCheck::Pair& pair) {
     const collision::CollisionCheck& check = *state.check;
     const double here = check.distance(pair, check.place(state.q));
-    constexpr double kLeast = 0.1;  // [m/m] less does not lead anywhere
+    constexpr double kLeast = 0.1;  // [m/m] smaller gains are ignored
     return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) {
         constexpr double kMoment = 1e-3;  // [s]
         const JointPositions next(Vector6(state.q.values + kMoment * qd));
@@ -102,11 +102,11 @@ int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Sin
                : singularity == Singularity::Elbow ? near.elbow
                                                    : near.shoulder;
     };
-    constexpr double kJump = 0.5;  // of a joint: another posture [rad]
+    constexpr double kJump = 0.5;  // of a joint: a different configuration [rad]
     const double here = measure(state.q);
     const Pose start = kinematics::forwardTcp(state.dh, state.q, state.tcpOffset);
     int best = -1;
-    double most = 0.01;  // less does not lead anywhere
+    double most = 0.01;  // smaller gains are ignored
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
         Pose pose = start;

@@ -8,7 +8,7 @@
 namespace tiller {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ReasonsText {
     Q_DECLARE_TR_FUNCTIONS(Reasons)
 };

@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct RecordingChoiceText {
     Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
 };
@@ -23,7 +23,7 @@ constexpr int kMostNumber = 99'999;
 constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
 const QString kNumber = QStringLiteral("{number}");
 
-/// What some file system takes for something else.
+/// Characters that are not allowed in file names on some file systems.
 bool isForbidden(QChar c) {
     return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c);
 }
@@ -45,15 +45,15 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
     name.replace(QStringLiteral("{robot}"), robot);
     std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
-    // As the name of a robot may be: empty, or one that would be hidden.
+    // Robot names can be empty, or start with a dot, which would hide the file.
     if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
         name.prepend(QLatin1Char('_'));
     }
     return name.left(kLongestName);
 }
 
-/// What is in the folder, hidden and broken ones too. In one look: a file that is asked for by its name each
-/// takes its time on a network drive. Some file systems know no capital letters.
+/// All entries of the folder, including hidden and broken ones, in lower case because some file systems
+/// ignore case. Listing once is faster on a network drive than testing each file name.
 QSet<QString> namesIn(const QDir& folder) {
     QSet<QString> names;
     const QStringList entries =

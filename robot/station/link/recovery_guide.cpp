@@ -10,12 +10,12 @@
 namespace tiller {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct RecoveryGuideText {
     Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
 };
 
-/// After the safety system let go: the ordinary way up.
+/// After the safety system is back to normal: the usual steps to power on.
 RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;
@@ -47,7 +47,7 @@ RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
     return guide;
 }
 
-/// The step as the safety system asks for it.
+/// The step that the safety state requires.
 RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     RecoveryGuide guide;
     if (!state.hasData() || state.link != LinkState::Live) {

@@ -12,11 +12,11 @@ namespace {
 
 using ActionKind = project::WaypointAction::Kind;
 
-/// Data that are older say nothing of the robot any more [ms].
+/// Robot data older than this are not used [ms].
 constexpr double kOldest = 100;
-/// A gripper that needs longer has something wrong [s].
+/// A gripper that takes longer than this has failed [s].
 constexpr double kLongestGrip = 15;
-/// What the robot takes to report an output, at most [s].
+/// Maximum time until the robot reports a new output level [s].
 constexpr double kLongestConfirmation = 3;
 
 bool isGrip(const project::WaypointAction& action) {

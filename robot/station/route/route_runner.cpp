@@ -47,7 +47,7 @@ RouteRunner::RouteRunner(const MotionPort& port, const ActionPort& actions, cons
           [this](const Error& error) { fail(error); }) {}
 
 QString RouteRunner::whyNot(const Error& error) {
-    // These are sentences already.
+    // These errors are already complete sentences.
     const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
     return said && error.controllerMessage.isEmpty() ? error.context : texts::errorText(error);
 }
@@ -76,7 +76,7 @@ HoldMotion RouteRunner::motion(Way way) {
         }
         return begin();
     };
-    // At any end, no action is active.
+    // When the motion ends for any reason, no action is active.
     motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
         const bool alive = hold(id);
         if (!alive) {
@@ -183,7 +183,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// Which gripper there is may change at any time: asked at the press only.
+/// The gripper may change at any time, so it is checked only at the press.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -200,7 +200,8 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// What leads into a collision is not begun. Those that are not looked at are checked when their turn comes.
+/// A route that leads into a collision is not started. Moves beyond those examined here are checked when they
+/// start.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
     SessionState from = state_;
@@ -216,7 +217,7 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The places that are gone to without a stop between them.
+/// The waypoints from `place` on that are passed without a stop.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
@@ -307,7 +308,7 @@ void RouteRunner::endActing() {
     acting_.reset();
 }
 
-/// The step that was under way has come to its end.
+/// Completes the current step.
 void RouteRunner::finishStep(Way way) {
     if (acting_) {
         done_.push_back(*acting_);
@@ -330,10 +331,10 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// Of the coming one, where the arm has come; null when all is done there.
+/// The next action of the waypoint that the arm has reached; null when all are done.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
-    // After an edit of the actions, all are executed again.
+    // After an edit of the actions, all of them are executed again.
     if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
         done_.clear();
     }
@@ -409,9 +410,9 @@ HoldBounds RouteRunner::bounds(Way way) const {
     }
     HoldBounds bounds;
     bounds.silenceNs = HoldBounds::silenceAt(linear, angular);
-    // A loop has no end of its own.
+    // A loop has no maximum duration.
     if (way != Way::Through || !route_.isLoop()) {
-        // The remaining moves may take twice as long as the examined ones.
+        // The remaining moves may take up to twice as long as the examined ones.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
             acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));

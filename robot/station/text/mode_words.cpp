@@ -14,7 +14,7 @@ struct Row {
     const char* advice;
 };
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ModeWordsText {
     Q_DECLARE_TR_FUNCTIONS(ModeWords)
 };
@@ -178,7 +178,7 @@ ModeWords runtimeWords(RuntimeState state) {
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {
     if (status == SafetyMode::Undefined) {
-        return mode;  // software before 3.10 and 5.4 has none
+        return mode;  // not available in software before 3.10 and 5.4
     }
     return allowsMotion(status) && !allowsMotion(mode) ? mode : status;
 }

@@ -8,12 +8,12 @@
 namespace tiller::texts {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct TextsText {
     Q_DECLARE_TR_FUNCTIONS(Texts)
 };
 
-/// What to do about it; empty where the happening explains itself.
+/// Suggested action; empty if the error text is sufficient.
 QString advice(ErrorCode code) {
     switch (code) {
         case ErrorCode::AddressInvalid:
@@ -144,7 +144,7 @@ QString happening(ErrorCode code) {
 
 QString errorText(const Error& error) {
     if (error.context.endsWith(QLatin1Char('.')) && error.controllerMessage.isEmpty()) {
-        return error.context;  // a whole sentence of our own
+        return error.context;  // already a complete sentence
     }
     QString text = happening(error.code);
     if (!error.context.isEmpty()) {

@@ -7,7 +7,8 @@ namespace tiller::simulator {
 
 namespace {
 constexpr std::size_t kLongestLine = 16 * 1024;
-/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
+/// others.
 constexpr std::size_t kLineShare = 64 * 1024;
 }  // namespace
 
@@ -50,7 +51,7 @@ void LineServer::read(Client& client) {
                 client.line += c;
                 client.answeredUnfinished = false;
             } else {
-                client.peer.close();  // this is no client of ours
+                client.peer.close();  // not a valid client
                 return;
             }
         }

@@ -12,11 +12,12 @@ namespace tiller::simulator {
 namespace {
 /// Capacity of the socket buffer of the system while the cable is unplugged [bytes].
 constexpr std::size_t kSystemBuffer = 256 * 1024;
-/// The longest delay at the highest rate fits into this [bytes].
+/// Large enough for the longest delay at the highest data rate [bytes].
 constexpr std::size_t kMostOnTheWay = 16 * 1024 * 1024;
-/// More segments than this wait: splitting them one by one would never catch up.
+/// With more waiting segments than this, segments are not split, because they could never be sent in time.
 constexpr std::size_t kMostSplitWaiting = 64;
-/// The second piece of a split is sent in the next control period, independent of the cycles of the loop.
+/// Delay of the second piece of a split [s]: it is sent in the next control period, independent of the cycles
+/// of the loop.
 constexpr double kMoment = 1e-6;
 }  // namespace
 
@@ -127,8 +128,8 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// The client has closed the connection. Data sent before still count: a program whose sender did not wait for an
-// answer.
+// The client has closed the connection. Data sent before are still processed, e.g. a program whose sender did
+// not wait for an answer.
 void Peer::endSending() {
     isMute_ = true;
     std::array<std::uint8_t, 16 * 1024> buffer;
@@ -172,7 +173,8 @@ bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp
     return true;
 }
 
-// What the socket does not take now is not waited for: this client does not read.
+// Called after sending; data that the socket has not accepted do not count as delivered, because the client
+// does not read.
 void Peer::noteDelivered(std::optional<double> stamp) {
     if (stamp && pending() == 0) {
         delivered_ = stamp;

@@ -74,11 +74,11 @@ void PrimaryServer::sendMessages(const std::vector<primary::Bytes>& messages) {
     for (auto message = messages.begin(); message != messages.end(); ++message) {
         const bool safety = primary::isSafetyMode(*message);
         if (safety && message + 1 != last.base()) {
-            continue;  // overtaken within the period: no state shows it
+            continue;  // replaced by a later mode in this period, so no state contains it
         }
         for (const auto& client : clients_) {
             if (!safety || client->hasState) {
-                client->peer.send(*message);  // kept as long as the buffer permits
+                client->peer.send(*message);  // buffered up to the limit
             }
         }
     }

@@ -9,7 +9,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// The number behind `prefix`, or nothing.
+/// The number after `prefix`, or nothing.
 std::optional<std::size_t> numberAfter(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) {
         return std::nullopt;
@@ -80,13 +80,13 @@ void RtdeInputs::release(ClientId client) {
     }
 }
 
-// Those that a package leaves for the next period.
+// The fields of a package that are applied in the next period.
 std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
     std::vector<bool> late(count, false);
     const Assumptions::Inputs reading = plant_.assumptions().inputs;
     for (std::size_t i = 0; i < count; ++i) {
-        // Any pattern is acceptable, but it has to be the same each time, otherwise values would overtake each
-        // other.
+        // Any fixed pattern is suitable. It must not change, otherwise older values could overwrite newer
+        // ones.
         const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
         late[i] = reading == Assumptions::Inputs::FirstHalf   ? i >= count / 2
                   : reading == Assumptions::Inputs::LastHalf  ? i < count / 2
@@ -183,7 +183,7 @@ void RtdeInputs::store(const rtde::Field& field, const double* value) {
 }
 
 void RtdeInputs::applyMasks(const InputRecipe& recipe) {
-    // Only the inputs of this package: an old mask of another client must not be applied again.
+    // Only for the inputs of this package: an old mask of another client must not be applied again.
     bool slider = false, standard = false, configurable = false, tool = false, analog = false;
     for (const std::size_t index : recipe.fields) {
         const std::string_view name = rtde::inputFields()[index].name;

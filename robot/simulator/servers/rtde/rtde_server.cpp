@@ -11,13 +11,14 @@ namespace tiller::simulator {
 
 namespace {
 constexpr std::size_t kMostInputRecipes = 255;
-/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
+/// others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
-/// A CB3 serves so many clients; a further one completes its handshake and is closed after so long [s].
-/// Source: Universal Robots forum, threads 2793 and 3673
+/// Maximum number of clients of a CB3. A further one completes its handshake and is closed after this time
+/// [s]. Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMostCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
-/// Owner of the inputs that a fault holds; clients count from 1.
+/// Owner of the inputs held by an injected fault; client ids start at 1.
 constexpr RtdeInputs::ClientId kNobodyHere = ~RtdeInputs::ClientId{0};
 }  // namespace
 
@@ -33,8 +34,8 @@ void RtdeServer::service() {
     for (const auto& client : clients_) {
         read(*client);
         if (!client->peer.isOpen()) {
-            // At once, not at the end of the round: the same program may be back already and ask for them
-            // again.
+            // Immediately, not at the end of the round: the same program may already have reconnected and
+            // request them again.
             inputs_.release(client->id);
         }
         client->peer.flush();
@@ -43,8 +44,8 @@ void RtdeServer::service() {
 }
 
 void RtdeServer::greet(Client& client) {
-    // The only text that comes unasked, and only from a PolyScope X whose safety configuration waits for
-    // somebody: there are clients that take whatever comes first for their answer.
+    // The only unsolicited text message, sent only by a PolyScope X with an unconfirmed safety configuration,
+    // because some clients take the first message for the answer they wait for.
     if (plant_.options().software.isPolyScopeX() && plant_.power().mode() == RobotMode::ConfirmSafety) {
         reply_.clear();
         rtde::writeControllerText(
@@ -110,7 +111,7 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             onData(client, package.payload);
             break;
         case rtde::PackageType::TextMessage:
-            break;  // taken note of, as the guide says: never answered
+            break;  // received, but never answered, as described in the guide
         case rtde::PackageType::ReadProperties:
             if (hasProperties(plant_.options().software)) {
                 writeProperties(reply_, rtde::readPropertiesRequest(package.payload),
@@ -149,7 +150,7 @@ unsigned RtdeServer::dividerFor(double frequency) const {
     if (!(frequency > 0) || frequency >= most) {
         return 1;
     }
-    // A hair's width more, so that a third of the maximum, rounded, still gives every third period.
+    // A small margin, so that a third of the maximum frequency, rounded, still selects every third period.
     return static_cast<unsigned>(std::floor(most / std::max(frequency, 1.0) + 1e-9));
 }
 
@@ -226,7 +227,7 @@ void RtdeServer::send(Client& client, rtde::ByteView package) {
     if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
-        client.peer.close();  // as the guide says of a client that does not read
+        client.peer.close();  // as described in the guide for a client that does not read
     }
 }
 
@@ -246,7 +247,7 @@ double RtdeServer::departure() const {
         case Assumptions::Data::Late: {
             constexpr double kLeast = 0.004;
             constexpr double kMore = 0.020;
-            // Any scatter will do; the order is kept by the queue.
+            // Any deterministic scatter is suitable; the queue keeps the order.
             const auto scatter = static_cast<double>(plant_.tick() * 2654435761U >> 8U & 0xFFU) / 255.0;
             return now + kLeast + kMore * scatter;
         }

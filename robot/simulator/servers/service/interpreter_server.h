@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interpreter service, port 30020: one statement or one command a line, one reply a line. Source: client
+// The interpreter service, port 30020: one statement or command per line, one reply per line. Source: client
 // interface notes on the interpreter socket.
 
 #include <deque>
@@ -18,12 +18,12 @@ class Plant;
 
 class InterpreterServer final : public Server {
 public:
-    /// Longest line [bytes]; a longer line is refused with a message.
+    /// Maximum length of a line [bytes]; a longer one is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
-    /// Lines of one client that may wait for a clear_interpreter(); reading stops there.
+    /// Maximum number of lines per client that may wait for a clear_interpreter(); then reading stops.
     static constexpr std::size_t kMostWaiting = 1000;
 
-    /// Lines compiled at a stretch: a flood of them shall not make the robot late.
+    /// Maximum number of lines compiled per cycle, so that many lines do not delay the robot.
     static constexpr int kLinesAtOnce = 32;
 
     explicit InterpreterServer(Plant& plant) : plant_(plant) {}
@@ -37,13 +37,13 @@ private:
             : peer(descriptor, 1 << 20), mayWrite(writes) {}
         Peer peer;
         bool mayWrite;
-        bool overlong = false;  ///< in a line that is too long
+        bool overlong = false;  ///< within a line that is too long
         std::string line;       ///< begun, not ended
         std::deque<std::string> lines;
     };
     void read(Client& client);
     void answer(Client& client, int& lines);
-    /// What to reply, or nothing yet.
+    /// The reply; nothing if it is not available yet.
     std::string replyTo(const Client& client, const std::string& line);
 
     Plant& plant_;

@@ -50,7 +50,7 @@ HttpResponse invalid(const QString& what) {
     return refuse(422, QStringLiteral("Validation error"), what);
 }
 
-/// Description of a program in its own file; handwritten flat files may have it at the root.
+/// Description stored in a program file; handwritten files without nesting may have it at the root.
 QJsonObject informationOf(const QJsonObject& root) {
     const QJsonObject program = root.value(QLatin1String("program")).toObject();
     const QString key = QStringLiteral("programInformation");
@@ -177,7 +177,8 @@ HttpResponse RobotApi::docs(const HttpRequest&, const std::string&) {
 
 // ---- robot ----------------------------------------------------------------------------------------------
 
-// Each is answered once the robot has done it: clients ask for the new state, or for the next step, at once.
+// Requests are answered when the robot has completed them, because clients query the new state, or request
+// the next step, immediately.
 HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
@@ -210,7 +211,7 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
             return refuse(409, QStringLiteral("Not possible now"),
                           QStringLiteral("There is no protective stop"));
         }
-        safety.unlockProtectiveStop(false);  // the vendor's client unlocks within a second here
+        safety.unlockProtectiveStop(false);  // the vendor's client unlocks within one second after the stop
         return done([&safety] { return !safety.isProtectiveStopped(); });
     }
     if (action == QLatin1String("RESTART_SAFETY")) {
@@ -239,7 +240,7 @@ HttpResponse RobotApi::controlMode(const HttpRequest&, const std::string&) {
 }
 
 HttpResponse RobotApi::operationalMode(const HttpRequest&, const std::string&) {
-    // There is always one here: without a selector programs run.
+    // Always reported: without a selector programs can run.
     return mode(plant_.safety().operationalMode() == OperationalMode::Manual ? QStringLiteral("MANUAL")
                                                                              : QStringLiteral("AUTOMATIC"));
 }
@@ -419,7 +420,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     if (!document.isObject()) {
         return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is no program (JSON)"));
     }
-    // The name inside the program has priority over the file name.
+    // The name stored in the program has priority over the file name.
     const QJsonObject root = document.object();
     QString name = informationOf(root).value(QLatin1String("name")).toString();
     name = name.isEmpty() ? root.value(QLatin1String("name")).toString() : name;

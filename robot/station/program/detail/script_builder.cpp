@@ -138,7 +138,7 @@ void StepWriter::Private::report(const QString& fieldKey, const QString& text) {
     problem.number = place.step ? numberOf(*place.step) : 0;
     problem.field = fieldKey;
     problem.text = text;
-    // A called program is written once per scope.
+    // A called program is written once per scope, so problems can occur twice.
     if (std::find(result.problems.begin(), result.problems.end(), problem) == result.problems.end()) {
         result.problems.push_back(std::move(problem));
     }
@@ -322,7 +322,7 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
                    "together."));
         return;
     }
-    // The rest as a list of its own; kept alive by this frame.
+    // Writes the remaining steps as a separate list, which lives until the call returns.
     const Steps rest(first, owner.steps.end());
     writeSteps(rest);
 }
@@ -384,7 +384,7 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     return result;
 }
 
-// ---- what step kinds use --------------------------------------------------------------------------------
+// ---- functions for step kinds -------------------------------------------------------------------------
 
 const ProgramStep& StepWriter::step() const {
     return *d_.place.step;

@@ -7,7 +7,7 @@ namespace tiller::program {
 
 namespace {
 
-/// Values separated by commas that are in no brackets.
+/// Splits at commas that are not inside brackets.
 qsizetype argumentCount(const QString& arguments) {
     qsizetype depth = 0;
     qsizetype commas = 0;

@@ -9,13 +9,13 @@
 namespace tiller::program {
 namespace {
 
-/// More would make one function of the script too long for a control period.
+/// With more, one function of the script would take longer than a control period.
 constexpr std::size_t kMaxPlaces = 1000;
 
 bool mayTakeTime(const std::vector<project::ProgramStep>& steps) {
     return std::any_of(steps.begin(), steps.end(), [](const project::ProgramStep& step) {
         const StepKind* kind = findStepKind(step.kind);
-        // A called program or a script may wait, and may leave.
+        // A called program or a script may wait or leave the loop.
         const bool isOpaque = step.kind == QLatin1String("call") || step.kind == QLatin1String("script") ||
                               step.kind == QLatin1String("leaveLoop") || step.kind == QLatin1String("end") ||
                               step.kind == QLatin1String("fail");
