@@ -74,14 +74,11 @@ QWidget* HelpPage::buildManual() {
     contents->setEnabled(!folder_.isEmpty());
     if (folder_.isEmpty()) {
         manual_->setHtml(
-            tr("<h2>The manual is not on this computer</h2><p>It comes with the Debian package of Tiller. A "
-               "Tiller "
-               "that you built yourself has it when the package python3-sphinx is installed:</p>"
-               "<pre>apt-get install python3-sphinx</pre><p>Then build again. Until then its pages can be "
-               "read as "
-               "text in the folder packaging/manual of the sources. The rules of jogging and all keys are on "
-               "the "
-               "other page of this window.</p>"));
+            tr("<h2>The manual is not installed on this computer</h2><p>The Debian package of Tiller "
+               "contains it. To add it to your own build, install the package "
+               "python3-sphinx:</p><pre>apt-get install python3-sphinx</pre><p>Then build again. You can "
+               "also read its pages as text in the folder packaging/manual of the source code. The rules of "
+               "jogging and all keys are on the other page of this window.</p>"));
     } else {
         showManual(QStringLiteral("index.html"));
         manual_->clearHistory();

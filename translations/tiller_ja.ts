@@ -8,16 +8,16 @@
         <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>通しで移動</translation>
+        <source>Run route</source>
+        <translation>ルート</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1が%2 s以内にオンになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1が%2 s以内にオンになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1が%2 s以内にオフになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1を%2 sオフ</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>%1のオンを待つ、最大%2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>%1のオンを待つ（最大 %2 s）</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>%1のオフを待つ、最大%2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>%1のオフを待つ（最大 %2 s）</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>監視のみ：STOP以外ではロボットを一切変更しません。設定では解除できません。</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>監視のみ：ロボットを一切変更しません。使えるのは STOP だけです。設定では解除できません。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>アームは %1 のモデルどおりに動きました</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>動作は %1 のモデルと一致しています</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>最初から一致していません：ロボットに設定したペイロード、モデル、アームに触れているものを確認してください。</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>アームとモデルは最初のサンプルから一致していません：ペイロード、ロボットの機種、アームへの接触を確認してください。</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>それ以降、何かがアームを押したか押さえた、荷重が違った、または関節が追従しませんでした。</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>この時点以降、アームが押されたか押さえられた、ペイロードが違った、または関節が目標に追従しませんでした。</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>この記録はモデルと比較できません：行の間隔が広すぎます。すべてのパケットを記録してください。</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>アームのモデルとは比較していません。</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>位置を保持できません</translation>
     </message>
     <message>
@@ -476,8 +476,8 @@
         <translation>実行中のプログラムが停止を要求しました。</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
-        <translation>その前のプログラムのメッセージを見てください。</translation>
+        <source>See the preceding messages of the program.</source>
+        <translation>このプログラムの、これより前のメッセージを見てください。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -496,8 +496,8 @@
         <translation>コントローラーのメッセージ C%1</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>コントローラーがこの番号を報告しました。</translation>
+        <source>The controller reported this message code.</source>
+        <translation>コントローラーがこのメッセージコードを報告しました。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>等号が一つ多いです。比較は二つです：==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>等号が多すぎます。比較には == を使ってください</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -585,8 +585,8 @@
         <translation>ポート %1 のサービスは RTDE ではありません</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>RTDE クライアントが多すぎるか、コントローラーが固まっています。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <translation>RTDE クライアントが多すぎるか、コントローラーが応答していません。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
@@ -605,8 +605,8 @@
         <translation>このロボットを制御している別のプログラム（別のウィンドウ、ROS、ur_rtde）を終了してください。</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>このソフトウェアにはレジスター 24〜47 がありません</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>このソフトウェアバージョンにはレジスター 24〜47 がありません</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -657,8 +657,8 @@
         <translation>許可済み。優先度付きループが要求します</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>プロセッサーが深く眠ることがあり、ループの開始が遅れます</translation>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <translation>CPU が深いスリープ状態に入ることがあり、ループが遅れます</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -693,8 +693,8 @@
         <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 は応答しますが、ロボットのサービスがありません</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 は応答しますが、ロボットのサービスを提供していません</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -841,7 +841,7 @@
         <translation>電源とブレーキ</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
@@ -857,7 +857,7 @@
         <translation>この PC のリアルタイム優先度</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
+        <source>Timer wake-ups on this PC</source>
         <translation>この PC のタイマー応答</translation>
     </message>
     <message>
@@ -880,16 +880,16 @@
         <translation>姿勢のみ</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>平面 X Y</translation>
+        <source>XY plane</source>
+        <translation>XY 平面</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>直線 Z</translation>
+        <source>Z only</source>
+        <translation>Z のみ</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>フリードライブの前にアームを静止させてください。</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
@@ -899,33 +899,33 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
-        <translation>左ショルダー</translation>
+        <source>left bumper</source>
+        <translation>左バンパー</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>左スティックは X と Y、右スティックは Z と回転。右ショルダー：スティックで回転。</translation>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
+        <translation>左スティックは X と Y、右スティックは Z と回転。右バンパーを押している間、両スティックで回転。</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>この画面には第二の証人がいません（%1）：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>ボタンやキーがまだ押されているかを 10 ms ごとにディスプレイサーバーに尋ねます。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>ディスプレイサーバーに二重に尋ねることができません：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。押されているキーはウィンドウのイベントで判断します。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>この画面は高解像度です。設定の「画面要素のサイズ」を大きくすると、文字、キー、グラフが拡大されます。</translation>
     </message>
 </context>
@@ -944,8 +944,8 @@
         <translation>キーボードを有効／無効にする</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>有効な間、矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。30 秒でひとりでに終わります。</translation>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <translation>有効な間、矢印キーがアームを動かし、ウィンドウが枠で囲まれます。30 秒間使わないと無効になります。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -960,8 +960,8 @@
         <translation>ここをゼロに</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>ここから TCP の移動量を数えます。もう一度で、押してからの量に戻ります。</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>ここからの TCP の移動量を測ります。もう一度押すと、最後のキー操作からの移動量になります。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -1000,7 +1000,7 @@
         <translation>ステップの長さを尋ねます。回転の角度は変わりません。</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>他の回転ステップ…</translation>
     </message>
     <message>
@@ -1073,7 +1073,7 @@
         <translation>肘がほぼ伸びています</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>肘がほぼ伸びています：速度の %1</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>手首がベース軸の上</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>手首がベース軸の上：速度の %1</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>手首2が 0° か 180° の近く</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>手首2が 0° か 180° の近く：速度の %1</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>%1へジョグ</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1は%3まで%2：速度の%4</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@
         <translation>シミュレーターかロボットのアドレスを選んでください</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>アームが数ミリ下がることがあります。離れてください。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>アームを止めた原因、直前の 5 秒、戻り方を示します。何も動きません。</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>アームが停止した原因、直前の 5 秒、復旧の手順を表示します。アームは動きません。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1446,8 +1446,8 @@
         <translation>ファームウェア更新中</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>関節のファームウェアを更新しています。終わるまで電源を切らないでください。</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>関節のファームウェアを更新しています。更新が終わるまで電源を切らないでください。</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1772,12 +1772,12 @@
         <translation>グラフをエクスポート…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>表示範囲を画像、図面、ページ、または値として保存します。</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>表示範囲を画像、PDF ページ、または値の表として保存します。</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>グラフは %1 を表示</translation>
+        <source>Plots: last %1</source>
+        <translation>グラフ：直近 %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1828,8 +1828,8 @@
         <translation>ログ：すべて表示</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>ログ：警告以上を表示</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>ログ：警告とエラーを表示</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1864,8 +1864,8 @@
         <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
     </message>
     <message>
-        <source>New page of plots</source>
-        <translation>グラフの新しいページ</translation>
+        <source>New plot page</source>
+        <translation>新しいグラフページ</translation>
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
@@ -1903,7 +1903,7 @@
         <translation>カーソル位置の %1 を表示</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>%1 を独立したグラフへ</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>このグラフの曲線のノルム</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>このグラフを削除</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>曲線に合わせる</translation>
     </message>
     <message>
@@ -1978,8 +1978,8 @@
         <translation>アームは稼働し、再び制御下にあります。</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>新しい座標系はまだありません。「3 点」は座標系タブにあります。</translation>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
+        <translation>新しい座標系はまだありません。座標系タブの「3 点」を使ってください。</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
@@ -1994,8 +1994,8 @@
         <translation>「%1」：その X はベースの Y から %2° ずれています。</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>「%1」はアームで取られていません：TCP がその原点にありませんでした。</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2014,8 +2014,8 @@
         <translation>「%1」は位置に合っていますが、ツールが回っています。</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>「%1」は再び部品にあります。</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>「%1」は再び部品の位置と一致しています。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
@@ -2026,8 +2026,8 @@
         <translation>%1 まで減速しました。続けてください。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>まだ限界ではありません。パッドの下の行に名前が出ます。</translation>
+        <source>No limit reached yet. The line below the pad will show it.</source>
+        <translation>まだ限界に達していません。パッドの下の行に限界が表示されます。</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
@@ -2050,8 +2050,8 @@
         <translation>まだ記録がありません。グラフの上の「記録」を押してください。</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
-        <translation>記録済み。グラフが示す力を入力してください。</translation>
+        <source>Recorded. Enter the force shown in the plot.</source>
+        <translation>記録しました。グラフに表示された力を入力してください。</translation>
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
@@ -2082,8 +2082,8 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>開始するとシミュレートされたアームが衝突し、保護停止になります。原因を見て 5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>開始すると衝突をシミュレートし、保護停止になります。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
@@ -2098,8 +2098,8 @@
         <translation>ベースから外側へ、限界でアームが半分の速度になるまでジョグしてください。パッドの下の行に名前と抜け方が出ます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>開始すると手がツールを上から押します。3 秒以上記録して停止してください。グラフで力 Fz の大きさを読み、入力してください。</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>開始すると、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,7 +2116,7 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
+        <source>Maximum</source>
         <translation>最大</translation>
     </message>
     <message>
@@ -2168,8 +2168,8 @@
         <translation>このバージョンの Tiller にはステップ「%1」がありません。</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>プログラムは最上位のステップからのみ開始でき、一組の部分の途中からは開始できません。</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>プログラムは最上位のステップからのみ開始でき、If と Else のような部分の間からは開始できません。</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,11 +2200,11 @@
         <translation>呼び出しの入れ子が深すぎます。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効なツールを選ぶか、ステップを TCP 区間に入れてください。</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効な TCP を設定するか、ステップを TCP 区間に入れてください。</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
         <translation>この動作と前の動作のブレンド %1 と %2 は、間の距離 %3 を超えています。</translation>
     </message>
     <message>
@@ -2212,7 +2212,7 @@
         <translation>式が空です。</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
+        <source>An expression must be a single line.</source>
         <translation>式は 1 行にしてください。</translation>
     </message>
     <message>
@@ -2252,8 +2252,8 @@
         <translation>ステップが失敗し、プログラムが終了しました。</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>プログラムは %1 s 後も終了していません。</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>プログラムは %1 s 以内に終了しませんでした。</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>値</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、%3 個です。</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、指定は %3 個です。</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>それ以外</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>プログラムを終了</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>ベース</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>区間の座標系</translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation>開く</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>閉じる出力</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>開く出力</translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation>開閉には別の出力が必要です。</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>グリッパーが部品を保持していません。</translation>
     </message>
     <message>
@@ -2492,31 +2492,31 @@
         <translation>条件分岐</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>ループを抜ける</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
-        <translation>このステップを囲むループがありません。</translation>
+        <source>This step is not inside a loop.</source>
+        <translation>このステップはループの中にありません。</translation>
     </message>
     <message>
         <source>Loop</source>
         <translation>ループ</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>回数（0：無限）</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>繰り返し回数（0：無限）</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>カウンター</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>このループは終わらない可能性があり、時間のかかる処理がありません。「待機」を追加してください。</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>このループは終わらない可能性があり、待ち時間がありません。「待機」ステップを追加してください。</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation>ループの位置は 1〜%1 個です。現在 %2 個です。</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>経由</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>自由</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>円弧に固定</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>距離がゼロです。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>ウェイポイント「%1」はグリッパーを動かします。プログラムでは「グリッパー」ステップを使い、ウェイポイントの動作をオフにしてください。</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>ウェイポイント</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>手前の距離</translation>
+        <source>Approach distance</source>
+        <translation>アプローチ距離</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>到達しない場合</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>入力を設定してください。</translation>
+        <source>Select an input.</source>
+        <translation>入力を選択してください。</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>入力がオンになりませんでした。</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>接触がありませんでした。</translation>
+        <source>No contact was detected.</source>
+        <translation>接触が検出されませんでした。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,11 +2776,11 @@
         <translation>分岐</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
-        <translation>分岐にはケースが必要です。</translation>
+        <source>A Switch needs at least one Case.</source>
+        <translation>分岐にはケースが少なくとも 1 つ必要です。</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation>分岐の直下に置けるのはケースと既定だけです。</translation>
     </message>
     <message>
@@ -2804,8 +2804,8 @@
         <translation>条件を待つ</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>その時間の後</translation>
+        <source>On timeout</source>
+        <translation>タイムアウト時</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2916,8 +2916,8 @@
         <translation>接続を待っています</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>アームを見た：誰も触れず、何も挟まっていない。</translation>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
+        <translation>アームを点検した：誰も触れておらず、何も挟まっていない。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>切断</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>接続を終えます。こちらの動作は先に止まります。</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>Tiller による動作を止めてから接続を閉じます。</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>ロボットは接続されていません。</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -3085,12 +3085,12 @@
         <translation>安全システムは停止を報告していません。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>違反や故障の後、原因が分かってから。アームの電源は切れたままです。</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>違反や故障の後、安全システムをリセットします。アームの電源は切れたままです。</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>違反か故障の後だけです。</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>違反または故障の後にのみ実行できます。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3129,8 +3129,8 @@
         <translation>プログラムを読み込む…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>ロボット自身のプログラムを名前で読み込みます。</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>ロボット上のプログラムを名前で読み込みます。</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3328,15 +3328,15 @@
         <translation>標準の視点、透視</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>正面と側面の間、少し上から、全体が入ります。</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>正面と側面の間、少し上から全体を見る。</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>正面から見る</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>ベースの X が右、Z が上。</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>側面から見る</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>ベースの Y が右、Z が上。</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>上から見る</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>ベースの X が右、Y が上。</translation>
     </message>
     <message>
@@ -3388,8 +3388,8 @@
         <translation>%1 を書き込む</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>設定 &quot;%1&quot; の値が無効です。</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>設定「%1」の値が無効です。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3416,8 +3416,8 @@
         <translation>ファイルに値の一覧がないか、長すぎます。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; は有効な設定名ではありません。</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>「%1」は有効な設定名ではありません。</translation>
     </message>
 </context>
 <context>
@@ -3841,8 +3841,8 @@
         <translation>この範囲には値の欠けがあります。欠けのない範囲を選んでください。</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>メモリが足りません。</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>メモリーが足りません：短い範囲を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -3958,7 +3958,7 @@
         <translation>データが届かなくなりました。ケーブルを確認してください。接続は自動で戻りますが、動作は戻りません。</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>応答が RTDE プロトコルに違反しています。アドレスとポートを確認してください。</translation>
     </message>
     <message>
@@ -4230,8 +4230,8 @@
         <translation>最大保持時間に達しました。もう一度押してください</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>10.11 より前の PolyScope X はこの指令をネットワークで受け付けません：タブレットを使ってください。</translation>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <translation>10.11 より前の PolyScope X は、これらの指令をネットワーク経由では受け付けません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
@@ -4270,7 +4270,7 @@
         <translation>ディスクの空きを増やしてから、もう一度保存または記録してください。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>監視のみ：このウィンドウはロボットを変更しません。設定または --monitor-only で指定されています。</translation>
     </message>
     <message>
@@ -4337,20 +4337,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>「通しで移動」でアームが着いたとき、キーを押し続けている間だけ、この順に行われます。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>「ルート」でウェイポイントに着くと、キーを押している間、この順に実行されます。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>これらのウェイポイントの動作は異なります。「変更」を押すと、すべてが下の動作になります。</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>これらのウェイポイントの動作は異なります。「適用」を押すと、すべてが下の動作になります。</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>動作の順序</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4445,7 +4445,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1：%2
 右クリックか F2 で名前変更とスケール。</translation>
     </message>
@@ -4493,12 +4493,12 @@ Right click or F2 to rename and scale.</source>
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>その後、押している間だけ矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。</translation>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>有効な間、押している矢印キーがアームを動かします。ウィンドウは枠で囲まれます。</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4686,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>床</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>オフの場合は表示も確認もされません。</translation>
     </message>
     <message>
@@ -4702,8 +4702,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>ジョグはアーム自身とセルからこの距離で停止します。それより近づく動作は拒否されます。</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>ジョグは、セルとの間およびアームの各部の間がこの距離になると停止します。それより近づく動作は拒否されます。</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4781,7 +4781,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>アームのモデルとの比較</translation>
     </message>
     <message>
@@ -4812,7 +4812,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>アームのモデルと比較</translation>
     </message>
     <message>
@@ -4820,7 +4820,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。シミュレーションのアームには何も触れず、摩擦もありません。</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation>アームのモデル</translation>
     </message>
     <message>
@@ -4891,8 +4891,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>動く向き</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>キーボード（有効な間、Ctrl+J）：矢印 X と Y、PgUp と PgDn Z、Alt で回転、1〜6 と + − で関節、Home、End で整列、Backspace で戻る、F フリードライブ。Ctrl 遅く、Shift 速く。Space と Esc で停止。</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>キーボード（有効な間、Ctrl+J）：矢印：X と Y、PgUp、PgDn：Z、Alt 併用：回転、1〜6 と + −：関節、Home：ホーム、End：整列、Backspace：戻る、F：フリードライブ、Ctrl：遅く、Shift：速く。Space と Esc で停止。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -5393,16 +5393,16 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>繰り返し</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>ウェイポイントを巡る</translation>
+        <source>Run the route of waypoints</source>
+        <translation>ウェイポイントのルートを実行</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>巡る（押す）</translation>
+        <source>Run route (hold)</source>
+        <translation>ルート（押す）</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>巡る、押し続ける</translation>
+        <source>Run route, hold</source>
+        <translation>ルート実行、押し続ける</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5577,19 +5577,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>一出力：オンで閉じる</translation>
+        <source>One output: on = closed</source>
+        <translation>1 出力：オン = 閉</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>二出力：開く、閉じる</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>閉じる出力</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>開く出力</translation>
     </message>
     <message>
@@ -5947,7 +5947,7 @@ Cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
     </message>
@@ -6109,7 +6109,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>整列</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>押している間、選んだ座標系の最寄りの軸へツールを回します</translation>
     </message>
     <message>
@@ -6416,8 +6416,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ログ</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>表示する重大度</translation>
+        <source>Minimum severity</source>
+        <translation>最低の重大度</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6468,8 +6468,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>選択した行の記録を開く：インシデントにあります</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>選択した項目の記録を開く（インシデントのみ）</translation>
     </message>
 </context>
 <context>
@@ -6547,11 +6547,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ツール</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1は%2に接触しており、この動作でさらに近づきます</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1は%3まで%2しかなく、この動作でさらに近づきます</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>通知への応答</translation>
+        <source>Action of the notice</source>
+        <translation>通知の操作</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>通知への 2 番目の応答</translation>
+        <source>Second action of the notice</source>
+        <translation>通知の 2 番目の操作</translation>
     </message>
 </context>
 <context>
@@ -6826,8 +6826,8 @@ Clear the search to see everything.</source>
         <translation>パターンを作成</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -7246,7 +7246,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>対</translation>
     </message>
     <message>
@@ -7274,7 +7274,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>この範囲にサンプルはありません。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
@@ -7480,7 +7480,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>表示範囲を %1 にエクスポートしました</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>画像 (*.png)</translation>
     </message>
     <message>
@@ -7734,7 +7734,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>アームのモデルと比較…</translation>
     </message>
 </context>
@@ -7752,8 +7752,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
-        <translation>グラフのページ</translation>
+        <source>Plot pages</source>
+        <translation>グラフページ</translation>
     </message>
     <message>
         <source>Name of the page</source>
@@ -7882,8 +7882,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>時間に対するグラフ</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠し、Ctrl+Delete で外します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。N でメモ、F で全体、End で最新のサンプルに戻ります</translation>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <translation>A と B でカーソルを置き、左右で動かし、上下でカーソルが読む信号を選びます。H で曲線を隠し、Ctrl+Delete で削除します。プラスとマイナスで時間範囲、Ctrl 併用で値の目盛りを変えます。Ctrl+0 で自動スケール。N でメモを追加、F で全データを表示、End で最新のサンプルに戻ります</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7944,12 +7944,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：押してからの移動</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：最後のキー操作からの移動</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>姿勢の表記は設定どおり。Δ：押してからの移動。クリック：ここをゼロに</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>姿勢の表記は設定どおり。Δ：最後のキー操作からの移動。クリック：ここをゼロに</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8360,19 +8360,19 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>もう一方のウィンドウが%1を閉じました。このウィンドウの変更は再び保存されます。</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>もう一方のウィンドウが%1を閉じました。このウィンドウは再び変更を保存します。</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1は別のウィンドウで開かれています</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>%1が開いています。プロジェクトを引き継ぐまで、このウィンドウの変更はファイルに保存されません。</translation>
     </message>
     <message>
@@ -8392,12 +8392,12 @@ Release the key to stop the arm.</source>
         <translation>別のウィンドウまたはプログラムが%1を変更しました</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>このウィンドウには未保存の変更があります。再読み込みすると破棄されます。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>このウィンドウには未保存の変更があります。「再読み込み」で変更を破棄します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>再読み込みすると新しい内容を表示します。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>「再読み込み」で新しい内容を表示します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8485,8 +8485,8 @@ Release the key to stop the arm.</source>
         <translation>別のロボットモデルのプロジェクト</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>姿勢を維持：関節位置を再計算し、ツールは同じ姿勢に到達します。関節を維持：アームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>「姿勢を維持」は関節位置を再計算し、ツールは同じ姿勢に到達します。「関節を維持」はアームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8501,15 +8501,15 @@ Release the key to stop the arm.</source>
         <translation>TCPがプロジェクトと異なります</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>ロボットのTCPでは、フランジが教示位置へ移動します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>ロボットのTCPでは、フランジは教示された姿勢に到達しますが、TCPは到達しません。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>「%1」をロボットに設定</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>ロボットのTCPを維持</translation>
     </message>
     <message>
@@ -8541,7 +8541,7 @@ Release the key to stop the arm.</source>
         <translation>選択…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>ロボットの機種がまだ不明です。ロボットが報告するまで待ってください。</translation>
     </message>
 </context>
@@ -8961,8 +8961,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>ルートにウェイポイントがありません。先に教示するか選択してください。</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -9003,7 +9003,7 @@ Release the key to stop the arm.</source>
         <translation>正面</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>正面から見る：ベースの X が右、Z が上</translation>
     </message>
     <message>
@@ -9011,7 +9011,7 @@ Release the key to stop the arm.</source>
         <translation>側面</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>側面から見る：ベースの Y が右、Z が上</translation>
     </message>
     <message>
@@ -9019,7 +9019,7 @@ Release the key to stop the arm.</source>
         <translation>上</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>上から見る：ベースの X が右、Y が上</translation>
     </message>
     <message>
@@ -9437,8 +9437,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP を教示</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>回転の姿勢を取る</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>回転用の姿勢を取る</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9622,8 +9622,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>ビューが小さすぎて広げられません</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>ビューが小さすぎてこのカードを広げられません</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9691,20 +9691,20 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>位置「%1」</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>通しで移動</translation>
+        <source>Run route</source>
+        <translation>ルート</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>数値の代わりに「通しで移動」のキーを表示します。</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>数値の代わりにルートのキーを表示します。</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>「通しで移動」のキーの代わりに数値を表示します。</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>ルートのキーの代わりに数値を表示します。</translation>
     </message>
 </context>
 <context>
@@ -10220,8 +10220,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ブレンド</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
 </context>
 <context>
@@ -10328,7 +10328,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
     </message>
     <message>
@@ -10598,8 +10598,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>シミュレーターを試す</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>このプログラム内のシミュレートされた UR5e。すべて動き、何も傷つきません。</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>Tiller 内で動くシミュレートされた UR5e。すべての機能を危険なく使えます。</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10634,8 +10634,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>以前に接続したロボット</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>選んだロボットを一覧から外します (Delete)。ロボットは変わりません。</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>選択したロボットをこの一覧から削除します (Delete)。ロボット自体には影響しません。</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>記録を停止</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1：%2 s 以内に起きませんでした（%3）</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1：%2 s 以内に完了しませんでした（%3）</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10759,8 +10759,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ファイル                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>ウィンドウに &quot;%1&quot; というキーがありません</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>ウィンドウに「%1」というキーがありません</translation>
     </message>
 </context>
 <context>
@@ -10876,8 +10876,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目次</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;このコンピューターにはマニュアルがありません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドした Tiller には、パッケージ python3-sphinx がインストールされていれば付きます。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。それまでは、ソースのフォルダー packaging/manual でテキストとして読めます。ジョグの決まりと全キーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
@@ -11001,7 +11001,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -11299,16 +11299,16 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロボットでプログラムが実行中です。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>プログラム「%1」がロボットで一時停止中です。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>プログラム「%1」がロボットで実行中です。</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>制御を取得すると停止します。再開はできず、最初から開始するだけになります。</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>制御を取得するとプログラムは停止します。再開はできず、最初から開始するだけになります。</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
@@ -11476,7 +11476,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>パースペクティブ「%1」を表示できません：設定の配置が壊れています。パネルを並べて保存し直してください。</translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation>名前を入力してください。</translation>
     </message>
     <message>
@@ -11774,8 +11774,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロール、ピッチ、ヨー（度）</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>回転ベクトル（ラジアン）、スクリプトの書き方</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>回転ベクトル（ラジアン）、スクリプトと同じ</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11810,8 +11810,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文字、キー、行、グラフ、ビュー、すべて同じ割合。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Tiller の次の起動から有効です。画面には %1 % 分の余裕しかなく、その大きさになります。</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>Tiller の次回起動時に有効になります。この画面では %1 % までです。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11850,8 +11850,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>%1 はアームを止めるだけのキーです。</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 は &quot;%2&quot; のキーです。先にそちらから外してください。</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 は「%2」に割り当てられています。先にそちらから外してください。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11866,8 +11866,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ウィンドウを開き直す</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>アームを止め、制御を返却して接続し直します。グラフの表示は新しく始まります。プロジェクトは保存されます。</translation>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
+        <translation>アームを止め、制御を返却して接続し直します。グラフは最初から表示されます。プロジェクトは保存されます。</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>

@@ -8,16 +8,16 @@
         <translation>此处该机器人没有夹爪。请在 I/O 的夹爪页中选择。</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>依次通过</translation>
+        <source>Run route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 未在 %2 s 内接通。请检查所等待的对象，然后再次按下。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后再次按下。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 未在 %2 s 内断开。请检查所等待的对象，然后再次按下。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后再次按下。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1 断开 %2 s</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>等待 %1 接通，最长 %2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>等待 %1 接通（最长 %2 s）</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>等待 %1 断开，最长 %2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>等待 %1 断开（最长 %2 s）</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>仅监视：除 STOP 外不更改机器人的任何状态。无法在设置中关闭。</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>仅监视：不更改机器人的任何状态，只有 STOP 有效。无法在设置中关闭。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>机械臂的运动与 %1 的模型一致</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>运动与 %1 的模型一致</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>无法比较：机械臂一直没有上电，或被手动引导。</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>从一开始就不一致：请检查告知机器人的有效载荷、型号以及接触机械臂的物体。</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>机械臂与模型从第一个样本起就不一致：请检查有效负载、机器人型号以及机械臂是否被触碰。</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>从那时起，有物体推动或挡住机械臂，负载不同，或某个关节没有跟随。</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>从该时刻起，机械臂被推动或挡住，有效负载不同，或某个关节没有跟随目标。</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>此记录无法与模型比较：行间隔过大。请记录每个数据包。</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>未与机械臂模型比较。</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>单个关节点动离开；在此区域使用 MoveJ。</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>无法保持位置</translation>
     </message>
     <message>
@@ -476,8 +476,8 @@
         <translation>正在运行的程序请求了停止。</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
-        <translation>查看程序此前的消息。</translation>
+        <source>See the preceding messages of the program.</source>
+        <translation>请查看程序此前的消息。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -496,8 +496,8 @@
         <translation>控制器消息 C%1</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>控制器报告了此编号。</translation>
+        <source>The controller reported this message code.</source>
+        <translation>控制器报告了此消息代码。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>写成名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>多了一个等号；比较用两个：==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>等号过多。比较请使用 ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -585,8 +585,8 @@
         <translation>端口 %1 上的服务不使用 RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>RTDE 客户端过多，或控制器卡住：关闭其他程序，然后重启控制器。</translation>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <translation>RTDE 客户端过多，或控制器没有响应：请关闭其他程序，然后重启控制器。</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
@@ -605,8 +605,8 @@
         <translation>结束控制此机器人的另一个程序（另一个窗口、ROS、ur_rtde）。</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>此软件没有寄存器 24 至 47</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>此软件版本没有寄存器 24 至 47</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -657,8 +657,8 @@
         <translation>已允许，由有优先级的循环请求</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>处理器可能深度休眠，循环会延后开始</translation>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <translation>CPU 可能进入深度睡眠状态，使循环延迟</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -693,8 +693,8 @@
         <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 应答，但没有机器人的任何服务</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 有应答，但不提供机器人服务</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -841,7 +841,7 @@
         <translation>电源与制动器</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
@@ -857,7 +857,7 @@
         <translation>本 PC 的实时优先级</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
+        <source>Timer wake-ups on this PC</source>
         <translation>本 PC 的定时器唤醒</translation>
     </message>
     <message>
@@ -880,16 +880,16 @@
         <translation>仅方向</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>平面 X Y</translation>
+        <source>XY plane</source>
+        <translation>XY 平面</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>直线 Z</translation>
+        <source>Z only</source>
+        <translation>仅 Z</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>自由驱动前请让机械臂静止。</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
@@ -899,33 +899,33 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
+        <source>left bumper</source>
         <translation>左肩键</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>左摇杆 X 和 Y，右摇杆 Z 和旋转。右肩键：摇杆旋转。</translation>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
+        <translation>左摇杆：X 和 Y。右摇杆：Z 和旋转。按住右肩键可用两个摇杆旋转。</translation>
     </message>
 </context>
 <context>
     <name>HoldWitness</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>此屏幕没有第二见证者（%1）：按键是否仍被按住只能从窗口事件得知。</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件判断按键是否被按住。</translation>
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>每 10 ms 询问一次显示服务器按钮或按键是否仍被按下。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>无法再次询问显示服务器：按键是否仍被按住只能从窗口事件得知。</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件判断按键是否被按住。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>此屏幕分辨率较高。增大设置中的“界面大小”可放大文字、按键和曲线图。</translation>
     </message>
 </context>
@@ -944,8 +944,8 @@
         <translation>启用或停用键盘</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>启用后方向键移动机械臂，窗口四周出现边框。半分钟后自动结束。</translation>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <translation>启用后，方向键移动机械臂，窗口四周出现边框。30 秒未使用后停用。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -960,8 +960,8 @@
         <translation>此处归零</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>从当前位置起计 TCP 的行程；再次：恢复为自按下以来。</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>从当前位置测量 TCP 位移。再次按下则从最后一次按键起测量。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -1000,7 +1000,7 @@
         <translation>询问步长的长度；旋转角度不变。</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>其他旋转步长…</translation>
     </message>
     <message>
@@ -1073,7 +1073,7 @@
         <translation>肘部几乎伸直</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>肘部几乎伸直：速度的 %1</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>手腕位于基座轴上方</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>手腕位于基座轴上方：速度的 %1</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>手腕 2 接近 0° 或 180°</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>手腕 2 接近 0° 或 180°：速度的 %1</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>点动 %1</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1 距 %3 %2：速度的 %4</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@
         <translation>选择模拟器或机器人的地址</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>机械臂可能下沉几毫米。请保持距离。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>显示是什么停止了机械臂、最后五秒和返回的方法。不会有任何移动。</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>显示机械臂停止的原因、最后五秒和恢复步骤。机械臂不会移动。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1446,8 +1446,8 @@
         <translation>更新固件</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>正在更新关节固件。完成前请勿断电。</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>正在更新关节固件。更新完成前请勿断电。</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1772,12 +1772,12 @@
         <translation>导出曲线图…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>将显示的范围保存为图片、矢量图、页面或数值。</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>将显示的范围保存为图片、PDF 页面或数值表。</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>曲线图显示 %1</translation>
+        <source>Plots: last %1</source>
+        <translation>曲线图：最近 %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1828,8 +1828,8 @@
         <translation>日志：全部显示</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>日志：显示警告及更严重</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>日志：显示警告和错误</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1864,7 +1864,7 @@
         <translation>打开机器人所报告一切的列表：用拖动、双击或回车加到曲线图。</translation>
     </message>
     <message>
-        <source>New page of plots</source>
+        <source>New plot page</source>
         <translation>新建曲线图页</translation>
     </message>
     <message>
@@ -1903,7 +1903,7 @@
         <translation>在游标处读取 %1</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>把 %1 移到单独的图</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>此图各曲线的模</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>移除此曲线图</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>按曲线缩放</translation>
     </message>
     <message>
@@ -1978,8 +1978,8 @@
         <translation>机械臂在运行，并再次受您控制。</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>还没有新坐标系。“三点”在坐标系选项卡中。</translation>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
+        <translation>还没有新坐标系。请使用坐标系选项卡中的“三点”。</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
@@ -1994,8 +1994,8 @@
         <translation>“%1”：其 X 与基座的 Y 偏差 %2°。</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>“%1”不是用机械臂取得的：TCP 没有到过其原点。</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2014,8 +2014,8 @@
         <translation>“%1”已到位，但工具被转动了。</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>“%1”又在工件处了。</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>“%1”再次与工件位置一致。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
@@ -2026,8 +2026,8 @@
         <translation>已减速到 %1。继续。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>还没有极限。操作盘下方的行会指出它。</translation>
+        <source>No limit reached yet. The line below the pad will show it.</source>
+        <translation>尚未达到极限。操作盘下方的行会显示它。</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
@@ -2050,8 +2050,8 @@
         <translation>还没有录制。请按曲线图上方的“录制”。</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
-        <translation>已录制。输入曲线图显示的力。</translation>
+        <source>Recorded. Enter the force shown in the plot.</source>
+        <translation>已录制。请输入曲线图中显示的力。</translation>
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
@@ -2082,8 +2082,8 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>“开始”会让模拟机械臂碰撞并进入保护性停止。查看停止的原因，等待五秒，解锁并再次获取控制。</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>“开始”模拟一次碰撞，引发保护性停止。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
@@ -2098,8 +2098,8 @@
         <translation>从基座向外点动，直到某个极限使机械臂减到一半速度。操作盘下方的行会指出极限和出路。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>“开始”会让一只手从上方压工具。至少录制三秒后停止。在曲线图中读出力 Fz 的大小并输入。</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,8 +2116,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
-        <translation>最多</translation>
+        <source>Maximum</source>
+        <translation>最大值</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2168,8 +2168,8 @@
         <translation>此版本的 Tiller 没有步骤“%1”。</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>程序只能从顶层步骤开始，且不能从成组部分之间开始。</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>程序只能从顶层步骤开始，不能从“如果”与“否则”等部分之间开始。</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,11 +2200,11 @@
         <translation>调用嵌套过深。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>“%1”与之前路点使用的 TCP 不同。请选择活动工具，或将步骤放入 TCP 段。</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>“%1”与之前路点使用的 TCP 不同。请设置当前 TCP，或将步骤放入 TCP 段。</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
         <translation>此移动与前一移动的交融半径 %1 和 %2 超过两者间距 %3。</translation>
     </message>
     <message>
@@ -2212,7 +2212,7 @@
         <translation>表达式为空。</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
+        <source>An expression must be a single line.</source>
         <translation>表达式只能是一行。</translation>
     </message>
     <message>
@@ -2252,8 +2252,8 @@
         <translation>步骤失败并结束了程序。</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>程序在 %1 s 后仍未结束。</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>程序未在 %1 s 内结束。</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>值</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>程序“%1”需要 %2 个以逗号分隔的值，现有 %3 个。</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>程序“%1”需要 %2 个以逗号分隔的值，但只给出 %3 个。</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>否则</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>结束程序</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>基座</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>段的坐标系</translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation>打开</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>关闭用输出</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>打开用输出</translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation>打开和关闭需要不同的输出。</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>夹爪未夹持工件。</translation>
     </message>
     <message>
@@ -2492,11 +2492,11 @@
         <translation>如果</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>退出循环</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
+        <source>This step is not inside a loop.</source>
         <translation>此步骤不在循环中。</translation>
     </message>
     <message>
@@ -2504,19 +2504,19 @@
         <translation>循环</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>次数（0：无限）</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>重复次数（0：无限）</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>计数器</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>此循环可能永不结束，且其中没有耗时步骤。请添加“等待”。</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>此循环可能永不结束且不含等待时间。请添加“等待”步骤。</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation>循环可有 1 至 %1 个位置；现有 %2 个。</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>经过</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>自由</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>相对圆弧固定</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>距离为零。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>路点“%1”会移动夹爪。在程序中请使用“夹爪”步骤，并关闭路点的动作。</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>路点</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>之前的距离</translation>
+        <source>Approach distance</source>
+        <translation>接近距离</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>如果未到达</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>请设置输入。</translation>
+        <source>Select an input.</source>
+        <translation>请选择一个输入。</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>输入未接通。</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>没有接触。</translation>
+        <source>No contact was detected.</source>
+        <translation>未检测到接触。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,11 +2776,11 @@
         <translation>选择</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
-        <translation>“选择”中需要至少一个“情况”。</translation>
+        <source>A Switch needs at least one Case.</source>
+        <translation>“选择”至少需要一个“情况”。</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation>“选择”中只能直接包含“情况”和“默认”。</translation>
     </message>
     <message>
@@ -2804,8 +2804,8 @@
         <translation>等待条件</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>超过该时间后</translation>
+        <source>On timeout</source>
+        <translation>超时后</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2916,8 +2916,8 @@
         <translation>等待连接</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>我查看了机械臂：没有人触碰它，没有东西被夹住。</translation>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
+        <translation>我检查了机械臂：没有人触碰它，也没有东西被夹住。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>断开</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>结束连接；我们的动作会先停止。</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>停止 Tiller 的运动，然后关闭连接。</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>没有连接机器人。</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -3085,12 +3085,12 @@
         <translation>安全系统没有报告停止。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>违规或故障后，找到原因之后。机械臂保持断电。</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>在违规或故障后重置安全系统。机械臂保持断电。</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>仅在违规或故障之后。</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>仅在违规或故障后可用。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3129,8 +3129,8 @@
         <translation>加载程序…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>按名称加载机器人自己的程序。</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>按名称加载机器人上的程序。</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3328,15 +3328,15 @@
         <translation>默认视图，透视</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>介于正面与侧面之间，略高，包含全部。</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>从正面与侧面之间略高处观察，显示全部。</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>从正面看</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>基座的 X 向右，Z 向上。</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>从侧面看</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>基座的 Y 向右，Z 向上。</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>从上方看</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>基座的 X 向右，Y 向上。</translation>
     </message>
     <message>
@@ -3388,8 +3388,8 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>设置 &quot;%1&quot; 的值无效。</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>设置“%1”的值无效。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3416,8 +3416,8 @@
         <translation>文件没有数值列表，或列表太长。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; 不是有效的设置名称。</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>“%1”不是有效的设置名称。</translation>
     </message>
 </context>
 <context>
@@ -3841,8 +3841,8 @@
         <translation>此范围内缺少数值：请选择没有缺口的范围。</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>内存不足。</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>内存不足：请选择较短的范围。</translation>
     </message>
 </context>
 <context>
@@ -3958,7 +3958,7 @@
         <translation>数据不再到达。检查网线；连接会自行恢复，动作不会。</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>应答不符合 RTDE 协议。请检查地址和端口。</translation>
     </message>
     <message>
@@ -4230,8 +4230,8 @@
         <translation>已达到最长按住时间；请重新按下</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>10.11 之前的 PolyScope X 不通过网络接受此类指令：请使用平板。</translation>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <translation>10.11 之前的 PolyScope X 不接受通过网络发送的这些命令：请使用示教器。</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
@@ -4270,7 +4270,7 @@
         <translation>请释放一些磁盘空间，然后重新保存或录制。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>仅监视：此窗口不更改机器人的任何状态。由设置或 --monitor-only 指定。</translation>
     </message>
     <message>
@@ -4337,20 +4337,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>当“依次通过”把机械臂带到该处后按此顺序执行，且仅在按住按键时执行。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>“运行路线”到达路点时，在按住按键期间按此顺序执行动作。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>这些路点的动作各不相同。“更改”会让它们全部使用下面的动作。</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>这些路点的动作各不相同。“应用”会将它们全部替换为下面的动作。</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>按顺序的动作</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4445,7 +4445,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1：%2
 右键或 F2 可重命名和缩放。</translation>
     </message>
@@ -4493,12 +4493,12 @@ Right click or F2 to rename and scale.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待半分钟：键盘停用。</translation>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>之后按住方向键时移动机械臂；窗口四周出现边框。</translation>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>启用后，按住方向键时移动机械臂。窗口四周出现边框。</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4686,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>地面</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>关闭时不绘制也不检查。</translation>
     </message>
     <message>
@@ -4702,8 +4702,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>安全距离</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>点动在距机械臂自身和单元此距离处停止。更接近的运动会被拒绝。</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>点动在距单元以及机械臂各部分之间达到此距离时停止。更接近的运动会被拒绝。</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4781,7 +4781,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>与机械臂模型的比较</translation>
     </message>
     <message>
@@ -4812,7 +4812,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>与机械臂模型比较</translation>
     </message>
     <message>
@@ -4820,8 +4820,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>将关节收到的指令交给仿真机械臂，并把它的表现与记录比较。仿真机械臂不受任何接触，也没有摩擦。</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
-        <translation>机械臂型号</translation>
+        <source>Arm model</source>
+        <translation>机械臂模型</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4891,8 +4891,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>将移动</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>键盘（启用时，Ctrl+J）：方向键 X 和 Y，PgUp 和 PgDn Z，加 Alt 旋转，1 至 6 加 + 和 − 关节，Home 原位，End 对齐，Backspace 返回，F 自由驱动。Ctrl 更慢，Shift 更快。Space 和 Esc 停止。</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>键盘（启用时，Ctrl+J）：方向键：X 和 Y；PgUp、PgDn：Z；加 Alt：旋转；1 至 6 加 + 和 −：关节；Home：原位；End：对齐；Backspace：返回；F：自由驱动；Ctrl：更慢；Shift：更快。Space 和 Esc 停止。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -5393,16 +5393,16 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>循环</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>依次前往各路点</translation>
+        <source>Run the route of waypoints</source>
+        <translation>运行路点的路线</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>依次前往（按住）</translation>
+        <source>Run route (hold)</source>
+        <translation>运行路线（按住）</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>依次前往，按住</translation>
+        <source>Run route, hold</source>
+        <translation>运行路线，按住</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5577,20 +5577,20 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>一个输出：开则关闭</translation>
+        <source>One output: on = closed</source>
+        <translation>一个输出：接通 = 关闭</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>两个输出：打开、关闭</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>关闭的输出</translation>
+        <source>Closing output</source>
+        <translation>关闭用输出</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>打开的输出</translation>
+        <source>Opening output</source>
+        <translation>打开用输出</translation>
     </message>
     <message>
         <source>Target opening</source>
@@ -5947,7 +5947,7 @@ Cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
     </message>
@@ -6109,7 +6109,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>对齐</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>按住时把工具转到所选坐标系最近的轴</translation>
     </message>
     <message>
@@ -6416,8 +6416,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>日志</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>显示的严重程度</translation>
+        <source>Minimum severity</source>
+        <translation>最低严重程度</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6468,8 +6468,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>打开录制</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>打开所选行的录制：事件带有录制</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>打开所选条目的录制（仅限事件）</translation>
     </message>
 </context>
 <context>
@@ -6547,11 +6547,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>工具</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1 与 %2 接触，而该运动会更接近</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1 距 %3 仅 %2，而该运动会更接近</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>通知的应答</translation>
+        <source>Action of the notice</source>
+        <translation>通知的操作</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>通知的第二个应答</translation>
+        <source>Second action of the notice</source>
+        <translation>通知的第二个操作</translation>
     </message>
 </context>
 <context>
@@ -6826,8 +6826,8 @@ Clear the search to see everything.</source>
         <translation>创建阵列</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -7246,7 +7246,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>对</translation>
     </message>
     <message>
@@ -7274,7 +7274,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>此范围内没有采样。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
@@ -7480,7 +7480,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>可见范围已导出到 %1</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>图片 (*.png)</translation>
     </message>
     <message>
@@ -7734,7 +7734,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>与机械臂模型比较…</translation>
     </message>
 </context>
@@ -7752,7 +7752,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
+        <source>Plot pages</source>
         <translation>曲线图页</translation>
     </message>
     <message>
@@ -7882,8 +7882,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>随时间的曲线图</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线，Ctrl+Delete 去除；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；N 写记录；F 全部显示；End 回到最新样本</translation>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <translation>A 和 B 放置游标，左右键移动游标，上下键选择游标读取的信号。H 隐藏其曲线，Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7944,12 +7944,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>方向按设置中的选择。Δ₀：自归零的行程。点击：自按下的行程</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>方向按设置显示。Δ₀：自归零起的位移。点击：自最后一次按键起的位移</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>方向按设置中的选择。Δ：自按下的行程。点击：此处归零</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>方向按设置显示。Δ：自最后一次按键起的位移。点击：此处归零</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8360,19 +8360,19 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>另一个窗口已关闭 %1。此窗口中的更改会重新保存。</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>另一个窗口已关闭 %1。此窗口恢复保存更改。</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1 已在另一个窗口中打开</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>由 %1 打开。在您接管项目之前，此窗口中的更改不会保存到文件。</translation>
     </message>
     <message>
@@ -8392,12 +8392,12 @@ Release the key to stop the arm.</source>
         <translation>另一个窗口或程序更改了 %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>此窗口有未保存的更改。重新加载会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>此窗口有未保存的更改。“重新加载”会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>重新加载会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>“重新加载”会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8485,8 +8485,8 @@ Release the key to stop the arm.</source>
         <translation>其他机器人型号的项目</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>保持位姿：Tiller 重新计算关节位置，工具到达相同的位姿。保持关节：机械臂保持其构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>“保持位姿”重新计算关节位置，工具到达相同的位姿。“保持关节”保持机械臂的构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8501,15 +8501,15 @@ Release the key to stop the arm.</source>
         <translation>TCP 与项目不同</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>使用机器人的 TCP 时，法兰会移动到示教位置。在您决定之前，不能移动到项目中的位置。</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>使用机器人的 TCP 时，法兰会到达示教的位姿，但 TCP 不会。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>在机器人上设置“%1”</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>保持机器人的 TCP</translation>
     </message>
     <message>
@@ -8541,7 +8541,7 @@ Release the key to stop the arm.</source>
         <translation>选择…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>尚不知道机器人的型号。请等待机器人报告。</translation>
     </message>
 </context>
@@ -8961,8 +8961,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>没有可依次前往的路点。请示教或选择。</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>路线中没有路点。请先示教或选择路点。</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -9003,7 +9003,7 @@ Release the key to stop the arm.</source>
         <translation>正面</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>从正面看：基座的 X 向右，Z 向上</translation>
     </message>
     <message>
@@ -9011,7 +9011,7 @@ Release the key to stop the arm.</source>
         <translation>侧面</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>从侧面看：基座的 Y 向右，Z 向上</translation>
     </message>
     <message>
@@ -9019,7 +9019,7 @@ Release the key to stop the arm.</source>
         <translation>顶部</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>从上方看：基座的 X 向右，Y 向上</translation>
     </message>
     <message>
@@ -9437,8 +9437,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>取旋转的位姿</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>取一个用于旋转的位姿</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9622,8 +9622,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>视图太小，无法展开</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>视图太小，无法展开此卡片</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9691,20 +9691,20 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>位置“%1”</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>依次通过</translation>
+        <source>Run route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>在数值的位置显示“依次通过”的按键。</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>显示路线的按键而不是数值。</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>数值</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>在“依次通过”的按键位置显示数值。</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>显示数值而不是路线的按键。</translation>
     </message>
 </context>
 <context>
@@ -10220,8 +10220,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>交融</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
 </context>
 <context>
@@ -10328,7 +10328,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
     </message>
     <message>
@@ -10598,8 +10598,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>试用模拟器</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>本程序内的模拟 UR5e。一切可用，不会伤到任何东西。</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>在 Tiller 中运行的模拟 UR5e。所有功能均可无风险使用。</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10634,8 +10634,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>以前连接过的机器人</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>从列表中移除所选机器人 (Delete)。机器人上不会有变化。</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>从此列表中移除所选机器人 (Delete)。机器人本身不受影响。</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止录制</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1：%2 s 内没有发生（%3）</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1：未在 %2 s 内完成（%3）</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10759,8 +10759,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文件                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>窗口中没有按键 &quot;%1&quot;</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>窗口中没有按键“%1”</translation>
     </message>
 </context>
 <context>
@@ -10876,8 +10876,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目录</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;本机上没有手册&lt;/h2&gt;&lt;p&gt;手册随 Tiller 的 Debian 软件包提供。自行编译的 Tiller 在安装了软件包 python3-sphinx 时才有手册:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。在此之前,可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
@@ -11001,8 +11001,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -11299,16 +11299,16 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人上有一个程序正在运行。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>程序“%1”已在机器人上暂停。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>程序“%1”正在机器人上运行。</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>获取控制会停止它。无法继续，只能重新启动。</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>获取控制会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
@@ -11476,7 +11476,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>无法显示视角布局“%1”：其在设置中的布局已损坏。请排列面板并重新保存。</translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation>请输入名称。</translation>
     </message>
     <message>
@@ -11774,8 +11774,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>横滚、俯仰、偏航（度）</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>旋转矢量（弧度），如脚本所写</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>旋转矢量（弧度），与脚本相同</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11810,8 +11810,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文字、按键、行、曲线图和视图，一律相同。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>从下次启动 Tiller 起生效。屏幕只容得下 %1 %，届时即为此大小。</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>下次启动 Tiller 时生效，在此屏幕上最大为 %1 %。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11850,8 +11850,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>%1 只用于停止机械臂。</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 属于 &quot;%2&quot;。请先在那里去除。</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 已分配给“%2”。请先在那里移除。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11866,8 +11866,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>重新打开窗口</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>停止机械臂、交还控制并重新连接；曲线图的显示重新开始。项目会保存。</translation>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
+        <translation>停止机械臂，交还控制并重新连接。曲线图重新开始。项目会保存。</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>

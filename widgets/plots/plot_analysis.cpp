@@ -38,7 +38,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     , kind_(new SegmentedControl({tr("Spectrum"), tr("XY")}))
     , x_(new ChoiceBox)
     , y_(new ChoiceBox)
-    , over_(new QLabel(tr("over")))
+    , over_(new QLabel(tr("vs.")))
     , title_(new QLabel)
     , canvas_(new AnalysisCanvas) {
     setObjectName(QStringLiteral("plots.analysis"));
@@ -209,8 +209,9 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     task.end = std::min(task.end, task.begin + kMostSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
-        tellWhyNot(tr(
-            "Samples are missing in this range: place the cursors A and B so that no gap is between them."));
+        tellWhyNot(
+            tr("Samples are missing in this range: place the cursors A and B so that there is no gap between "
+               "them."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /
