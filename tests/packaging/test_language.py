@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Plain English: words that the project replaces do not appear in visible texts and documents, and become no more
-frequent in comments. A spelling checker reads the same texts."""
+"""Plain English: words that the project replaces do not appear in visible texts, documents and the subjects of new
+commits, and become no more frequent in comments. A spelling checker reads the same texts."""
 import collections
 import os
 import pathlib
@@ -40,6 +40,9 @@ ALLOWED = {
     "CHANGELOG.md": {"patience"},  # the earlier name of an option
 }
 
+# Commit subjects in which a listed word is right. Commits are checked from the one after the commit that added this line.
+ALLOWED_SUBJECTS: set[str] = set()
+
 # Listed words in the code of each folder, comments and names. These limits only ever decrease.
 CODE_LIMITS = {"app": 33, "robot": 45, "widgets": 167, "tests": 981}
 
@@ -52,6 +55,27 @@ def visible_texts():
     for context in root.findall("context"):
         for message in context.findall("message"):
             yield context.findtext("name"), message.findtext("source") or ""
+
+
+def git(*arguments):
+    """Output of a git command; None if it fails, e.g. in an archive without history."""
+    if not shutil.which("git"):
+        return None
+    ran = subprocess.run(["git", "-C", str(SOURCE), *arguments], capture_output=True, text=True, check=False)
+    return ran.stdout.strip() if ran.returncode == 0 else None
+
+
+def new_subjects():
+    """Subjects of the commits since this check exists, or the reason why they cannot be determined."""
+    top = git("rev-parse", "--show-toplevel")
+    if top is None or pathlib.Path(top).resolve() != SOURCE.resolve():
+        return None, "the source folder is not a git repository, or git is not installed"
+    if git("rev-parse", "--is-shallow-repository") != "false":
+        return None, "the git repository is shallow"
+    added = git("log", "--format=%H", "-SALLOWED_SUBJECTS:", "--", "tests/packaging/test_language.py")
+    if not added:
+        return None, "the commit that added this check is not in the history"
+    return git("log", "--no-merges", "--format=%s", f"{added.splitlines()[-1]}..HEAD").splitlines(), ""
 
 
 def code_counts():
@@ -76,6 +100,18 @@ class TestLanguage(unittest.TestCase):
         found = [line for name in DOCUMENTS
                  for line in self.findings(name, (SOURCE / name).read_text(encoding="utf-8"))]
         self.assertEqual(found, [])
+
+    def test_new_commit_subjects_avoid_listed_words(self):
+        subjects, reason = new_subjects()
+        if subjects is None:
+            self.skipTest(reason)
+        found = [line for subject in subjects if subject not in ALLOWED_SUBJECTS for line in self.findings("commit", subject)]
+        self.assertEqual(found, [])
+
+    def test_number_of_exceptions_is_stated(self):
+        exceptions = sum(len(words) for words in ALLOWED.values()) + len(ALLOWED_SUBJECTS)
+        page = (SOURCE / "packaging" / "reference" / "contributing.md").read_text(encoding="utf-8")
+        self.assertIn(f"(exceptions: {exceptions})", page)
 
     def test_listed_words_in_code_become_fewer(self):
         for folder, count in code_counts().items():
