@@ -1104,7 +1104,7 @@ void MainWindow::askToTakeControl() {
     QPushButton* take = question->addButton(tr("Stop it and take control"), QMessageBox::DestructiveRole);
     take->setObjectName("takeControlQuestion.take");
     take->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep it running"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(tr("Keep the program"), QMessageBox::RejectRole);
     keep->setObjectName("takeControlQuestion.keep");
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);

@@ -5987,8 +5987,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Greifer</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Teil von E/A</translation>
+        <source>Page of I/O</source>
+        <translation>Seite von E/A</translation>
     </message>
 </context>
 <context>
@@ -7192,8 +7192,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Der Roboter sendet keine Kräfte: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Mit %1 kg misst der Arm im Stillstand %2 und %3.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Mit einer Nutzlast von %1 kg misst der Arm %2 und %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7310,7 +7310,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n Messwert, jeder %1. angezeigt</numerusform>
             <numerusform>%n Messwerte, jeder %1. angezeigt</numerusform>
@@ -10808,8 +10808,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Gerät, das den Arm bewegt</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>Ausprobieren…</translation>
+        <source>Test device…</source>
+        <translation>Gerät testen…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -11028,8 +11028,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
-        <translation>Übung: „%1“ setzen</translation>
+        <source>Practice: add “%1”</source>
+        <translation>Übung: „%1“ hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -11354,8 +11354,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Stoppen und Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Weiterlaufen lassen</translation>
+        <source>Keep the program</source>
+        <translation>Programm beibehalten</translation>
     </message>
 </context>
 <context>

@@ -5982,7 +5982,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Part of I/O</source>
+        <source>Page of I/O</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7185,7 +7185,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7303,7 +7303,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n sample, every %1th shown</numerusform>
             <numerusform>%n samples, every %1th shown</numerusform>
@@ -10793,7 +10793,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Try it out…</source>
+        <source>Test device…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11013,7 +11013,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
+        <source>Practice: add “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11339,7 +11339,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep it running</source>
+        <source>Keep the program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5987,8 +5987,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Pinza</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Parte de E/S</translation>
+        <source>Page of I/O</source>
+        <translation>Página de E/S</translation>
     </message>
 </context>
 <context>
@@ -7192,8 +7192,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>El robot no envía fuerzas: no se puede comprobar la carga útil.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Con %1 kg, el brazo mide %2 y %3 en reposo.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Con una carga útil de %1 kg, el brazo mide %2 y %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7310,7 +7310,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n muestra, se muestra 1 de cada %1</numerusform>
             <numerusform>%n muestras, se muestra 1 de cada %1</numerusform>
@@ -10808,8 +10808,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Dispositivo que mueve el brazo</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>Probarlo…</translation>
+        <source>Test device…</source>
+        <translation>Probar dispositivo…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -11028,8 +11028,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
-        <translation>Ejercicio: poner «%1»</translation>
+        <source>Practice: add “%1”</source>
+        <translation>Ejercicio: añadir «%1»</translation>
     </message>
 </context>
 <context>
@@ -11354,8 +11354,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Detenerlo y tomar el control</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Dejarlo en marcha</translation>
+        <source>Keep the program</source>
+        <translation>Mantener el programa</translation>
     </message>
 </context>
 <context>

@@ -5987,8 +5987,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pince</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Partie d’E/S</translation>
+        <source>Page of I/O</source>
+        <translation>Page d’E/S</translation>
     </message>
 </context>
 <context>
@@ -7192,8 +7192,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Le robot n’envoie pas de forces : la charge utile ne peut pas être vérifiée.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Avec %1 kg, le bras mesure %2 et %3 à l’arrêt.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Avec une charge utile de %1 kg, le bras mesure %2 et %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7310,7 +7310,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n échantillon, 1 sur %1 affiché</numerusform>
             <numerusform>%n échantillons, 1 sur %1 affiché</numerusform>
@@ -10808,8 +10808,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Périphérique qui bouge le bras</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>L’essayer…</translation>
+        <source>Test device…</source>
+        <translation>Tester l’appareil…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -11028,8 +11028,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
-        <translation>Exercice : poser « %1 »</translation>
+        <source>Practice: add “%1”</source>
+        <translation>Exercice : ajouter « %1 »</translation>
     </message>
 </context>
 <context>
@@ -11354,8 +11354,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>L’arrêter et prendre le contrôle</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Le laisser continuer</translation>
+        <source>Keep the program</source>
+        <translation>Garder le programme</translation>
     </message>
 </context>
 <context>

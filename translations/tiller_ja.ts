@@ -893,7 +893,7 @@
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>ペイロード %2 kg でアームに %1 がかかっています。ひとりでに動きます。ツールから手を離すか、ペイロードと TCP を直してください。</translation>
+        <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
 <context>
@@ -5979,8 +5979,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>グリッパー</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>I/O の部分</translation>
+        <source>Page of I/O</source>
+        <translation>I/O のページ</translation>
     </message>
 </context>
 <context>
@@ -6645,7 +6645,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>経路の記録がひとりでに終わりました：データが途絶えたか、10 分続きました。</translation>
+        <translation>経路の記録が終了しました：データが途絶えたか、10 分の上限に達しました。</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
@@ -7179,8 +7179,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>%1 kg でアームは静止時に %2 と %3 を受けています。</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>ペイロード %1 kg で、アームの測定値は %2 と %3 です。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7296,7 +7296,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%nサンプル、%1個に1個</numerusform>
         </translation>
@@ -10770,8 +10770,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>アームを動かすデバイス</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>試す…</translation>
+        <source>Test device…</source>
+        <translation>デバイスをテスト…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -10990,8 +10990,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>練習はこのプログラムのシミュレートされたロボット専用です。これは「%1」です。</translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
-        <translation>練習：「%1」を置く</translation>
+        <source>Practice: add “%1”</source>
+        <translation>練習：「%1」を追加</translation>
     </message>
 </context>
 <context>
@@ -11315,8 +11315,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止して制御を取得</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>そのまま続ける</translation>
+        <source>Keep the program</source>
+        <translation>プログラムを維持</translation>
     </message>
 </context>
 <context>

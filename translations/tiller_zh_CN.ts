@@ -5979,8 +5979,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>夹爪</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>I/O 的部分</translation>
+        <source>Page of I/O</source>
+        <translation>I/O 页面</translation>
     </message>
 </context>
 <context>
@@ -7179,8 +7179,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>机器人不发送力：无法检查其有效负载。</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>以 %1 kg 计，机械臂静止时感受到 %2 和 %3。</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>有效负载为 %1 kg 时，机械臂测得 %2 和 %3。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7296,7 +7296,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n 个采样，每 %1 个显示一个</numerusform>
         </translation>
@@ -10770,8 +10770,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>移动机械臂的设备</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>试用…</translation>
+        <source>Test device…</source>
+        <translation>测试设备…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -10990,8 +10990,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>练习仅用于本程序的模拟机器人。这是“%1”。</translation>
     </message>
     <message>
-        <source>Practice: place “%1”</source>
-        <translation>练习：放置“%1”</translation>
+        <source>Practice: add “%1”</source>
+        <translation>练习：添加“%1”</translation>
     </message>
 </context>
 <context>
@@ -11315,8 +11315,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止并获取控制</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>让它继续</translation>
+        <source>Keep the program</source>
+        <translation>保留程序</translation>
     </message>
 </context>
 <context>

@@ -377,7 +377,7 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1
                                     ? tr("%n sample(s)", nullptr, count)
-                                    : tr("%n sample(s), every %1th shown", nullptr, count).arg(task.every);
+                                    : tr("%n sample(s), 1 of %1 shown", nullptr, count).arg(task.every);
         title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
         canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
         return;
