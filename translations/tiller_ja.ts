@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>スクリプトが送られましたが、ロボットはペンダントにだけ従います。</translation>
+        <translation>スクリプトが送られましたが、ロボットはティーチペンダントからの指令だけを受け付けます。</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -570,11 +570,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>アームを見て原因を取り除き、復旧してください：ヘッダーの「復旧…」またはティーチペンダント。</translation>
+        <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>電源を入れてブレーキを解除してください。ヘッダーのボタンが案内します。</translation>
+        <translation>ヘッダーのボタンで電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -770,11 +770,11 @@
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1、ポート %2。ポップアップはタブレットで閉じます</translation>
+        <translation>Robot API %1、ポート %2。ポップアップはティーチペンダントで閉じてください</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
-        <translation>プライマリーインターフェースがアームを記述していません</translation>
+        <translation>プライマリーインターフェースからアームの情報が得られません</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -782,7 +782,7 @@
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>ロボット型式 %1 はこのプログラムより新しいものです</translation>
+        <translation>ロボット型式 %1 はこのバージョンの Tiller では未対応です</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
@@ -915,7 +915,7 @@
     </message>
     <message>
         <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>ボタンやキーがまだ押されているかを 10 ms ごとにディスプレイサーバーに尋ねます。</translation>
+        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーに問い合わせます。</translation>
     </message>
     <message>
         <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
@@ -953,7 +953,7 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各デバイスの現在の値と、動く向き。</translation>
+        <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
         <source>Zero here</source>
@@ -969,7 +969,7 @@
     </message>
     <message>
         <source>Moves by this distance, only while the key is held.</source>
-        <translation>キーを押し続けている間だけ、この量動きます。</translation>
+        <translation>キーを押している間だけ、この距離を動きます。</translation>
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
@@ -981,7 +981,7 @@
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>押し続けるとゆっくり動き、ツールがこの力に当たると終わります。</translation>
+        <translation>キーを押している間ゆっくり動き、ツールがこの力に達すると止まります。</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -989,7 +989,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>TCP の速度を尋ねます。回転と関節は比例します。</translation>
+        <translation>TCP の速度を入力します。回転と関節の速度は比例して変わります。</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -997,7 +997,7 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>ステップの長さを尋ねます。回転の角度は変わりません。</translation>
+        <translation>ステップの長さを入力します。ステップの角度は変わりません。</translation>
     </message>
     <message>
         <source>Jog angle, other…</source>
@@ -1005,7 +1005,7 @@
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>ツールや関節を回すステップの角度を尋ねます。長さは変わりません。</translation>
+        <translation>ツールと関節の回転ステップの角度を入力します。ステップの長さは変わりません。</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1013,7 +1013,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>動作を終える力を N で尋ねます。</translation>
+        <translation>動作を終える接触力を N で入力します。</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1021,7 +1021,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>フリードライブを押している間に手で動かせるもの。</translation>
+        <translation>フリードライブ中に手で動かせる軸を選択します。</translation>
     </message>
 </context>
 <context>
@@ -1260,11 +1260,11 @@
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>指令に 20 ms より長くかかります：アームがキーに遅れて従います。ゆっくりジョグしてください。</translation>
+        <translation>指令に 20 ms 以上かかっています：アームの反応がキー操作より遅れます。ゆっくりジョグしてください。</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>良好：アームはすぐキーに従い、切れた接続は 1/4 秒以内にアームを止めます。</translation>
+        <translation>良好：アームはキーにすぐ反応し、接続が切れると 250 ms 以内に停止します。</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>「遅れ」は時刻より半周期以上遅く届いたパケットです。</translation>
+        <translation>予定より半周期以上遅く届いたパケットを「遅れ」と数えます。</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>ブレーキに逆らって手でアームを動かしています。フリードライブボタンを離してください。</translation>
+        <translation>ブレーキを解除した状態で、アームを手で動かしています。フリードライブボタンを離してください。</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1535,7 +1535,7 @@
     </message>
     <message>
         <source>The controller does not report its safety mode. Check the teach pendant.</source>
-        <translation>コントローラーが安全モードを伝えません。ティーチペンダントを見てください。</translation>
+        <translation>コントローラーが安全モードを報告しません。ティーチペンダントを確認してください。</translation>
     </message>
     <message>
         <source>Automatic safeguard stop</source>
@@ -1615,7 +1615,7 @@
     </message>
     <message>
         <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>プログラムが安全インターフェースでアームを止めています。そのプログラムで停止を終えてください。</translation>
+        <translation>プログラムが安全インターフェースを通じてアームを停止しています。そのプログラムで停止を解除してください。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1631,7 +1631,7 @@
     </message>
     <message>
         <source>The program on the robot is ending.</source>
-        <translation>ロボットのプログラムが終わるところです。</translation>
+        <translation>ロボットのプログラムを終了しています。</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>プログラムが続きます：アームが動くことがあります。</translation>
+        <translation>プログラムを再開しています：アームが動くことがあります。</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1753,7 +1753,7 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>記録を終えます。ファイルは完全です。</translation>
+        <translation>記録を停止し、ファイルを完成させます。</translation>
     </message>
     <message>
         <source>No recording is running.</source>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>グラフを止めます。データと記録は続きます。もう一度で最新のサンプルに戻ります。</translation>
+        <translation>グラフを止めます。データと記録は続きます。もう一度押すと最新のサンプルに戻ります。</translation>
     </message>
     <message>
         <source>Export the plots…</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>フォーカスのある I/O タブの行。</translation>
+        <translation>I/O タブでフォーカスのある行が対象です。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>フォーカスのある I/O タブの出力：オン、またはオフに戻します。</translation>
+        <translation>I/O タブでフォーカスのある出力をオンまたはオフにします。</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
@@ -1813,7 +1813,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>フォーカスのある I/O タブの出力：0.5 秒オン、その後オフ。</translation>
+        <translation>I/O タブでフォーカスのある出力を 0.5 秒オンにし、その後オフにします。</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1861,7 +1861,7 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
+        <translation>全信号の一覧を開きます。ドラッグ、ダブルクリック、または Return でグラフに追加します。</translation>
     </message>
     <message>
         <source>New plot page</source>
@@ -1869,7 +1869,7 @@
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>他の後に空のページ。全ページが同じ時間を表示します。</translation>
+        <translation>空のページを最後に追加します。全ページの時間軸は共通です。</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1877,7 +1877,7 @@
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>メモリーにあるすべてを、各グラフに最適な目盛りで。</translation>
+        <translation>メモリーにある全データを表示し、各グラフの目盛りを自動調整します。</translation>
     </message>
 </context>
 <context>
@@ -2007,11 +2007,11 @@
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>「%1」は %2 動き、あるべき位置から %3 離れています。</translation>
+        <translation>「%1」は %2 動き、期待される位置から %3 離れています。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>「%1」は位置に合っていますが、ツールが回っています。</translation>
+        <translation>「%1」は期待される位置にありますが、ツールの向きが変わりました。</translation>
     </message>
     <message>
         <source>“%1” matches the part again.</source>
@@ -2019,7 +2019,7 @@
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>「%1」は位置に合っていますが、アームがそこにありません。アームを部品に当てて修正教示してください。</translation>
+        <translation>「%1」は期待される位置にありますが、アームは違います。アームを部品の位置に動かして修正教示してください。</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
@@ -2031,11 +2031,11 @@
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>限界に達しました。戻ってください：%2 のうち %1。</translation>
+        <translation>限界に達しました。ジョグで戻ってください：%2 のうち %1。</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>見つけて、抜け出しました。</translation>
+        <translation>限界に達し、そこから抜け出しました。</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2055,7 +2055,7 @@
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 は記録された値ではありません。曲線 Fz を見てください。</translation>
+        <translation>%1 は記録と一致しません。Fz の曲線を見てください。</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
@@ -2087,15 +2087,15 @@
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>座標系タブで 3 点から座標系を教示してください。X はベースの Y+ に沿い、Z は上向き：原点、次に Y+ に沿った点、次に X− に沿った点を取ります。</translation>
+        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を取ります。</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>開始するとアームの位置にウェイポイント「部品」を置きます。その後、部品はベースの X+ に %1 動きました。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
+        <translation>開始すると、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>ベースから外側へ、限界でアームが半分の速度になるまでジョグしてください。パッドの下の行に名前と抜け方が出ます。その後 %1 戻ってください。</translation>
+        <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
         <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
@@ -2863,7 +2863,7 @@
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>ロボットのデータが遅れています。戻るのを待っています。</translation>
+        <translation>ロボットのデータが遅れています。新しいデータを待っています。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2878,7 +2878,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>ファイル名は点で始まらない名前が必要です。</translation>
+        <translation>ファイル名は空にできず、ピリオドで始めることもできません。</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2897,7 +2897,7 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>アームを動かせます。停止前に準備したものは動きません：動作ごとに新しく押す必要があります。</translation>
+        <translation>アームを動かせます。停止前の動作は再開しません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2921,7 +2921,7 @@
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
-        <translation>止めた原因が分かり、取り除いた。</translation>
+        <translation>停止の原因が分かり、取り除いた。</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
@@ -2933,7 +2933,7 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>アームとロボットのログを見た：原因が分かっている。</translation>
+        <translation>アームとロボットのログを確認した：原因が分かっている。</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
@@ -3066,7 +3066,7 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>ブレーキをかけ、アームの電源を切ります。プログラムは止まります。</translation>
+        <translation>プログラムを停止し、ブレーキをかけ、アームの電源を切ります。</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
@@ -3122,7 +3122,7 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>動いているものすべてのソフトウェア停止。非常停止ではありません。</translation>
+        <translation>すべての動作のソフトウェア停止。非常停止ではありません。</translation>
     </message>
     <message>
         <source>Load program…</source>
@@ -3134,7 +3134,7 @@
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
-        <translation>読み込んだプログラムを開始、または一時停止から続けます：アームがすぐ動くことがあります。</translation>
+        <translation>読み込んだプログラムを開始、または一時停止中のプログラムを再開します：アームがすぐに動くことがあります。</translation>
     </message>
     <message>
         <source>Pauses the running program.</source>
@@ -3279,11 +3279,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP とペイロードはアームの静止中に設定します。静止させてください。</translation>
+        <translation>TCP とペイロードは静止中にのみ設定できます。アームが止まるまで待ってください。</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -3361,7 +3361,7 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>今見ている向きのまま、アーム、目標、ウェイポイントを収めます。</translation>
+        <translation>視線方向を変えずに、アーム、目標、ウェイポイントを画面に収めます。</translation>
     </message>
 </context>
 <context>
@@ -3405,7 +3405,7 @@
     </message>
     <message>
         <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>ファイルはより新しい Tiller が書いたものです。Tiller を更新してから取り込んでください。</translation>
+        <translation>このファイルは新しい Tiller で作成されました。Tiller を更新してから取り込んでください。</translation>
     </message>
     <message>
         <source>The file does not state its version.</source>
@@ -3951,11 +3951,11 @@
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>ロボットが応答しません。ケーブルと、アドレスがロボット自身のものか確認してください。</translation>
+        <translation>ロボットが応答しません。ケーブルとアドレスを確認してください。</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>データが届かなくなりました。ケーブルを確認してください。接続は自動で戻りますが、動作は戻りません。</translation>
+        <translation>データが届かなくなりました。ケーブルを確認してください。自動で再接続します。動作は再開しません。</translation>
     </message>
     <message>
         <source>The response violates the RTDE protocol. Check address and port.</source>
@@ -3999,7 +3999,7 @@
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>ロボットは送られたプログラムを実行できませんでした。ロボットの言葉はログにあります。</translation>
+        <translation>ロボットはプログラムを実行できませんでした。コントローラーのメッセージはログにあります。</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
@@ -4223,7 +4223,7 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>押し続けている印がない</translation>
+        <translation>キーが押されていることを確認できない</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4235,7 +4235,7 @@
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X にはネットワークでポップアップを閉じる指令がありません：タブレットを使ってください。</translation>
+        <translation>PolyScope X ではポップアップをネットワーク経由で閉じられません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
@@ -4414,7 +4414,7 @@
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>その後は終わり、それを知らせます。0: キーを押し続けている間、最大1時間</translation>
+        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：キーを押している間、最大 1 時間待ちます</translation>
     </message>
 </context>
 <context>
@@ -4900,7 +4900,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+        <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4919,7 +4919,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <name>tiller::FigureBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>「%1」は採用されませんでした：%2〜%3。何も変わっていません。</translation>
+        <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
     </message>
 </context>
 <context>
@@ -4965,7 +4965,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>一覧は自動では戻りません。コマンド「最初のステップ」で戻せます。</translation>
+        <translation>一覧は自動では再表示されません。コマンド「最初のステップ」で表示できます。</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4984,7 +4984,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>ベースで。Return で適用します。動くのは座標系だけです。</translation>
+        <translation>ベース座標系での値。Return で適用します。変わるのは座標系だけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5104,7 +5104,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>「%1」はどのロボットにもある座標系です。別の名前を選んでください。</translation>
+        <translation>「%1」は組み込みの座標系です。別の名前を選んでください。</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
@@ -5430,7 +5430,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>巡るウェイポイント、一覧の順</translation>
+        <translation>ルートのウェイポイントを一覧の順に選択します</translation>
     </message>
     <message>
         <source>From here</source>
@@ -5446,11 +5446,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>押している限り、最後の次は再び最初のウェイポイントです</translation>
+        <translation>キーを押している間、最後のウェイポイントの後に最初から繰り返します</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5642,7 +5642,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>指の開き、0〜%1。「動かす」で送ります。</translation>
+        <translation>指の目標開度、0〜%1。「動かす」で動作を開始します。</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
@@ -5678,7 +5678,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>手首にあるものを選んでください。このロボットとともに記憶します。</translation>
+        <translation>取り付けたグリッパーを選んでください。選択はこのロボット用に保存されます。</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5726,7 +5726,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>このポートオフセットではグリッパーに届きません。</translation>
+        <translation>このポートオフセットではグリッパーに接続できません。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5746,7 +5746,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
-        <translation>指が一度開閉し、つかんだものは落ちます。指を入れないでください。</translation>
+        <translation>グリッパーの指が一度開閉し、つかんだ物体は落ちます。手の指を近づけないでください。</translation>
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
@@ -5754,7 +5754,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
-        <translation>グリッパーを閉じます。指を入れないでください。</translation>
+        <translation>グリッパーを閉じます。指を近づけないでください。</translation>
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
@@ -5825,7 +5825,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>動作中にデータが途切れました：どう止まったかは不明です。</translation>
+        <translation>アームの動作中にデータが途切れました：停止を測定できませんでした。</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5833,7 +5833,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>停止から静止まで、実測。原因：%1</translation>
+        <translation>停止指令から静止までの実測値。原因：%1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5883,7 +5883,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>ディスプレイサーバーが応答しません：キーを離した時が分かりません。</translation>
+        <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
     </message>
 </context>
 <context>
@@ -5914,7 +5914,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>%1 s 前からのすべてが %2 にあります。この行をダブルクリックで開きます。</translation>
+        <translation>記録 %2 は停止の %1 s 前から始まります。この項目をダブルクリックすると開きます。</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6023,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>先に Tab キーで I/O タブの行に移ってください。</translation>
+        <translation>先に Tab キーで I/O タブの行を選択してください。</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -6047,7 +6047,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>これは再生です。まずライブに戻ってください。</translation>
+        <translation>再生中です：先にライブデータに戻ってください。</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6247,7 +6247,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>押している間、ツールが %1 N で何かに触れるまでゆっくり。もう一度クリックで他のステップ</translation>
+        <translation>押している間、接触力が %1 N に達するまでゆっくり動きます。もう一度クリックで他のステップ</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
@@ -6480,7 +6480,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>直線は経路の %1 で手首の特異点に入ります</translation>
+        <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
@@ -6488,23 +6488,23 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>直線は経路の %1 で肘が伸び切ります</translation>
+        <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>経路の %1 で肘が伸び切る近くのため低速</translation>
+        <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>直線は経路の %1 でベースの軸に入ります</translation>
+        <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>経路の %1 でベースの軸近くのため低速</translation>
+        <translation>経路の %1 で肩の特異点近くのため低速</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>経路の %1 で関節が一度に回る必要があります</translation>
+        <translation>経路の %1 で関節の急な変化が必要です</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
@@ -6665,11 +6665,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>記録を終え、経路をウェイポイントとして残します</translation>
+        <translation>記録を停止し、経路をウェイポイントとして保存します</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>もう一度押すまで、フリードライブやジョグでアームが導かれた道を記録し、ウェイポイントとして残します。何も動かしません。</translation>
+        <translation>もう一度押すまで、フリードライブやジョグでのアームの経路を記録し、ウェイポイントとして保存します。ロボットは動きません。</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6734,7 +6734,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>「%1」：%2 s を %3 個のウェイポイントに。記録した位置はすべて %4 と %5 以内です。</translation>
+        <translation>「%1」：%2 s、ウェイポイント %3 個。記録からの最大偏差：%4 と %5。</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
@@ -6807,7 +6807,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>層から次の層へ、ツールの向きと逆に。</translation>
+        <translation>層の間の距離。ツールの方向と逆向きです。</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6855,7 +6855,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 か所はパターンの上限 %2 を超えます。</translation>
+        <translation>パターンのセルは %1 個です。上限は %2 個です。</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
@@ -6933,7 +6933,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
@@ -6961,7 +6961,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg：軽すぎてセンサーが重心を示せません。数値で入力してください。</translation>
+        <translation>%1 kg：軽すぎて重心を測定できません。手動で入力してください。</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
@@ -7084,7 +7084,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+        <translation>Return でプロジェクトに適用します。ロボットのペイロードは変わりません。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -7160,7 +7160,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -7192,15 +7192,15 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>伝えられた値より約 %1 kg 重いです。</translation>
+        <translation>負荷は設定されたペイロードより約 %1 kg 重いです。</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>伝えられた値より約 %1 kg 軽いです。</translation>
+        <translation>負荷は設定されたペイロードより約 %1 kg 軽いです。</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>重心が別の所にあるか、何かがツールに触れています。</translation>
+        <translation>重心が異なるか、何かがツールに触れています。</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
@@ -7318,7 +7318,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>アームのモデルとは比較していません：どのアームの記録か分かりません。</translation>
+        <translation>アームのモデルとは比較していません：記録にロボットの機種の情報がありません。</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
@@ -7405,7 +7405,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>ロボットが送るものを CSV ファイルに記録。隣のキーが内容と場所を示します</translation>
+        <translation>ロボットのデータを CSV ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7449,7 +7449,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>力を今の値から数えます。グラフの表示だけです：ロボット、記録、エクスポートの値は測定どおりです。</translation>
+        <translation>グラフの力から現在の値を差し引きます。ロボット、記録、エクスポートの値は変わりません。</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -7657,7 +7657,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>ロボットが伝えるすべて：グラフへドラッグ、端へなら独立したグラフ、またはダブルクリック</translation>
+        <translation>ロボットの全信号：グラフへドラッグするか、グラフの端へドラッグして新しいグラフを作るか、ダブルクリックします</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7717,7 +7717,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>ロボットが送るものをMCAPファイルに記録します。隣のキーで内容と場所を選べます</translation>
+        <translation>ロボットのデータを MCAP ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7832,7 +7832,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
+        <translation>グラフをクリックして A、次に B を置きます。その間の統計がここに表示されます。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -7994,7 +7994,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1。Return で適用します。動くのは位置だけです。</translation>
+        <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
@@ -8118,7 +8118,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>ホームキーは通常のホームへ動きます：直立し、自身に触れません。</translation>
+        <translation>ホームキーは標準のホーム位置へ動かします：アームは直立し、自己衝突しません。</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
@@ -8141,7 +8141,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>アームは停止中です。先に復旧してください。</translation>
+        <translation>アームは安全システムにより停止しています。先に復旧してください。</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
@@ -8200,7 +8200,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>上の確認が認めると可能になります</translation>
+        <translation>上の確認に合格すると使えます</translation>
     </message>
 </context>
 <context>
@@ -8231,7 +8231,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>それでも接続すると、ある限りのデータを表示します。上の赤い項目は制御の取得を妨げたり、動作を途中で終えることがあります。</translation>
+        <translation>それでも接続すると、利用できるデータを表示します。上の赤い項目により、制御を取得できないことや、動作が停止することがあります。</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -8327,7 +8327,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
-        <translation>「%1」の写しを開きました。変更を残すにはファイルに保存してください。</translation>
+        <translation>「%1」のコピーを開きました。変更を残すにはファイルに保存してください。</translation>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
@@ -8915,11 +8915,11 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>グリッパーを有効化中です：頼んだことはその後に行われます。</translation>
+        <translation>グリッパーを有効化中です。指令はその後に実行されます。</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
-        <translation>有効になる前にグリッパーが動かされました。「有効化」を押してください。</translation>
+        <translation>グリッパーは有効になる前に動作指令を受けました。「有効化」を押してください。</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
@@ -8927,7 +8927,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>グリッパーに 1 秒間何も届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
+        <translation>グリッパーに 1 秒間指令が届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
@@ -8970,7 +8970,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
-        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
+        <translation>ルートのウェイポイントがプロジェクトから削除されました。</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
@@ -8978,7 +8978,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>ウェイポイントが1つだけの繰り返しではどこにも進みません。ウェイポイントを増やすか、繰り返しなしで進めてください。</translation>
+        <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
     </message>
 </context>
 <context>
@@ -9166,7 +9166,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>このロボットはシミュレーションです。動くのは画素だけです。</translation>
+        <translation>このロボットはシミュレーションです。実際のロボットは動きません。</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9291,7 +9291,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>フランジから。Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+        <translation>フランジに対する値。Return でプロジェクトに適用します。ロボットの TCP は変わりません。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9379,7 +9379,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -9496,7 +9496,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>今の位置でツールを取ります。以後回してはいけません：X、Y、Z だけジョグしてください。</translation>
+        <translation>現在の位置で姿勢を取ります。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
@@ -9508,11 +9508,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>回転を取りました：+Z に %1、横に %2。その間フランジは %3 回り、姿勢 %4 で最大。</translation>
+        <translation>回転を取りました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>フランジが途中で %1 回り、姿勢 %2 で最大でした。ツールを回さずに三つを取り直してください。</translation>
+        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を取り直してください。</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
@@ -9638,7 +9638,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>ウェイポイントの座標系で。Return で適用します。動くのはウェイポイントだけです。</translation>
+        <translation>ウェイポイントの座標系での値。Return で適用します。変わるのはウェイポイントだけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -9654,7 +9654,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>与えられ、一緒に動く座標系。位置はそのままです。—：関節が優先</translation>
+        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。—：関節位置が優先</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9743,7 +9743,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>パターン「%1」を解消</translation>
+        <translation>パターン「%1」をウェイポイントに変換</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
@@ -9759,7 +9759,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>当時与えられていた座標系がプロジェクトにもうありません。</translation>
+        <translation>以前の版の座標系はプロジェクトから削除されています。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -9883,7 +9883,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>これより前に戻す</translation>
+        <translation>この変更前の版に戻す</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9959,7 +9959,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>それ以前は今と同じでした。</translation>
+        <translation>この変更前の版は現在の版と同じです。</translation>
     </message>
     <message>
         <source>Before this change:</source>
@@ -9994,7 +9994,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>ここからの直線がアームの到達範囲を出ます。MoveJ を使うか、別の場所から始めてください。</translation>
+        <translation>現在位置からの直線がアームの到達範囲を出ます。MoveJ を使うか、別の位置から始めてください。</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
@@ -10074,7 +10074,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>アームはそこへ行けません。「%1」はそのままです。</translation>
+        <translation>アームはこの姿勢に到達できません。「%1」は変更されていません。</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -10179,7 +10179,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>印を付けたものだけ変更します。</translation>
+        <translation>選択した属性だけを変更します。</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -10315,7 +10315,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>アームが届きません：%1。何も動かしません。</translation>
+        <translation>アームは次の姿勢に到達できません：%1。何も移動しません。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -10389,7 +10389,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
@@ -10397,7 +10397,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>選んだ位置をアームの現在位置で置き換え (U)</translation>
+        <translation>選択したウェイポイントを現在位置で置き換え (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -10591,7 +10591,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>ロボットなしでファイルのウェイポイント：動かす以外はすべてできます。</translation>
+        <translation>ロボットなしでファイルのウェイポイントを開きます：動作以外はすべて使えます。</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10642,7 +10642,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <name>tiller::app::Demonstration</name>
     <message>
         <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>フォルダー %1 を作る：書き込める場所を選んでください</translation>
+        <translation>フォルダー %1 の作成：書き込み権限のあるフォルダーを選んでください</translation>
     </message>
     <message>
         <source>connect</source>
@@ -10775,7 +10775,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各デバイスの現在の値と、動く向き。</translation>
+        <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10799,7 +10799,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>ここまではスティックを倒しても何も動きません。</translation>
+        <translation>これ以下の傾きではアームは動きません。</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10835,11 +10835,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+        <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>デッドマンを押している間だけです。記憶されません：起動後はどのデバイスもアームを動かしません。</translation>
+        <translation>デッドマンを押している間だけアームを動かします。保存されません：再起動後はどのデバイスもアームを動かしません。</translation>
     </message>
 </context>
 <context>
@@ -10940,11 +10940,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>印の付いたものは %1 の内容で置き換えられます：</translation>
+        <translation>選択した設定は %1 の内容で置き換えられます：</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>印の付いたものは %1（Tiller %2 が作成）の内容で置き換えられます：</translation>
+        <translation>選択した設定は %1（Tiller %2 で作成）の内容で置き換えられます：</translation>
     </message>
     <message>
         <source>%1: identical</source>
@@ -10960,11 +10960,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>置き換えられるものは別のファイルに残り、再び取り込めます。</translation>
+        <translation>置き換えられる設定は別のファイルに保存され、再び取り込めます。</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>ファイルにはここにないものがありません。</translation>
+        <translation>ファイルの設定はすべて現在の設定と同じです。</translation>
     </message>
 </context>
 <context>
@@ -10975,7 +10975,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>ビュー内の一覧：電源オンから記録まで。</translation>
+        <translation>ビューに電源オンから記録までのチェックリストを表示します。</translation>
     </message>
     <message>
         <source>Practice tasks</source>
@@ -10983,11 +10983,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>シミュレートされたロボットでの五つの課題、それぞれ確認付き。</translation>
+        <translation>シミュレートされたロボットでの五つの課題。それぞれに確認があります。</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>練習はこのプログラムのシミュレートされたロボット専用です。これは「%1」です。</translation>
+        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>
@@ -11042,7 +11042,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 がアームを動かしている間に黙ったため、止めました。離してください。黙ったままなら差し直してください。</translation>
+        <translation>%1 はアームを動かしている間にデータを送らなくなりました。アームを停止しました。デバイスから手を離してください。繰り返す場合は接続し直してください。</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -11066,7 +11066,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>三つのプロジェクトのうち一つの写しをシミュレートされたロボットで試します。</translation>
+        <translation>シミュレートされたロボットで試せる三つのプロジェクトの一つをコピーとして開きます。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11102,7 +11102,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>I/O のグリッパーのページを手前に出します。</translation>
+        <translation>I/O タブのグリッパーのページを表示します。</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -11122,7 +11122,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>色をすぐに変えて記憶します。</translation>
+        <translation>配色をすぐに変更し、次回の起動時にも使います。</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11130,7 +11130,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>TCP の力を今の値から数えます。もう一度でロボットの測定どおり。</translation>
+        <translation>グラフの TCP の力から現在の値を差し引きます。もう一度押すと測定値を表示します。</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -11154,7 +11154,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして。</translation>
+        <translation>すべての設定を一つのファイルに保存します。別のコンピューター用、またはバックアップ用です。</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11162,7 +11162,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します。</translation>
+        <translation>置き換えられる内容を表示してから、ファイルの設定を取り込みます。</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11214,7 +11214,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>タブレットに表示されるロボットのプログラム名</translation>
+        <translation>ティーチペンダントに表示されるロボットのプログラム名</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
@@ -11226,7 +11226,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
+        <translation>記録中です。先に停止してください。</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -11239,7 +11239,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>セルの%n個の箱または平面はシミュレートされたロボットに伝わっていません。これ以上入りません。</numerusform>
+            <numerusform>セルの%n個の箱または平面は、シミュレートされたロボットの上限を超えるため無視されます。</numerusform>
         </translation>
     </message>
     <message>
@@ -11264,7 +11264,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>フォーカスのある部分のマニュアルのページ、全コマンドとキー、ジョグの決まり。</translation>
+        <translation>フォーカスのある部分のマニュアルのページ、コマンドとショートカットの一覧、ジョグの規則を開きます。</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -11354,11 +11354,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>今のパネルの配置を現在のパースペクティブに。</translation>
+        <translation>現在のパネル配置を現在のパースペクティブに保存します。</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>このパースペクティブは組み込みです。自分の名前で保存してください。</translation>
+        <translation>このパースペクティブは組み込みです。別の名前で保存してください。</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -11366,7 +11366,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>今のパネルの配置を自分の名前で。</translation>
+        <translation>現在のパネル配置を新しい名前で保存します。</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -11386,7 +11386,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>このパースペクティブは組み込みで、名前は変わりません。</translation>
+        <translation>このパースペクティブは組み込みのため、名前を変更できません。</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -11394,11 +11394,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>現在のパースペクティブを忘れます。パネルはそのままです。</translation>
+        <translation>現在のパースペクティブを削除します。パネル配置は変わりません。</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>このパースペクティブは組み込みで、残ります。</translation>
+        <translation>このパースペクティブは組み込みのため、削除できません。</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -11594,7 +11594,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>空きがこれより少なくなる前に、記録は正しく終わり、完全に残ります。</translation>
+        <translation>空き容量がこの値を下回る前に、記録を停止してファイルを完成させます。</translation>
     </message>
     <message>
         <source>Format</source>
@@ -11641,7 +11641,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>助けてくれる人に必要な情報をまとめた1つのファイルです。含まれるものはすべて下に表示されます。選んだ場所に保存され、Tillerがどこかへ送ることはありません。</translation>
+        <translation>サポートに必要な情報をまとめた一つのファイルです。内容はすべて下に表示されます。選んだ場所に保存され、Tiller が送信することはありません。</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -11664,7 +11664,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで通せます。写しで作業します：保存時に自分のファイルを尋ねます。</translation>
+        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存時に新しいファイルを指定します。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11707,7 +11707,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして</translation>
+        <translation>すべての設定を一つのファイルに保存（別のコンピューター用、またはバックアップ用）</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11715,7 +11715,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します</translation>
+        <translation>置き換えられる内容を表示してから、ファイルの設定を取り込む</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11799,7 +11799,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>長さ、TCP の速度、姿勢の表示と入力の方法。グラフとファイルはメートル、ミリメートル、度のままです。</translation>
+        <translation>長さ、TCP の速度、姿勢の表示と入力の単位です。グラフとファイルでは常にメートル、ミリメートル、度を使います。</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11807,7 +11807,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>文字、キー、行、グラフ、ビュー、すべて同じ割合。</translation>
+        <translation>文字、操作部品、グラフ、ビューを拡大縮小します。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
@@ -11819,11 +11819,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も効きません。ヘッダーに示され、プログラム終了で終わります。</translation>
+        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も働きません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>このプログラムの動作は TCP でも肘でもこれを超えません。すぐに有効になり、動いているものを止めます。</translation>
+        <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -11847,7 +11847,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 はアームを止めるだけのキーです。</translation>
+        <translation>%1 はアームの停止用に予約されています。</translation>
     </message>
     <message>
         <source>%1 is assigned to “%2”. Remove it there first.</source>
@@ -11871,7 +11871,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>ウィンドウと確認の言語です。ファイルとスクリプトはどの言語でも同じです。</translation>
+        <translation>ウィンドウと接続チェックの言語です。ファイルとスクリプトには影響しません。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
