@@ -953,7 +953,7 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+        <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
         <source>Zero here</source>
@@ -9124,7 +9124,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 kommt nicht in denselben Paketen wie die anderen.</translation>
+        <translation>%1 ist nicht in denselben RTDE-Paketen wie die anderen Signale.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9132,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>Diese Signale sind mehr, als ein Roboter auf einmal sendet: Nehmen Sie zuerst andere weg.</translation>
+        <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9148,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
+        <translation>Der Verlaufsspeicher ist zu klein, um %1 zu zeigen: Vergrößern Sie ihn im Menü Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 konnte nicht bis zum Ende berechnet werden: %2</translation>
+        <translation>%1 konnte nicht vollständig berechnet werden: %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9175,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Ein Name, wenn gewünscht eine Einheit in Klammern, und ein Ausdruck über Signale: Ziehen Sie sie hierher für ihre Namen. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und die üblichen Funktionen. Eingabetaste legt es an.</translation>
+        <translation>Geben Sie einen Namen, optional eine Einheit in Klammern und einen Ausdruck mit Signalen ein. Ziehen Sie Signale hierher, um ihre Namen einzufügen. Funktionen: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und Standardfunktionen. Enter erstellt das Signal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9190,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Dieser Roboter ist simuliert. Nur Pixel bewegen sich.</translation>
+        <translation>Dieser Roboter ist simuliert. Kein echter Roboter bewegt sich.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9216,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Aufzeichnung, Sitzung und letzte Meldung</translation>
+        <translation>Aufzeichnung, Projekt und letzte Meldung</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9247,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Software-Stopp. Kein Not-Halt. Der Strom bleibt an.</translation>
+        <translation>Software-Stopp. Kein Not-Halt. Die Stromversorgung bleibt an.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9293,7 +9293,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon ein anderer TCP. Wählen Sie einen anderen Namen.</translation>
+        <translation>Ein anderer TCP heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9306,8 +9306,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
-        <translation>Noch kein TCP.
-Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um ihn mit dem Arm zu finden.</translation>
+        <translation>Noch keine TCPs.
+Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen…“, um einen mit dem Arm zu teachen.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9315,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Vom Flansch. Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+        <translation>Relativ zum Flansch. Mit Enter in das Projekt übernehmen. Der TCP des Roboters ändert sich nicht.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9383,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>„%1“ ist der TCP, den der Roboter hat.</translation>
+        <translation>„%1“ ist der aktive TCP des Roboters.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9427,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>Am Roboter: %1. Im Projekt: %2. Sie liegen %3 auseinander. Nichts wurde geändert.</translation>
+        <translation>Am Roboter: %1. Im Projekt: %2. Abstand: %3. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9486,34 +9486,34 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 passt am wenigsten, um %4.</translation>
+        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, um 30° oder mehr auf eine andere Seite geneigt.</translation>
+        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die Posen erneut.</translation>
+        <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die Posen erneut.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Insgesamt viermal: die Spitze am selben Punkt, das Werkzeug jedes Mal auf eine andere Seite geneigt.</translation>
+        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
-            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>Das Werkzeug behält die Drehung, die es jetzt hat.</translation>
+        <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und sein X entlang X der Basis liegt; nehmen Sie es.</translation>
+        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9521,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Nehmen Sie das Werkzeug, wie es jetzt steht. Von hier an darf es sich nicht drehen: Verfahren Sie nur X, Y und Z.</translation>
+        <translation>Nehmen Sie die Pose an der aktuellen Position. Drehen Sie das Werkzeug ab jetzt nicht: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Bewegen Sie das Werkzeug entlang seines eigenen +Z, vom Flansch weg, mindestens %1, und nehmen Sie es.</translation>
+        <translation>Bewegen Sie das Werkzeug entlang seiner +Z-Richtung um mindestens %1 vom Flansch weg und nehmen Sie die Pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Nun auf die Seite seines +X, mindestens %1, und nehmen Sie es.</translation>
+        <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Drehung genommen: %1 entlang +Z, %2 daneben; der Flansch drehte sich dabei um %3, am meisten bei Pose %4.</translation>
+        <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
@@ -9783,7 +9783,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Select a waypoint to see its history.</source>
-        <translation>Wählen Sie einen Wegpunkt, um seine Geschichte zu sehen.</translation>
+        <translation>Wählen Sie einen Wegpunkt, um seinen Verlauf zu sehen.</translation>
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
@@ -9900,7 +9900,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <name>tiller::WaypointHistoryDialog</name>
     <message>
         <source>History of “%1”</source>
-        <translation>Geschichte von „%1“</translation>
+        <translation>Verlauf von „%1“</translation>
     </message>
     <message>
         <source>Changes, newest first</source>
@@ -10527,7 +10527,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>History…</source>
-        <translation>Geschichte…</translation>
+        <translation>Verlauf…</translation>
     </message>
     <message>
         <source>Pattern…</source>
@@ -10813,7 +10813,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+        <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
         <source>Moves the arm</source>

@@ -9124,7 +9124,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 no llega en los mismos paquetes que las demás.</translation>
+        <translation>%1 no está en los mismos paquetes RTDE que las demás señales.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9132,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>Son más señales de las que un robot envía a la vez: quite otras primero.</translation>
+        <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9148,11 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
+        <translation>La memoria del historial es demasiado pequeña para mostrar %1: auméntela en el menú Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>No se pudo calcular %1 hasta el final: %2</translation>
+        <translation>No se pudo calcular %1 por completo: %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9175,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Un nombre, una unidad entre corchetes si quiere, y una expresión sobre señales: arrástrelas aquí para sus nombres. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y las funciones usuales. Intro la crea.</translation>
+        <translation>Introduzca un nombre, una unidad opcional entre corchetes y una expresión de señales. Arrastre señales aquí para insertar sus nombres. Funciones: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y funciones estándar. Intro crea la señal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9190,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Este robot es simulado. Solo se mueven píxeles.</translation>
+        <translation>Este robot es simulado. Ningún robot real se mueve.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9216,7 @@ Suelte la tecla para detener el brazo.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Grabación, sesión y último mensaje</translation>
+        <translation>Grabación, proyecto y último mensaje</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9247,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Parada por software. No es una parada de emergencia. La corriente sigue.</translation>
+        <translation>Parada por software. No es una parada de emergencia. La alimentación sigue activa.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9307,7 +9307,7 @@ Suelte la tecla para detener el brazo.</translation>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Aún no hay TCP.
-Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el brazo.</translation>
+Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar uno con el brazo.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9315,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Desde la brida. Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+        <translation>Relativo a la brida. Intro lo aplica al proyecto. El TCP del robot no cambia.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9383,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>«%1» es el TCP que tiene el robot.</translation>
+        <translation>«%1» es el TCP activo del robot.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9427,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>En el robot: %1. En el proyecto: %2. Están a %3. No se cambió nada.</translation>
+        <translation>En el robot: %1. En el proyecto: %2. Distancia: %3. No se cambió nada.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9486,34 +9486,34 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Punta en %1. Las poses coinciden en %2 (rms); la pose %3 es la que menos encaja, por %4.</translation>
+        <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, inclinada 30° o más a otro lado.</translation>
+        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>El robot no envió un lugar válido. Tome las poses de nuevo.</translation>
+        <translation>El robot envió una posición no válida. Tome las poses de nuevo.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. En total cuatro veces: la punta en el mismo punto, la herramienta inclinada cada vez a otro lado.</translation>
+        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
-            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>La herramienta conserva la rotación que tiene ahora.</translation>
+        <translation>La herramienta conserva su rotación actual.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su X vaya por la X de la base; tómela.</translation>
+        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9521,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Tome la herramienta como está ahora. Desde aquí no debe girar: mueva solo X, Y y Z.</translation>
+        <translation>Tome la pose en la posición actual. No gire la herramienta a partir de aquí: mueva solo X, Y y Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Mueva la herramienta por su propio +Z, alejándose de la brida, al menos %1, y tómela.</translation>
+        <translation>Mueva la herramienta en su dirección +Z, alejándola de la brida, al menos %1, y tome la pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Ahora al lado de su +X, al menos %1, y tómela.</translation>
+        <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotación tomada: %1 por +Z, %2 al lado; la brida giró %3 entretanto, sobre todo en la pose %4.</translation>
+        <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>

@@ -9124,7 +9124,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 ne vient pas dans les mêmes paquets que les autres.</translation>
+        <translation>%1 n’est pas dans les mêmes paquets RTDE que les autres signaux.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9132,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>C’est plus de signaux qu’un robot n’en envoie à la fois : ôtez-en d’abord d’autres.</translation>
+        <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9148,11 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
+        <translation>La mémoire d’historique est trop petite pour afficher %1 : augmentez-la dans le menu Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 n’a pas pu être calculé jusqu’au bout : %2</translation>
+        <translation>%1 n’a pas pu être calculé entièrement : %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9175,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Un nom, une unité entre crochets si vous voulez, et une expression sur des signaux : tirez-les ici pour leurs noms. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et les fonctions usuelles. Entrée le crée.</translation>
+        <translation>Saisissez un nom, une unité facultative entre crochets et une expression de signaux. Faites glisser des signaux ici pour insérer leurs noms. Fonctions : norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et fonctions standard. Entrée crée le signal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9190,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Ce robot est simulé. Seuls des pixels bougent.</translation>
+        <translation>Ce robot est simulé. Aucun robot réel ne bouge.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9216,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Enregistrement, session et dernier message</translation>
+        <translation>Enregistrement, projet et dernier message</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9247,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Arrêt logiciel. Pas un arrêt d’urgence. Le courant reste.</translation>
+        <translation>Arrêt logiciel. Pas un arrêt d’urgence. L’alimentation reste active.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9307,7 +9307,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Pas encore de TCP.
-Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le bras.</translation>
+Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre… » pour en apprendre un avec le bras.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9315,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Depuis la bride. Entrée l’applique au projet ; le robot garde le sien.</translation>
+        <translation>Par rapport à la bride. Entrée l’applique au projet. Le TCP du robot ne change pas.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9383,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>« %1 » est le TCP du robot.</translation>
+        <translation>« %1 » est le TCP actif du robot.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9427,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>Sur le robot : %1. Dans le projet : %2. Ils sont à %3 l’un de l’autre. Rien n’a été changé.</translation>
+        <translation>Sur le robot : %1. Dans le projet : %2. Distance : %3. Rien n’a été changé.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9486,34 +9486,34 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Pointe à %1. Les poses s’accordent à %2 (rms) ; la pose %3 convient le moins, de %4.</translation>
+        <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, inclinée de 30° ou plus d’un autre côté.</translation>
+        <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>Le robot n’a pas envoyé de place valable. Reprenez les poses.</translation>
+        <translation>Le robot a envoyé une position non valide. Reprenez les poses.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Quatre fois en tout : la pointe au même point, l’outil incliné chaque fois d’un autre côté.</translation>
+        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
-            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>L’outil garde la rotation qu’il a maintenant.</translation>
+        <translation>L’outil garde sa rotation actuelle.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son X suive le X de la base ; prenez-le.</translation>
+        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9521,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Prenez l’outil tel qu’il est. À partir d’ici il ne doit pas tourner : déplacez seulement X, Y et Z.</translation>
+        <translation>Prenez la pose à la position actuelle. Ne tournez plus l’outil à partir d’ici : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Déplacez l’outil selon son propre +Z, loin de la bride, d’au moins %1, et prenez-le.</translation>
+        <translation>Déplacez l’outil dans sa direction +Z, en l’éloignant de la bride, d’au moins %1, et prenez la pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Maintenant du côté de son +X, d’au moins %1, et prenez-le.</translation>
+        <translation>Déplacez maintenant l’outil dans sa direction +X d’au moins %1 et prenez la pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotation prise : %1 selon +Z, %2 à côté ; la bride a tourné de %3, surtout à la pose %4.</translation>
+        <translation>Rotation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
