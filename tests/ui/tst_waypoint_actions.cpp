@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Actions at a waypoint, in the real window with the simulated robot: edited by keyboard and undone, shown in the
-// list, and executed by "Go through" only while its button is held.
+// list, and executed by "Run route" only while its button is held.
 
 #include <QComboBox>
 #include <QDialog>

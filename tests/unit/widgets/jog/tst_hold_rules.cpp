@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every hold rule for every kind of input: pad, joint keys, Go to, Go through, Back, Align, Home and
+// Every hold rule for every kind of input: pad, joint keys, Go to, Run route, Back, Align, Home and
 // Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
 #include <QDialog>
 #include <QMenu>
@@ -31,9 +31,9 @@ const Way kWays[] = {
     {"pad", By::Mouse, "jog.X+"},
     {"joint key", By::Mouse, "joint.2.minus"},
     {"Go to", By::Mouse, "waypoint.goTo", 0, 0, 0},
-    {"Go through", By::Mouse, "waypoint.goThrough", 0, 0, 0},
+    {"Run route", By::Mouse, "waypoint.goThrough", 0, 0, 0},
     {"Step on", By::Mouse, "waypoint.stepOn", 0, 0, 0},
-    {"Go through by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
+    {"Run route by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
     {"Back", By::Mouse, "backKey", 0, 0, 0},
     {"Align", By::Mouse, "alignKey", 0, 0, 0},
     {"Home", By::Mouse, "homeKey", 0, 0, 0},
