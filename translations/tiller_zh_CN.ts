@@ -653,7 +653,7 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation>已允许，由实时循环请求</translation>
     </message>
     <message>
@@ -5393,8 +5393,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>循环</translation>
     </message>
     <message>
-        <source>Run the route of waypoints</source>
-        <translation>运行路点的路线</translation>
+        <source>Run the route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
         <source>Run route (hold)</source>
@@ -10880,7 +10880,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止。没有控制时，它们属于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>

@@ -226,8 +226,7 @@ void examineData(Examiner& examiner) {
     // Only relevant with the priority privilege, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency,
-                      DoctorText::tr("permitted, and requested by real-time loops"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
                        DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);

@@ -27,7 +27,7 @@ GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDoc
     , scope_(new ChoiceBox)
     , loop_(new QCheckBox(tr("Loop"))) {
     setObjectName(QStringLiteral("waypoint.route"));
-    setAccessibleName(tr("Run the route of waypoints"));
+    setAccessibleName(tr("Run the route"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 0, 12, 8);
     layout->setSpacing(8);
