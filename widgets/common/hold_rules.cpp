@@ -266,7 +266,7 @@ struct HoldRules::Book {
 // One line, one rule: tests/support/without_rules.py takes each away in turn and looks which test notices.
 // clang-format off
 const HoldRules::Book::Row HoldRules::Book::rows[] = {
-    {"let go", &Book::letGo},
+    {"the key is released", &Book::letGo},
     {"pointer leaves the key", &Book::pointerLeft},
     {"the key is pressed again", &Book::pressedAgain},
     {"another key of the keyboard", &Book::otherKey},
@@ -279,9 +279,9 @@ const HoldRules::Book::Row HoldRules::Book::rows[] = {
     {"a touch anywhere", &Book::touched},
     {"a pen anywhere", &Book::penPressed},
     {"the touch is cancelled", &Book::touchCancelled},
-    {"the key is greyed", &Book::keyDisabled},
+    {"the key is disabled", &Book::keyDisabled},
     {"the key is hidden", &Book::keyHidden},
-    {"the key is moved elsewhere", &Book::keyMoved},
+    {"the key is moved", &Book::keyMoved},
     {"the key loses the focus", &Book::focusLost},
     {"an editor gets the focus", &Book::editorEntered},
     {"the window is left", &Book::windowDeactivated},
@@ -294,18 +294,18 @@ const HoldRules::Book::Row HoldRules::Book::rows[] = {
     {"the application is left", &Book::applicationLeft},
     {"the application is inactive", &Book::applicationInactive},
     {"the application quits", &Book::applicationQuits},
-    {"the event loop stood still", &Book::stalled},
+    {"the event loop is stalled", &Book::stalled},
     {"the device is not read", &Book::deviceSilent},
-    {"the finger says nothing", &Book::fingerSilent},
-    {"the witness says it is up", &Book::seenUp},
-    {"the witness says nothing", &Book::unseen},
+    {"the touch is not refreshed", &Book::fingerSilent},
+    {"the key-state check reports a release", &Book::seenUp},
+    {"the key-state check does not respond", &Book::unseen},
     {"held for too long", &Book::tooLong},
 };
 const HoldRules::Book::BeginRow HoldRules::Book::beginRows[] = {
     {"no press in an inactive window", &Book::inactiveWindow},
     {"no device while a dialog is open", &Book::openDialog},
-    {"no second hand", &Book::anotherHand},
-    {"no press while the witness is mute", &Book::muteWitness},
+    {"no second input", &Book::anotherHand},
+    {"no press while the key-state check does not respond", &Book::muteWitness},
 };
 // clang-format on
 
