@@ -168,11 +168,11 @@ void print(const divergence::Report& report) {
 /// Reads the value of an optional command line option.
 bool readLimit(const QCommandLineParser& parser, const QCommandLineOption& option, double factor,
                double& limit) {
-    constexpr double kMost = 1e6;
+    constexpr double kMaxValue = 1e6;
     if (!parser.isSet(option)) {
         return true;
     }
-    const auto value = numberIn(parser, option, 0, kMost);
+    const auto value = numberIn(parser, option, 0, kMaxValue);
     limit = value ? *value * factor : limit;
     return value.has_value();
 }

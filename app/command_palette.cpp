@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "app/action_table.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 
 namespace tiller::app {
 namespace {
@@ -67,7 +67,7 @@ CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
     list_ = new QListWidget(this);
     list_->setObjectName("paletteList");
     list_->setAccessibleName(tr("Commands found"));
-    nothing_ = new NothingFound(*list_);
+    nothing_ = new EmptyState(*list_);
     layout->addWidget(words_);
     layout->addWidget(list_);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::list);

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 
 namespace tiller::app {
 
@@ -176,7 +176,7 @@ QWidget* ConnectDialog::robotPart() {
 
 void ConnectDialog::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 void ConnectDialog::choose(Choice choice) {
@@ -234,7 +234,7 @@ void ConnectDialog::updateButtons() {
     makeDefault(connect_, problem.isEmpty());
     makeDefault(simulator_, nothing);
     if (isVisible()) {
-        makeRoom(*this);
+        fitToContents(*this);
     }
 }
 

@@ -51,7 +51,7 @@ private:
 
     void addSteps();
     void poll();
-    void pressAnewIfStanding(const Step& step);
+    void pressAgainIfStopped(const Step& step);
     void finish();
     void press(const QString& key);
     void release(const QString& key);
@@ -68,7 +68,7 @@ private:
     QTimer timer_;
     QElapsedTimer elapsed_;
     QElapsedTimer standing_;  ///< time since the last motion or key press
-    int pressedAnew_ = 0;
+    int repeatedPresses_ = 0;
     QStringList done_;
     QString failed_;
     QStringList troubles_;  ///< warnings and errors reported by the session

@@ -37,7 +37,7 @@ void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
     dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the area that contains all panels
     docks_.append(&dock);
-    connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
+    connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByUser);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
     // Switching between tabbed panels changes the visibility without a rearrangement. During arrange() this signal
     // is ignored.
@@ -48,7 +48,7 @@ void DockStage::add(PanelDock& dock) {
     });
 }
 
-void DockStage::changeByHand() {
+void DockStage::changeByUser() {
     if (!arranging_) {
         plan_.reset();
         Q_EMIT rearranged();
@@ -161,7 +161,7 @@ void DockStage::move(PanelDock& dock, StageSide side) {
             one->show();
         }
     }
-    changeByHand();
+    changeByUser();
 }
 
 void DockStage::reveal(PanelDock& dock) {
@@ -170,7 +170,7 @@ void DockStage::reveal(PanelDock& dock) {
             const QScopedValueRollback<bool> arranging(arranging_, true);
             dock.show();
         }
-        changeByHand();
+        changeByUser();
     }
     dock.raise();
 }
@@ -192,7 +192,7 @@ bool DockStage::event(QEvent* event) {
     const bool taken = QMainWindow::event(event);
     // Only the separator between two panels accepts a press here.
     if (event->type() == QEvent::MouseButtonPress && taken && event->isAccepted()) {
-        changeByHand();
+        changeByUser();
     }
     return taken;
 }

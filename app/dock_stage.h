@@ -71,7 +71,7 @@ private:
     PanelDock* find(const QString& name) const;
     int gap() const;
     void proportion();
-    void changeByHand();
+    void changeByUser();
 
     QList<PanelDock*> docks_;
     std::optional<StagePlan> plan_;  ///< set while the arrangement equals the plan

@@ -49,7 +49,7 @@ QSize availableAtNormalSize(const QScreen& screen) {
     return screen.availableSize() * interfaceSize() / 100;
 }
 
-bool looksSmall(const QScreen& screen) {
+bool needsLargerSize(const QScreen& screen) {
     return screen.physicalDotsPerInch() > kDensePixels &&
            fittingInterfaceSize(kInterfaceSizes.back(), availableAtNormalSize(screen)) > interfaceSize();
 }

@@ -69,8 +69,9 @@ int sizeFor(const QStringList& arguments) {
 }
 
 /// Shown only once: any saved setting means that it was shown before.
-void tellOfSize(app::MainWindow& window) {
-    if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
+void showSizeHint(app::MainWindow& window) {
+    if (app::needsLargerSize(*window.screen()) &&
+        !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
@@ -186,7 +187,7 @@ int main(int argc, char* argv[]) {
     // The demonstration uses the default layout and does not change the user's settings.
     app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini") : QString());
     if (demonstration) {
-        settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
+        settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
     // The demonstration connects by itself, so that it receives all errors.
     auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
@@ -197,7 +198,7 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         return runDemonstration(application, *window, line->demoDirectory);
     }
-    tellOfSize(*window);
+    showSizeHint(*window);
     window->keepUnsavedWorkIn(app::unsavedWorkFolder());
     window->offerCrashReport(app::crashReportPath());
     app::keepCrashReports(app::crashReportPath());
@@ -207,7 +208,7 @@ int main(int argc, char* argv[]) {
     }
     for (;;) {
         std::optional<SessionState> before;
-        QObject::connect(window.get(), &app::MainWindow::closedToOpenAnew, &application,
+        QObject::connect(window.get(), &app::MainWindow::closedForNewWindow, &application,
                          [&](const SessionState& state) { before = state; });
         const int code = QApplication::exec();
         if (!before) {

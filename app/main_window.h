@@ -14,7 +14,7 @@
 #include "app/settings.h"
 #include "robot/station/link/robot_session.h"
 #include "widgets/common/hold_rules.h"
-#include "widgets/common/hold_witness.h"
+#include "widgets/common/key_state_probe.h"
 
 class QTabBar;
 class QMenu;
@@ -50,7 +50,7 @@ namespace app {
 
 class ActionTable;
 class DockStage;
-class Lessons;
+class Tutorial;
 class PanelDock;
 class Perspectives;
 class SettingsPage;
@@ -75,7 +75,7 @@ public:
     ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
     /// Replaces the key-state check of the platform.
-    void setHoldWitness(std::unique_ptr<HoldWitness> witness);
+    void setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness);
     /// Starts to detect gamepads and a SpaceMouse.
     void lookForDevices();
 
@@ -121,7 +121,7 @@ Q_SIGNALS:
     /// Request to replace this window by a new one in the selected language. This window has released the
     /// robot and is closed.
     /// before  the state before closing
-    void closedToOpenAnew(const tiller::SessionState& before);
+    void closedForNewWindow(const tiller::SessionState& before);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -145,12 +145,12 @@ private:
     void askForProgram();
     void askToTakeControl();
     void showSettings(bool atRecording = false);
-    void openAnew(SettingsPage& page);
+    void reopenWindow(SettingsPage& page);
     void connectTransfer();
     /// Applies imported settings immediately.
     void readSettingsAgain();
     void keepLayout();
-    void tellIoNames();
+    void publishIoNames();
     void connectParts();
     void connectReplay();
     /// Updates the project stored with recordings and incidents.
@@ -168,7 +168,7 @@ private:
     void listRobots();
     void listProjects();
     void updateScene();
-    void showWayBack();
+    void showRetracePath();
     void simulateCell();
     void stopMotion(control::StopCause cause);
     ReportSources reportSources() const;
@@ -181,12 +181,12 @@ private:
     bool cellIsSimulated_ = false;
     std::optional<RobotAddress> toRemember_;  ///< stored as soon as the robot has responded
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<HoldWitness> witness_;
-    HoldTerms holdTerms_;
+    std::unique_ptr<KeyStateProbe> witness_;
+    HoldPolicy holdPolicy_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves the document when it is destroyed
     std::unique_ptr<ProjectFit> fit_;
-    std::unique_ptr<Lessons> lessons_;
+    std::unique_ptr<Tutorial> lessons_;
 
     HeaderBar* header_ = nullptr;
     JogColumn* jog_ = nullptr;

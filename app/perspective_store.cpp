@@ -29,14 +29,13 @@ QByteArray unsealed(const QByteArray& kept) {
 
 QVector<SavedPerspective> readPerspectives(const SettingsView& settings) {
     QVector<SavedPerspective> perspectives;
-    const int count =
-        std::min(settings.value(QStringLiteral("perspectives/size")).toInt(), kMostPerspectives);
+    const int count = std::min(settings.value(QStringLiteral("perspectives/size")).toInt(), kMaxPerspectives);
     for (int i = 0; i < count; ++i) {
         const auto field = [&settings, i](const char* name) {
             return settings.value(QStringLiteral("perspectives/%1/%2").arg(i + 1).arg(QLatin1String(name)));
         };
         const SavedPerspective read{field("number").toInt(),
-                                    field("name").toString().trimmed().left(kLongestPerspectiveName),
+                                    field("name").toString().trimmed().left(kMaxPerspectiveName),
                                     field("tab").toString(), unsealed(field("panels").toByteArray())};
         const bool twice = std::any_of(perspectives.begin(), perspectives.end(), [&read](const auto& other) {
             return other.number == read.number || other.name.compare(read.name, Qt::CaseInsensitive) == 0;
@@ -100,7 +99,7 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             });
         };
         for (int copy = 2; isTaken(mine.name); ++copy) {
-            mine.name = QStringLiteral("%1 %2").arg(name.left(kLongestPerspectiveName - 4)).arg(copy);
+            mine.name = QStringLiteral("%1 %2").arg(name.left(kMaxPerspectiveName - 4)).arg(copy);
         }
         there.append(mine);
     }

@@ -13,8 +13,8 @@
 namespace tiller::app {
 
 /// Maximum length of a name, and maximum number of perspectives.
-constexpr int kLongestPerspectiveName = 40;
-constexpr int kMostPerspectives = 30;
+constexpr int kMaxPerspectiveName = 40;
+constexpr int kMaxPerspectives = 30;
 
 /// A perspective saved by the user.
 struct SavedPerspective {

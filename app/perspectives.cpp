@@ -143,10 +143,10 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
     if (wanted.isEmpty()) {
         return tr("Enter a name.");
     }
-    if (wanted.size() > kLongestPerspectiveName) {
+    if (wanted.size() > kMaxPerspectiveName) {
         return tr("The name is too long.");
     }
-    if (except.isEmpty() && saved_.size() >= kMostPerspectives) {
+    if (except.isEmpty() && saved_.size() >= kMaxPerspectives) {
         return tr("The maximum number of perspectives is reached. Delete a perspective first.");
     }
     const QList<Entry> entries = all();

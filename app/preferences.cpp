@@ -69,7 +69,7 @@ Preferences readPreferences(const SettingsView& settings) {
     const int hold = settings.value("motion/longestHold", Preferences::kUsualLongestHold).toInt(&isNumber);
     if (isNumber) {
         preferences.longestHold =
-            std::clamp(hold, Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+            std::clamp(hold, Preferences::kShortestLongestHold, Preferences::kMaxHoldLimit);
     }
     for (const auto& [kind, first] :
          {std::pair{kGamepadKind, kGamepadTuning}, {kSpaceMouseKind, kSpaceMouseTuning}}) {

@@ -42,7 +42,7 @@ struct Preferences {
     static constexpr double kHighestCap = 1.0;
     static constexpr int kUsualLongestHold = 20;
     static constexpr int kShortestLongestHold = 5;
-    static constexpr int kLongestLongestHold = 120;
+    static constexpr int kMaxHoldLimit = 120;
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

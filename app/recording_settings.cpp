@@ -16,8 +16,8 @@
 
 #include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/decimal_spin_box.h"
+#include "widgets/common/empty_state.h"
 
 namespace tiller::app {
 
@@ -41,10 +41,10 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     , folder_(new QLineEdit)
     , pattern_(new QLineEdit)
     , example_(namedSecondary(QStringLiteral("settings.recording.example")))
-    , every_(new FigureBox)
+    , every_(new DecimalSpinBox)
     , rate_(namedSecondary(QStringLiteral("settings.recording.rate")))
     , format_(new ChoiceBox)
-    , keepFree_(new FigureBox)
+    , keepFree_(new DecimalSpinBox)
     , search_(new QLineEdit)
     , signals_(new QListWidget)
     , nothing_(nullptr) {
@@ -96,7 +96,7 @@ void RecordingSettings::build() {
     every_->setObjectName(QStringLiteral("settings.recording.every"));
     every_->setAccessibleName(tr("Packets per row"));
     every_->setDecimals(0);
-    every_->setRange(1, RecordingChoice::kMostSparse);
+    every_->setRange(1, RecordingChoice::kMaxDecimation);
     every_->setValue(choice_.every);
 
     format_->setObjectName(QStringLiteral("settings.recording.format"));
@@ -110,7 +110,7 @@ void RecordingSettings::build() {
     keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));
     keepFree_->setAccessibleName(tr("Free disk space to keep, in megabytes"));
     keepFree_->setDecimals(0);
-    keepFree_->setRange(0, RecordingChoice::kMostKeptFree);
+    keepFree_->setRange(0, RecordingChoice::kMaxKeptFree);
     keepFree_->setSuffix(tr(" MB"));
     keepFree_->setToolTip(
         tr("A recording stops and is completed before the free disk space falls below this value."));
@@ -129,7 +129,7 @@ void RecordingSettings::build() {
         const bool recorded = choice_.fields.isEmpty() || choice_.fields.contains(field);
         item->setCheckState(recorded ? Qt::Checked : Qt::Unchecked);
     }
-    nothing_ = new NothingFound(*signals_);
+    nothing_ = new EmptyState(*signals_);
     auto* all = new QPushButton(tr("All signals"));
     all->setObjectName(QStringLiteral("settings.recording.all"));
     all->setAccessibleName(all->text());

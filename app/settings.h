@@ -20,7 +20,7 @@
 namespace tiller::app {
 
 /// Progress of the tutorial, by names of steps and tasks.
-struct Learned {
+struct TutorialProgress {
     bool dismissed = false;  ///< the checklist of the first steps was dismissed
     QStringList firstSteps;
     QStringList practice;
@@ -58,8 +58,8 @@ public:
     std::size_t plotBudget() const;
     void setPlots(const QByteArray& arrangement, std::size_t budget);
 
-    Learned learned() const;
-    void setLearned(const Learned& learned);
+    TutorialProgress learned() const;
+    void setTutorialProgress(const TutorialProgress& learned);
 
     // For the following values, each window writes only its own changes and keeps the other entries of the
     // file.
@@ -94,7 +94,7 @@ private:
     // Values last read or written by this window, because only differences are written.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
-    mutable std::optional<Learned> knownLearned_;
+    mutable std::optional<TutorialProgress> knownTutorial_;
     mutable std::optional<QVector<SavedPerspective>> knownPerspectives_;
 };
 

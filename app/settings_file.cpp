@@ -24,9 +24,9 @@ struct SettingsFile {
 constexpr char kFormat[] = "tiller-settings";
 constexpr char kBytes[] = "base64";
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
-constexpr qsizetype kMostValues = 5000;
-constexpr qsizetype kLongestKey = 200;
-constexpr qsizetype kLongestText = 64 * 1024;
+constexpr qsizetype kMaxValues = 5000;
+constexpr qsizetype kMaxKeyLength = 200;
+constexpr qsizetype kMaxTextLength = 64 * 1024;
 
 Error corrupt(const QString& why) {
     return {ErrorCode::FileCorrupt, why, {}};
@@ -41,7 +41,7 @@ Error badValue(const QString& key) {
 }
 
 bool isKey(const QString& key) {
-    return !key.isEmpty() && key.size() <= kLongestKey && !key.startsWith(u'/') && !key.endsWith(u'/') &&
+    return !key.isEmpty() && key.size() <= kMaxKeyLength && !key.startsWith(u'/') && !key.endsWith(u'/') &&
            !key.contains(QLatin1String("//")) && !key.contains(u'\\') &&
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
@@ -87,7 +87,7 @@ std::optional<QVariant> listOf(const QJsonArray& array) {
     qsizetype length = 0;
     for (const QJsonValue& each : array) {
         length += each.toString().size();
-        if (!each.isString() || length > kLongestText) {
+        if (!each.isString() || length > kMaxTextLength) {
             return std::nullopt;
         }
         list.append(each.toString());
@@ -110,8 +110,8 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
         }
         case QJsonValue::String:
-            return value.toString().size() <= kLongestText ? std::optional<QVariant>(value.toString())
-                                                           : std::nullopt;
+            return value.toString().size() <= kMaxTextLength ? std::optional<QVariant>(value.toString())
+                                                             : std::nullopt;
         case QJsonValue::Array:
             return listOf(value.toArray());
         case QJsonValue::Object:
@@ -165,7 +165,7 @@ QMap<QString, QVariant> SettingsBundle::part(SettingsPart which) const {
     return found;
 }
 
-bool SettingsBundle::saysTheSame(const SettingsBundle& other, SettingsPart which) const {
+bool SettingsBundle::hasSameValues(const SettingsBundle& other, SettingsPart which) const {
     const QMap<QString, QVariant> ours = part(which);
     const QMap<QString, QVariant> theirs = other.part(which);
     return ours.keys() == theirs.keys() &&
@@ -212,7 +212,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
         return corrupt(SettingsFile::tr("The file does not state its version."));
     }
     const QJsonValue values = root.value(QLatin1String("values"));
-    if (!values.isObject() || values.toObject().size() > kMostValues) {
+    if (!values.isObject() || values.toObject().size() > kMaxValues) {
         return corrupt(SettingsFile::tr("The list of values is missing or too long."));
     }
     SettingsBundle bundle;

@@ -34,7 +34,7 @@ struct SettingsBundle {
 
     QMap<QString, QVariant> part(SettingsPart which) const;
     /// True if both have equal values in this part, regardless of numbers stored as text.
-    bool saysTheSame(const SettingsBundle& other, SettingsPart which) const;
+    bool hasSameValues(const SettingsBundle& other, SettingsPart which) const;
 };
 
 inline constexpr int kSettingsFormatVersion = 1;

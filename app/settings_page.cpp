@@ -24,9 +24,9 @@
 #include "app/language.h"
 #include "app/recording_settings.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/density.h"
-#include "widgets/common/figure_box.h"
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -39,7 +39,7 @@ int keyRowHeight() {
 
 /// With large rows the content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
-    auto* area = new SteadyScrollArea;
+    auto* area = new NoFocusScrollArea;
     area->setAccessibleName(name);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
@@ -142,18 +142,18 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     monitorOnly_ = new QCheckBox(tr("Monitor only"));
     monitorOnly_->setObjectName("settings.monitorOnly");
     monitorOnly_->setChecked(preferences_.monitorOnly);
-    cap_ = new FigureBox;
+    cap_ = new DecimalSpinBox;
     cap_->setObjectName("settings.speedCap");
     cap_->setAccessibleName(tr("Speed cap of this program"));
-    showCapFigure();
+    showCapValue();
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");
 
-    longestHold_ = new FigureBox;
+    longestHold_ = new DecimalSpinBox;
     longestHold_->setObjectName("settings.longestHold");
     longestHold_->setAccessibleName(tr("Maximum hold time"));
     longestHold_->setDecimals(0);
-    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kMaxHoldLimit);
     longestHold_->setSingleStep(5);
     longestHold_->setSuffix(tr(" s"));
     longestHold_->setValue(preferences_.longestHold);
@@ -250,7 +250,7 @@ QWidget* SettingsPage::buildLanguage() {
         showLanguageNote();
         Q_EMIT preferencesChanged(preferences_);
     });
-    connect(anew_, &QPushButton::clicked, this, &SettingsPage::windowAnewWanted);
+    connect(anew_, &QPushButton::clicked, this, &SettingsPage::newWindowWanted);
     showLanguageNote();
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
@@ -269,7 +269,7 @@ void SettingsPage::showLanguageNote() {
             : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
 }
 
-void SettingsPage::refuseAnew(const QString& reason) {
+void SettingsPage::refuseNewWindow(const QString& reason) {
     languageNote_->setText(reason);
 }
 
@@ -283,7 +283,7 @@ void SettingsPage::showSizeNote() {
             : tr("Takes effect at the next start of Tiller."));
 }
 
-void SettingsPage::showCapFigure() {
+void SettingsPage::showCapValue() {
     const double unit = format::metresPerUnit();
     const QSignalBlocker quiet(cap_);
     cap_->setDecimals(unit > 1e-3 ? 2 : 0);
@@ -295,7 +295,7 @@ void SettingsPage::showCapFigure() {
 
 void SettingsPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && shortcuts_ != nullptr) {
-        showCapFigure();  // units may have changed
+        showCapValue();  // units may have changed
         showCap();
         shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     }

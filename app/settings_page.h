@@ -16,7 +16,7 @@ class QTabWidget;
 
 namespace tiller {
 class DeviceJog;
-class FigureBox;
+class DecimalSpinBox;
 }  // namespace tiller
 
 namespace tiller::app {
@@ -42,7 +42,7 @@ public:
     /// Shows monitor only as fixed by the command line.
     void lockMonitorOnly();
     /// Shows the reason why the window cannot be replaced now.
-    void refuseAnew(const QString& reason);
+    void refuseNewWindow(const QString& reason);
     /// Shows the page about recordings.
     void showRecording();
 
@@ -53,7 +53,7 @@ Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
     /// Request to replace the window by one in the selected language.
-    void windowAnewWanted();
+    void newWindowWanted();
     /// Request to open the device test page in front of this one.
     void trainerWanted();
     /// Request to open the export dialog in front of this page.
@@ -74,7 +74,7 @@ private:
     void showSizeNote();
     QWidget* buildLanguage();
     void showLanguageNote();
-    void showCapFigure();
+    void showCapValue();
 
     Preferences preferences_;
     const ActionTable& actions_;
@@ -88,9 +88,9 @@ private:
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
     QCheckBox* monitorOnly_ = nullptr;
-    FigureBox* cap_ = nullptr;
+    DecimalSpinBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
-    FigureBox* longestHold_ = nullptr;
+    DecimalSpinBox* longestHold_ = nullptr;
     QLabel* holdNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
     QTabWidget* pages_ = nullptr;

@@ -133,7 +133,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
         if (none && present.part(part).isEmpty()) {
             continue;
         }
-        const bool same = found.saysTheSame(present, part);
+        const bool same = found.hasSameValues(present, part);
         const int count = countOf(found, part);
         auto* box = new QCheckBox(same        ? tr("%1: identical").arg(titleOf(part))
                                   : none      ? tr("%1: not in the file").arg(titleOf(part))

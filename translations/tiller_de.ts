@@ -908,7 +908,7 @@
     </message>
 </context>
 <context>
-    <name>HoldWitness</name>
+    <name>KeyStateProbe</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
         <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
@@ -4918,7 +4918,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
@@ -5861,7 +5861,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
+    <name>tiller::HoldToRunButton</name>
     <message>
         <source>hold</source>
         <translation>halten</translation>
@@ -6576,7 +6576,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::NothingFound</name>
+    <name>tiller::EmptyState</name>
     <message>
         <source>Nothing found</source>
         <translation>Nichts gefunden</translation>
@@ -9577,7 +9577,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
 </context>
 <context>
-    <name>tiller::TickLine</name>
+    <name>tiller::ChecklistItem</name>
     <message>
         <source>done</source>
         <translation>erledigt</translation>
@@ -11006,7 +11006,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
+    <name>tiller::app::Tutorial</name>
     <message>
         <source>First steps</source>
         <translation>Erste Schritte</translation>

@@ -908,7 +908,7 @@
     </message>
 </context>
 <context>
-    <name>HoldWitness</name>
+    <name>KeyStateProbe</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
         <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
@@ -4918,7 +4918,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
@@ -5861,7 +5861,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
+    <name>tiller::HoldToRunButton</name>
     <message>
         <source>hold</source>
         <translation>mantener</translation>
@@ -6576,7 +6576,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::NothingFound</name>
+    <name>tiller::EmptyState</name>
     <message>
         <source>Nothing found</source>
         <translation>Nada encontrado</translation>
@@ -9577,7 +9577,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
 </context>
 <context>
-    <name>tiller::TickLine</name>
+    <name>tiller::ChecklistItem</name>
     <message>
         <source>done</source>
         <translation>hecho</translation>
@@ -11006,7 +11006,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
+    <name>tiller::app::Tutorial</name>
     <message>
         <source>First steps</source>
         <translation>Primeros pasos</translation>

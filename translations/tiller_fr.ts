@@ -908,7 +908,7 @@
     </message>
 </context>
 <context>
-    <name>HoldWitness</name>
+    <name>KeyStateProbe</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
         <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
@@ -4918,7 +4918,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
@@ -5861,7 +5861,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
+    <name>tiller::HoldToRunButton</name>
     <message>
         <source>hold</source>
         <translation>tenir</translation>
@@ -6576,7 +6576,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
 </context>
 <context>
-    <name>tiller::NothingFound</name>
+    <name>tiller::EmptyState</name>
     <message>
         <source>Nothing found</source>
         <translation>Rien trouvé</translation>
@@ -9577,7 +9577,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
 </context>
 <context>
-    <name>tiller::TickLine</name>
+    <name>tiller::ChecklistItem</name>
     <message>
         <source>done</source>
         <translation>fait</translation>
@@ -11006,7 +11006,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
+    <name>tiller::app::Tutorial</name>
     <message>
         <source>First steps</source>
         <translation>Premiers pas</translation>

@@ -908,7 +908,7 @@
     </message>
 </context>
 <context>
-    <name>HoldWitness</name>
+    <name>KeyStateProbe</name>
     <message>
         <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
         <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
@@ -4916,7 +4916,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
         <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
@@ -5853,7 +5853,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
+    <name>tiller::HoldToRunButton</name>
     <message>
         <source>hold</source>
         <translation>押す</translation>
@@ -6568,7 +6568,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
 </context>
 <context>
-    <name>tiller::NothingFound</name>
+    <name>tiller::EmptyState</name>
     <message>
         <source>Nothing found</source>
         <translation>見つかりません</translation>
@@ -9552,7 +9552,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
 </context>
 <context>
-    <name>tiller::TickLine</name>
+    <name>tiller::ChecklistItem</name>
     <message>
         <source>done</source>
         <translation>済み</translation>
@@ -10968,7 +10968,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
+    <name>tiller::app::Tutorial</name>
     <message>
         <source>First steps</source>
         <translation>最初のステップ</translation>

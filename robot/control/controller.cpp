@@ -16,7 +16,7 @@ namespace {
 // Maximum time for the last commands to reach the control program before the connection ends.
 constexpr std::chrono::milliseconds kLastWords(160);
 
-Error stopCameFirst(const QString& context) {
+Error stoppedBefore(const QString& context) {
     return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
 }
 
@@ -187,7 +187,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
                                             const QString& context) {
     const MotionId id = mailbox.startUnlessStopped(stops, command, now());
     if (id == kNoMotion) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     // Control may have ended since the check; in that case this motion has to be ended here.
     if (!loop.confirmControl()) {
@@ -227,7 +227,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     // The stop comes first, so that the arm decelerates and no earlier command can start.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     if (auto sent = program.restart(section, name, deadline); !sent) {
         Error error = sent.error();
@@ -254,7 +254,7 @@ Result<MotionId> Controller::Private::beginSection(std::uint64_t epoch, Holding 
     command.silence = silence;
     const MotionId id = mailbox.startAfter(epoch, command, now());
     if (id == kNoMotion) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());

@@ -26,7 +26,7 @@ inline constexpr std::chrono::milliseconds kHoldTime{100};
 /// arm takes longer if its drives or its load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
 /// Maximum of MoveParameters::silence: the control program ends after 5 s.
-inline constexpr std::chrono::milliseconds kLongestSilence{4'000};
+inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 
 /// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh; it ends when it is complete or
 /// stopped, or when the robot has received no heartbeat of this computer for 100 ms (a move with a target:
@@ -105,9 +105,9 @@ enum class StopCause : std::uint8_t {
 /// between them (maximum speeds of the joints; 3 m/s for the tool), plus this tolerance for measurement
 /// errors and late packages. The first target is compared with the position of the arm. servoC is not
 /// limited: the arm moves to its target at a configured speed.
-inline constexpr double kJointLeeway = 0.02;      ///< [rad], of each joint and of the tool's rotation
-inline constexpr double kToolLeeway = 0.01;       ///< [m]
-inline constexpr double kLongestServoStep = 0.1;  ///< [s]: maximum time used in this calculation
+inline constexpr double kJointLeeway = 0.02;  ///< [rad], of each joint and of the tool's rotation
+inline constexpr double kToolLeeway = 0.01;   ///< [m]
+inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in this calculation
 
 /// A stop from the request to standstill, measured from the data received from the robot.
 struct StopMeasurement {

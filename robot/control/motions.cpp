@@ -45,14 +45,14 @@ Error inEntry(std::size_t index, Error error) {
     return error;
 }
 
-ArgumentCheck& checkSilence(ArgumentCheck& check, milliseconds silence) {
+ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds silence) {
     using Seconds = std::chrono::duration<double>;
     return check.range("silence", Seconds(silence).count(), Seconds(kHoldTime).count(),
-                       Seconds(kLongestSilence).count(), "s");
+                       Seconds(kMaxHeartbeatTimeout).count(), "s");
 }
 
 /// Heartbeat timeout to send for a command; 0 for the default.
-milliseconds ownSilence(Holding holding, milliseconds silence) {
+milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
 
@@ -80,7 +80,7 @@ ArgumentCheck jointMove(const char* context, const MoveParameters& parameters, c
     ArgumentCheck check(context);
     check.positive("speed", given.speed, highestJointSpeed(arm), "rad/s", "deg/s")
         .positive("acceleration", given.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
-    return checkSilence(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.silence);
 }
 
 ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, double cap) {
@@ -88,7 +88,7 @@ ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, do
     ArgumentCheck check(context);
     check.toolSpeed("speed", given.speed, cap)
         .positive("acceleration", given.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
-    return checkSilence(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.silence);
 }
 
 LimiterKind kindOf(kinematics::SpeedLimit limit) {
@@ -139,7 +139,7 @@ struct Beginning {
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
         command.held = parameters.holding == Holding::Held;
-        command.silence = ownSilence(parameters.holding, parameters.silence);
+        command.silence = effectiveHeartbeatTimeout(parameters.holding, parameters.silence);
         command.target = target;
         command.speed = plan.speed;
         command.acceleration = acceleration;
@@ -303,7 +303,7 @@ Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MovePa
 Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding,
                                  milliseconds silence) {
     ArgumentCheck check("start a path");
-    if (!checkSilence(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, silence).ok()) {
         return check.error();
     }
     const auto prepared = preparePath(path, start);
@@ -342,12 +342,12 @@ Result<PreparedPath> Motions::preparePath(const MotionPath& path, const Deadline
 
 Result<Motion> Motions::startPath(const PreparedPath& path, Holding holding, milliseconds silence) {
     ArgumentCheck check("start a path");
-    if (!checkSilence(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, silence).ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
-    const auto id =
-        d.beginSection(path.epoch_, holding, ownSilence(holding, silence), QStringLiteral("start a path"));
+    const auto id = d.beginSection(path.epoch_, holding, effectiveHeartbeatTimeout(holding, silence),
+                                   QStringLiteral("start a path"));
     return id ? MotionAccess::path(*controller_, *id, path.waypoints_) : Result<Motion>(id.error());
 }
 

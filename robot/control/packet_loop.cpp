@@ -44,7 +44,7 @@ public:
     // If the path has become permanently longer or the robot stalls, follow the packets instead of predicting them.
     // Cycles missed by this thread are not made up for.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
-        if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMostInARow) {
+        if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMaxConsecutive) {
             return kNoCycleDue;
         }
         const auto periodNs = static_cast<std::int64_t>(period_ * 1e9);
@@ -72,7 +72,7 @@ public:
     Error error;
 
 private:
-    static constexpr int kMostInARow = 5;  ///< cycles without their packets
+    static constexpr int kMaxConsecutive = 5;  ///< cycles without their packets
     /// approximate interval between two checks of a waiting thread
     static constexpr std::int64_t kLookNs = 9 * kNsPerMs;
 

@@ -59,7 +59,7 @@ Result<void> bringBack(Controller::Private& d) {
             ErrorCode::LinkLost, QStringLiteral("send the control program again"),
             isStopSent ? QString() : QStringLiteral("the script could not be stopped and may continue")};
     }
-    return d.program.sendAnew(deadline);
+    return d.program.resend(deadline);
 }
 
 /// Waits for the start and then for the end of the script.
@@ -72,10 +72,10 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
     const auto settled = [&] {
         // The reason for the end arrives slightly later on another connection, but at the latest before the
         // second robot state from now: the next state may have been sent earlier.
-        const bool heardAll =
-            messageDeadline && (messageDeadline->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
+        const bool receivedAll = messageDeadline && (messageDeadline->hasExpired() ||
+                                                     d.program.statesReceived() > statesAtEnd + 1);
         bad = d.program.complaint(context);
-        if (bad.code != ErrorCode::None || heardAll) {
+        if (bad.code != ErrorCode::None || receivedAll) {
             return true;
         }
         const ControllerStatus now = d.loop.status();
@@ -95,13 +95,13 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
             return true;
         }
         // A short program may not be reported as playing in any package; a paused one has not ended.
-        const ControlProgram::ScriptHeard heard = d.program.scriptHeard();
+        const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
         if (d.loop.playing() != played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
             if (!messageDeadline && (over || heard.stopped)) {
                 messageDeadline =
                     Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
-                statesAtEnd = d.program.statesHeard();
+                statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
             bad = {ErrorCode::Timeout, context, QStringLiteral("it was never observed running")};
@@ -182,7 +182,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     const script::SupervisedProgram sent =
         attended ? script::supervised(program, heartbeatOf(d, epoch), d.program.version())
                  : script::unsupervised(program);
-    d.program.giveWayTo(sent);
+    d.program.yieldTo(sent);
     const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
     {

@@ -64,7 +64,7 @@ Error tooFar(const QString& what, double way, double limit, const QString& unit)
 }  // namespace
 
 double stepTime(double since, double rules) {
-    return std::min(std::max(since, rules), kLongestServoStep);
+    return std::min(std::max(since, rules), kMaxServoStep);
 }
 
 Error SetpointRules::step(const JointPositions& from, const JointPositions& to, double seconds) const {

@@ -25,7 +25,7 @@ using native_socket::Descriptor;
 // Written according to the Winsock documentation; not run in this project's CI.
 using Handle = SOCKET;
 constexpr int kRefused = WSAECONNREFUSED;
-constexpr int kUnderWay = WSAEWOULDBLOCK;
+constexpr int kConnectPending = WSAEWOULDBLOCK;
 
 int lastError() {
     return WSAGetLastError();
@@ -51,7 +51,7 @@ int waitWritable(Handle socket, std::chrono::milliseconds atMost) {
 #else
 using Handle = int;
 constexpr int kRefused = ECONNREFUSED;
-constexpr int kUnderWay = EINPROGRESS;
+constexpr int kConnectPending = EINPROGRESS;
 
 int lastError() {
     return errno;
@@ -106,7 +106,7 @@ Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, 
         return error;
     };
     if (::connect(socket, address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0) {
-        if (lastError() != kUnderWay) {
+        if (lastError() != kConnectPending) {
             return fail(refusal(lastError(), context));
         }
         while (waitWritable(socket, deadline.nextPoll()) <= 0) {

@@ -261,7 +261,7 @@ Result<QString> DashboardClient::command(const Text& line, const Deadline& deadl
 }
 
 Result<QString> DashboardClient::readLine(const Deadline& deadline, const QString& context) {
-    constexpr qsizetype kLongestReply = 65536;
+    constexpr qsizetype kMaxReplyLength = 65536;
     QByteArray line;
     while (true) {
         std::uint8_t byte = 0;
@@ -271,7 +271,7 @@ Result<QString> DashboardClient::readLine(const Deadline& deadline, const QStrin
                 return QString::fromUtf8(line).trimmed();
             }
             line.append(static_cast<char>(byte));
-            if (line.size() > kLongestReply) {
+            if (line.size() > kMaxReplyLength) {
                 close();
                 return Error{ErrorCode::ProtocolError, context, QStringLiteral("the reply has no line end")};
             }

@@ -20,11 +20,11 @@ using simulator::arm::Payload;
 
 constexpr double kPeriod = 0.002;     // control period [s]
 constexpr double kPeriodCb3 = 0.008;  // [s]
-constexpr double kLongestStep = 0.1;  // [s] between two rows; the motion during a longer gap is unknown
+constexpr double kMaxRowStep = 0.1;   // [s] between two rows; the motion during a longer gap is unknown
 constexpr int kSettling = 10;         // control periods without comparison after the model was initialized
 constexpr double kGravity = 9.82;     // m/s2
-constexpr double kMostJoint = 100;    // rad: larger values mean a damaged file
-constexpr double kMostMass = 1000;    // kg
+constexpr double kMaxJoint = 100;     // rad: larger values mean a damaged file
+constexpr double kMaxMassKg = 1000;   // kg
 constexpr std::uint64_t kRowsAtOnce = 4096;
 constexpr double kTeachButton = 4;  // bit of robot_status_bits
 
@@ -123,7 +123,7 @@ private:
 };
 
 bool isPlausible(const Vector6& q) {
-    return q.allFinite() && q.cwiseAbs().maxCoeff() < kMostJoint;
+    return q.allFinite() && q.cwiseAbs().maxCoeff() < kMaxJoint;
 }
 
 /// Empty if the payload is missing or implausible.
@@ -135,8 +135,8 @@ std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
         const Vector6 inertia = rows.vector<6>(rows.inertia, row);
         payload.inertia = inertia.allFinite() ? inertia : Vector6::Zero();
     }
-    const bool sane = payload.mass >= 0 && payload.mass < kMostMass && payload.centreOfGravity.allFinite() &&
-                      payload.centreOfGravity.norm() < kMostMass;
+    const bool sane = payload.mass >= 0 && payload.mass < kMaxMassKg && payload.centreOfGravity.allFinite() &&
+                      payload.centreOfGravity.norm() < kMaxMassKg;
     return sane ? std::optional(payload) : std::nullopt;
 }
 
@@ -251,7 +251,7 @@ public:
             leaveOut();
             return;
         }
-        if (!last_ || !(time - last_->time <= kLongestStep)) {
+        if (!last_ || !(time - last_->time <= kMaxRowStep)) {
             arm_.place(q);
             settling_ = kSettling;
             last_.reset();
@@ -477,7 +477,7 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
     if (!model) {
         return model.error();
     }
-    if (recording.period() > kLongestStep) {
+    if (recording.period() > kMaxRowStep) {
         return refuse(
             recording, ErrorCode::InvalidArgument,
             QStringLiteral(

@@ -23,7 +23,7 @@ constexpr int kListenMs = 6000;
 /// Duration of the data rate measurement in controller time [s].
 constexpr double kLookSeconds = 0.5;
 /// With a smaller share of the expected packages, the data rate is not sufficient for control.
-constexpr double kLeastShare = 0.9;
+constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 5;
 constexpr int kDoubleRegisters = 12;
@@ -41,7 +41,7 @@ std::vector<std::string> registersFrom(int first) {
 
 /// Whether there is any response to the first RTDE request: the text of another protocol looks like the start of a
 /// package that never ends.
-bool saysAnything(const QString& host, int port, const Deadline& deadline) {
+bool respondsWithData(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
         return false;
@@ -123,7 +123,7 @@ void examineRegisters(Examiner& examiner) {
         const ErrorCode code = opened.error().code;
         const bool mute =
             code == ErrorCode::Timeout &&
-            !saysAnything(examiner.address, examiner.patient.ports.rtde, examiner.within(kProbeMs));
+            !respondsWithData(examiner.address, examiner.patient.ports.rtde, examiner.within(kProbeMs));
         examiner.found(
             Condition::Protocol, Verdict::Bad,
             mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
@@ -209,7 +209,7 @@ void examineData(Examiner& examiner) {
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
         DoctorText::tr("%1 of %2 packets per second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
-    if (rate < kLeastShare * wanted) {
+    if (rate < kMinShare * wanted) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
                        DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
                                       "other programs that load the robot or this PC."));

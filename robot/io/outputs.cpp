@@ -85,10 +85,10 @@ bool isLevel(double reported, AnalogDomain domain, double level) {
         return std::abs(reported / kVolts - level) < kTolerance;
     }
     constexpr double kSurelyMilliamperes = 1.0;
-    constexpr double kLeast = 4.0;   // [mA]
-    constexpr double kRange = 16.0;  // [mA]
+    constexpr double kMinValue = 4.0;  // [mA]
+    constexpr double kRange = 16.0;    // [mA]
     const double milliamperes = reported > kSurelyMilliamperes ? reported : reported * 1000.0;
-    return std::abs((milliamperes - kLeast) / kRange - level) < kTolerance;
+    return std::abs((milliamperes - kMinValue) / kRange - level) < kTolerance;
 }
 
 Error invalid(const QString& what) {

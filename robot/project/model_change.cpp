@@ -27,7 +27,7 @@ public:
         if (!place) {
             return true;  // a missing frame is displayed anyway
         }
-        if (point.ruling == Ruling::Joints) {
+        if (point.ruling == TargetKind::Joints) {
             setPlace(point, *place, frames_);
         }
         return solve(point, *place);
@@ -87,7 +87,7 @@ private:
         const auto q = kinematics::inverseNearest(to_.dh, T_base_tcp, point.tcpOffset, point.joints);
         point.joints = q.value_or(point.joints);
         if (!q) {
-            point.ruling = Ruling::Pose;
+            point.ruling = TargetKind::Pose;
         }
         return q.has_value();
     }

@@ -53,7 +53,7 @@ private:
 };
 
 py::dict truthDict(const NativeSimulator& self) {
-    const simulator::Truth truth = self.robot().truth();
+    const simulator::SimulatedState truth = self.robot().truth();
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
     py::dict result;
     result["timestamp"] = truth.timestamp;

@@ -162,7 +162,7 @@ struct Receiver::Worker {
     std::condition_variable waitEnds;
     std::atomic<ReceiverState> state{ReceiverState::Stopped};
     std::atomic<std::uint16_t> localPort{0};
-    native_socket::Waker waker;  ///< ends the wait for a package
+    native_socket::EventFd waker;  ///< ends the wait for a package
     std::atomic<std::uint64_t> packets{0};
     std::atomic<std::uint64_t> late{0};
     std::atomic<std::uint64_t> lost{0};

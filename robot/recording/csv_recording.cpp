@@ -16,9 +16,9 @@ namespace {
 
 constexpr qint64 kReadAtOnce = 1 << 20;
 // Files with more columns are not recordings of a robot.
-constexpr std::size_t kMostColumns = 20'000;
-constexpr std::size_t kLongestLine = 16u << 20;
-constexpr int kMostProblems = 20;
+constexpr std::size_t kMaxColumns = 20'000;
+constexpr std::size_t kMaxLineLength = 16u << 20;
+constexpr int kMaxProblems = 20;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view withoutBlanks(std::string_view cell) {
@@ -150,7 +150,7 @@ public:
                 begin = end + 1;
             }
             rest.erase(0, begin);
-            if (rest.size() > kLongestLine || table_.columns.size() > kMostColumns || isBinary_) {
+            if (rest.size() > kMaxLineLength || table_.columns.size() > kMaxColumns || isBinary_) {
                 return failure(QStringLiteral("this is not a table of numbers"));
             }
         }
@@ -181,7 +181,7 @@ private:
     }
 
     void problem(const QString& sentence) {
-        if (table_.problems.size() < kMostProblems) {
+        if (table_.problems.size() < kMaxProblems) {
             table_.problems << sentence;
         } else {
             ++unsaid_;

@@ -441,8 +441,8 @@ QString Recorder::path() const {
 void Recorder::note(const RecordedNote& note) {
     const auto current = worker();
     const std::lock_guard lock(current->mutex);
-    constexpr std::size_t kMostWaiting = 10'000;
-    if (current->notes.size() < kMostWaiting) {
+    constexpr std::size_t kMaxWaiting = 10'000;
+    if (current->notes.size() < kMaxWaiting) {
         current->notes.push_back(note);
     }
 }

@@ -208,7 +208,7 @@ bool Connection::hasPackage() const {
 }
 
 Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost,
-                                         const native_socket::Waker* waker) {
+                                         const native_socket::EventFd* waker) {
     ByteView wire;
     const Read read = readWire(wire, atMost, waker);
     if (read == Read::Package && !decodeValues(outputs().layout(), wire, values)) {
@@ -218,7 +218,8 @@ Connection::Read Connection::readPackage(std::span<double> values, nanoseconds a
     return read;
 }
 
-Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const native_socket::Waker* waker) {
+Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost,
+                                      const native_socket::EventFd* waker) {
     State& d = *d_;
     if (d.socket == kNoSocket) {
         return Read::Failed;

@@ -8,20 +8,20 @@ namespace tiller::simulator {
 namespace {
 
 struct Row {
-    AssumptionInfo info;
-    std::function<void(Assumptions&, int)> set;
-    std::function<int(const Assumptions&)> get;
+    BehaviourOptionInfo info;
+    std::function<void(BehaviourOptions&, int)> set;
+    std::function<int(const BehaviourOptions&)> get;
 };
 
 template <class Value>
-Row row(Value Assumptions::*member, const char* name, const QStringList& readings, const char* help) {
+Row row(Value BehaviourOptions::*member, const char* name, const QStringList& readings, const char* help) {
     return {{QString::fromLatin1(name), readings, QString::fromLatin1(help)},
-            [member](Assumptions& a, int reading) { a.*member = static_cast<Value>(reading); },
-            [member](const Assumptions& a) { return static_cast<int>(a.*member); }};
+            [member](BehaviourOptions& a, int reading) { a.*member = static_cast<Value>(reading); },
+            [member](const BehaviourOptions& a) { return static_cast<int>(a.*member); }};
 }
 
 const std::vector<Row>& rows() {
-    using A = Assumptions;
+    using A = BehaviourOptions;
     static const QStringList kBuiltin{"present", "missing"};
     static const std::vector<Row> kRows{
         row(&A::stops, "stops", {"real", "scaled"}, "stopj and stopl are slowed by the speed slider"),
@@ -76,7 +76,7 @@ Error wrong(const QString& what) {
 
 }  // namespace
 
-std::vector<std::string> Assumptions::missingBuiltins() const {
+std::vector<std::string> BehaviourOptions::missingBuiltins() const {
     std::vector<std::string> names;
     const auto add = [&names](Builtin state, std::initializer_list<const char*> of) {
         if (state == Builtin::Missing) {
@@ -91,9 +91,9 @@ std::vector<std::string> Assumptions::missingBuiltins() const {
     return names;
 }
 
-const std::vector<AssumptionInfo>& assumptionTable() {
-    static const std::vector<AssumptionInfo> kTable = [] {
-        std::vector<AssumptionInfo> table;
+const std::vector<BehaviourOptionInfo>& assumptionTable() {
+    static const std::vector<BehaviourOptionInfo> kTable = [] {
+        std::vector<BehaviourOptionInfo> table;
         for (const Row& row : rows()) {
             table.push_back(row.info);
         }
@@ -102,7 +102,7 @@ const std::vector<AssumptionInfo>& assumptionTable() {
     return kTable;
 }
 
-Result<void> assume(Assumptions& assumptions, const QString& words) {
+Result<void> assume(BehaviourOptions& assumptions, const QString& words) {
     const QString name = words.section(QLatin1Char('='), 0, 0);
     const QString value = words.section(QLatin1Char('='), 1);
     QStringList names;
@@ -122,7 +122,7 @@ Result<void> assume(Assumptions& assumptions, const QString& words) {
         QStringLiteral("'%1' is not known; use one of %2").arg(name, names.join(QStringLiteral(", "))));
 }
 
-QString assumptionText(const Assumptions& assumptions) {
+QString assumptionText(const BehaviourOptions& assumptions) {
     QStringList parts;
     for (const Row& row : rows()) {
         if (const int reading = row.get(assumptions); reading != 0) {

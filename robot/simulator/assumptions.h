@@ -17,7 +17,7 @@ namespace tiller::simulator {
 
 /// The first value of each option is the default: the behaviour of the vendor's simulator or that suggested
 /// by most sources.
-struct Assumptions {
+struct BehaviourOptions {
     enum class Time : std::uint8_t { Real, Scaled };
     Time stops = Time::Real;         ///< whether the speed slider slows stopj and stopl
     Time programStops = Time::Real;  ///< the same for protective stops and the end of a program
@@ -84,19 +84,19 @@ struct Assumptions {
 };
 
 /// Description of one option.
-struct AssumptionInfo {
+struct BehaviourOptionInfo {
     QString name;
     QStringList readings;  ///< the first is the default
     QString help;
 };
 
 /// All options, in the order of the struct.
-const std::vector<AssumptionInfo>& assumptionTable();
+const std::vector<BehaviourOptionInfo>& assumptionTable();
 /// Parses "NAME=VALUE".
 /// Errors  InvalidArgument, listing all names, or the values of that option
-Result<void> assume(Assumptions& assumptions, const QString& words);
+Result<void> assume(BehaviourOptions& assumptions, const QString& words);
 /// "NAME=VALUE" of every option that differs from its default, in one line; empty if none.
-QString assumptionText(const Assumptions& assumptions);
+QString assumptionText(const BehaviourOptions& assumptions);
 /// Help text with one paragraph per option.
 QString assumptionHelp();
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -35,7 +35,7 @@ public:
         plant.step();
     }
 
-    Plant plant;
+    ControllerModel plant;
     double began = 0;
 };
 

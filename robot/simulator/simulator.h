@@ -35,7 +35,7 @@ namespace tiller::simulator {
 using tiller::operator<<;  // for the enumerations below
 
 /// The actual state of the simulated robot, for tests of what a client reports about it.
-struct Truth {
+struct SimulatedState {
     std::uint64_t tick = 0;
     double timestamp = 0;  ///< [s]
     RobotMode robotMode = RobotMode::PowerOff;
@@ -123,7 +123,7 @@ public:
     int rtdeClients() const;
 
     /// Threads  any. Consistent within one control period
-    Truth truth() const;
+    SimulatedState truth() const;
 
     /// Threads  any. Blocks: up to one control period
     TickTiming timing();

@@ -50,7 +50,7 @@ struct SimulatorOptions {
     Text serialNumber = {};       ///< empty: a default per model
     /// Pause in the received data after which the script of an External Control node is complete.
     std::chrono::milliseconds scriptSilence{150};
-    Assumptions assumptions = {};  ///< behaviour that is not documented for real controllers
+    BehaviourOptions assumptions = {};  ///< behaviour that is not documented for real controllers
 };
 
 /// Port numbers in use; 0 before start(), and for services that this software does not have.

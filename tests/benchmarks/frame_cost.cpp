@@ -24,7 +24,7 @@
 #include "robot/station/history/state_lane.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/scene/scene_view.h"
 
@@ -86,7 +86,7 @@ struct CurveCase {
     SeriesBuffer& history;
     double span;
     std::vector<std::unique_ptr<Curve>> curves = {};
-    std::unique_ptr<CurveSheet> sheet = {};
+    std::unique_ptr<CurveRaster> sheet = {};
     ColumnGrid grid = {};
     std::vector<double> times = {};
     double end = 0;
@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
             }
             c.curves.back()->setPen(pen);
         }
-        c.sheet = std::make_unique<CurveSheet>(c.curves, nullptr);
+        c.sheet = std::make_unique<CurveRaster>(c.curves, nullptr);
     }
     QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
     // The cases alternate, so that load of the machine affects all of them.

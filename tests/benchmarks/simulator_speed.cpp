@@ -71,8 +71,8 @@ bool play(simulator::Simulator& robot, const char* program) {
         return false;
     }
     upload.flush();
-    constexpr int kMost = 20'000;  // attempts
-    for (int i = 0; i < kMost && robot.truth().runtimeState != RuntimeState::Playing; ++i) {
+    constexpr int kMaxValue = 20'000;  // attempts
+    for (int i = 0; i < kMaxValue && robot.truth().runtimeState != RuntimeState::Playing; ++i) {
         robot.step();
     }
     return robot.truth().runtimeState == RuntimeState::Playing;

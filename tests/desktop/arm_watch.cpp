@@ -81,7 +81,7 @@ bool ArmWatch::untilMoving(double seconds) {
         if (!isMoving(sample)) {
             lastStood = now;
         }
-        underWay = now - lastStood >= kUnderWay;
+        underWay = now - lastStood >= kConnectPending;
         return underWay || (now - *from > seconds && now - lastStood < 0.01);
     });
     return underWay;

@@ -37,7 +37,7 @@ public:
     bool isConnected();
     /// True if the arm moves according to the latest package.
     bool moves();
-    /// Waits until the arm has moved for kUnderWay, for at most this robot time [s].
+    /// Waits until the arm has moved for kConnectPending, for at most this robot time [s].
     bool untilMoving(double seconds);
     /// Waits until the arm has been at standstill for `quiet`, for at most `seconds` (both in robot time
     /// [s]).
@@ -57,7 +57,7 @@ public:
     /// Time without motion that counts as standstill [s]: longer than any short pause.
     static constexpr double kQuiet = 0.06;
     /// Time with motion that counts as moving [s], so that a release has a motion to end.
-    static constexpr double kUnderWay = 0.05;
+    static constexpr double kConnectPending = 0.05;
     static constexpr double kGoesOnAfter = 1.0;
 
 private:

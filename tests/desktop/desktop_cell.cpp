@@ -273,7 +273,7 @@ Place DesktopCell::place(const QString& name) {
     places_->readAll();
     places_->write(QStringLiteral("widget %1\n").arg(name).toUtf8());
     while (!places_->canReadLine()) {
-        if (!places_->waitForReadyRead(kPatienceMs)) {
+        if (!places_->waitForReadyRead(kWaitTimeoutMs)) {
             return place;
         }
     }

@@ -88,7 +88,7 @@ public:
     bool setLayout(const QString& layout);
     /// Returns a widget by its objectName, as reported by the program.
     Place place(const QString& name);
-    bool until(const std::function<bool()>& condition, int ms = kPatienceMs);
+    bool until(const std::function<bool()>& condition, int ms = kWaitTimeoutMs);
     bool untilShown(const QString& name) {
         return until([&] { return place(name).visible; });
     }
@@ -103,7 +103,7 @@ public:
     /// Sends a fault command to the controller, e.g. "hand 30 0 0".
     bool fault(const QString& words);
 
-    static constexpr int kPatienceMs = 60'000;
+    static constexpr int kWaitTimeoutMs = 60'000;
     static inline const QString kOpenbox = QStringLiteral("openbox");
 
 private:

@@ -91,7 +91,7 @@ class TestStopKeysEverywhere : public QObject {
     void startForeignProgram() {
         pendant_ = std::make_unique<QTcpSocket>();
         pendant_->connectToHost(cell().host(), kPrimaryPort);
-        QVERIFY(pendant_->waitForConnected(DesktopCell::kPatienceMs));
+        QVERIFY(pendant_->waitForConnected(DesktopCell::kWaitTimeoutMs));
         pendant_->write(
             "def others():\n"
             "  while True:\n"
@@ -99,7 +99,7 @@ class TestStopKeysEverywhere : public QObject {
             "    movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=1.2, v=0.25)\n"
             "  end\n"
             "end\n");
-        QVERIFY(pendant_->waitForBytesWritten(DesktopCell::kPatienceMs));
+        QVERIFY(pendant_->waitForBytesWritten(DesktopCell::kWaitTimeoutMs));
         QVERIFY2(cell().arm().untilMoving(kGetsGoing),
                  "the program of the other client does not move the arm");
         // From here on the window has noticed, and Space and Esc still stop for three seconds.

@@ -7,7 +7,7 @@
 
 #include "robot/core/clock.h"
 #include "tests/desktop/desktop_test.h"
-#include "widgets/common/xcb_witness.h"
+#include "widgets/common/xcb_key_state_probe.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -16,22 +16,22 @@ class TestXcbWitness : public QObject {
     Q_OBJECT
 
 private:
-    static constexpr int kPatienceMs = DesktopCell::kPatienceMs;
+    static constexpr int kWaitTimeoutMs = DesktopCell::kWaitTimeoutMs;
     QByteArray display_;
     std::unique_ptr<Child> server_;
 
     /// The reply to a query sent after this call.
-    HoldWitness::Word fresh(const XcbWitness& witness, int code) {
+    KeyStateProbe::Word fresh(const XcbKeyStateProbe& witness, int code) {
         const std::int64_t from = SteadyClock::shared().nowNs();
         const auto word = [&] {
             return code == 0 ? witness.leftButton() : witness.key(static_cast<KeyCode>(code));
         };
-        if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kPatienceMs)) {
+        if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kWaitTimeoutMs)) {
             qFatal("the key-state check does not respond");
         }
         return word();
     }
-    static bool isDown(const HoldWitness::Word& word) { return word.downNs == word.askedNs; }
+    static bool isDown(const KeyStateProbe::Word& word) { return word.downNs == word.askedNs; }
 
 private Q_SLOTS:
     void init() {
@@ -49,7 +49,7 @@ private Q_SLOTS:
                          found = number.match(server_->output());
                          return found.hasMatch();
                      },
-                     kPatienceMs),
+                     kWaitTimeoutMs),
                  qPrintable(server_->output()));
         display_ = ':' + found.captured(1).toLatin1();
         qputenv("DISPLAY", display_);
@@ -60,8 +60,8 @@ private Q_SLOTS:
     }
 
     void itSaysWhatIsDown() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         XHand hand(QString::fromLatin1(display_));
         QVERIFY(hand.isOpen());
         witness.want(true);
@@ -80,8 +80,8 @@ private Q_SLOTS:
     }
 
     void itSleepsUntilItIsWanted() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         QTest::qWait(50);
         QCOMPARE(witness.leftButton().askedNs, 0);
         witness.want(true);
@@ -90,12 +90,12 @@ private Q_SLOTS:
 
     void aFrozenServerIsSilenceAndNobodyWaitsForIt() {
         {
-            XcbWitness witness;
-            QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+            XcbKeyStateProbe witness;
+            QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
             witness.want(true);
             fresh(witness, 0);
             server_->signal(SIGSTOP);
-            QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+            QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kWaitTimeoutMs));
             const std::int64_t said = witness.leftButton().askedNs;
             QTest::qWait(100);
             QCOMPARE(witness.leftButton().askedNs, said);
@@ -104,18 +104,18 @@ private Q_SLOTS:
     }
 
     void aDeadServerIsSilenceForEver() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         witness.want(true);
         fresh(witness, 0);
         server_->signal(SIGKILL);
-        QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+        QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kWaitTimeoutMs));
         QVERIFY2(witness.isThere(), "who was there once is not replaced by trust");
     }
 
     void withoutAServerThereIsNone() {
         qputenv("DISPLAY", ":4711");
-        XcbWitness witness;
+        XcbKeyStateProbe witness;
         QTest::qWait(100);
         QVERIFY(!witness.isThere());
         QVERIFY(witness.description().contains(QStringLiteral("unavailable")));

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/equipment/gripper.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"
@@ -17,7 +17,7 @@ using namespace tiller;
 using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Plant plant{[] {
+    static ControllerModel plant{[] {
         SimulatorOptions options;
         options.poweredOn = true;
         options.fastTransitions = true;

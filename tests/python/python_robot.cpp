@@ -21,7 +21,7 @@ double untilStill(tiller::test::FaceCell& cell) {
     double told = cell.robot.truth().timestamp;
     std::uint64_t packages = cell.robot.inputPackages();
     double moved = told;
-    const auto stands = [&](const tiller::simulator::Truth& truth) {
+    const auto stands = [&](const tiller::simulator::SimulatedState& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
             told = truth.timestamp;
@@ -36,14 +36,14 @@ double untilStill(tiller::test::FaceCell& cell) {
 
 std::string watch(tiller::test::FaceCell& cell) {
     constexpr double kSeconds = 1.0;
-    tiller::simulator::Truth heard = cell.robot.truth();
+    tiller::simulator::SimulatedState heard = cell.robot.truth();
     const double begin = heard.timestamp;
     const double end = begin + kSeconds;
     std::uint64_t packages = cell.robot.inputPackages();
     double moved = heard.timestamp;
     bool moves = false;
     tiller::JointPositions last = heard.q;
-    cell.until([&](const tiller::simulator::Truth& truth) {
+    cell.until([&](const tiller::simulator::SimulatedState& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
             heard = truth;

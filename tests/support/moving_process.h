@@ -88,7 +88,7 @@ private:
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
-    for (simulator::Truth now = robot.truth(); now.timestamp < until; now = robot.truth()) {
+    for (simulator::SimulatedState now = robot.truth(); now.timestamp < until; now = robot.truth()) {
         if (robot.inputPackages() != heard) {
             heard = robot.inputPackages();
             since = now.timestamp;
@@ -106,7 +106,7 @@ public:
     MovingProcess(const QString& program, const QStringList& arguments) {
         process_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         process_.start(program, arguments);
-        if (!process_.waitForStarted(kPatienceMs)) {
+        if (!process_.waitForStarted(kWaitTimeoutMs)) {
             qFatal("%s: %s", qPrintable(program), qPrintable(process_.errorString()));
         }
     }
@@ -115,7 +115,7 @@ public:
     /// Sends one line to its standard input. Time may have to advance before it has an effect.
     void tell(const char* line) {
         process_.write(QByteArray(line) + "\n");
-        process_.waitForBytesWritten(kPatienceMs);
+        process_.waitForBytesWritten(kWaitTimeoutMs);
     }
     /// Whether it has printed this since the last call.
     bool hasSaid(const QByteArray& words) {
@@ -126,12 +126,12 @@ public:
     /// SIGKILL, also after SIGSTOP.
     void kill() {
         process_.kill();
-        process_.waitForFinished(kPatienceMs);
+        process_.waitForFinished(kWaitTimeoutMs);
     }
     bool isRunning() const { return process_.state() == QProcess::Running; }
 
 private:
-    static constexpr int kPatienceMs = 20'000;
+    static constexpr int kWaitTimeoutMs = 20'000;
     QProcess process_;
 };
 

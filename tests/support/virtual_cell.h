@@ -47,7 +47,7 @@ public:
     RobotSession& session;
     simulator::Simulator robot;
 
-    simulator::Truth truth() const { return robot.truth(); }
+    simulator::SimulatedState truth() const { return robot.truth(); }
 
 private:
     void tick();

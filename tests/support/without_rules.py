@@ -30,7 +30,7 @@ PLACES = [
     ("widgets/jog/device_jog.cpp", "tst_devices"),
 ]
 NOT_COUNTED = {"everyRuleHasATrial()"}
-ROW = re.compile(r'^\s*\{"([^"]+)", &Book::\w+\},\s*$')
+ROW = re.compile(r'^\s*\{"([^"]+)", &HoldRuleTable::\w+\},\s*$')
 MARK = re.compile(r"// rule: (.+?)\s*$")
 
 

@@ -19,7 +19,7 @@
 #include "robot/station/jog/jog_motion.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/ui/step_log.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {
@@ -163,7 +163,7 @@ QStringList clippings() {
             QString()};
 }
 
-bool stands(const simulator::Truth& truth) {
+bool stands(const simulator::SimulatedState& truth) {
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 
@@ -487,8 +487,8 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     if (!windowsInReach().contains(&window_)) {
         return std::nullopt;
     }
-    QList<HoldButton*> keys;
-    for (HoldButton* key : window_.findChildren<HoldButton*>()) {
+    QList<HoldToRunButton*> keys;
+    for (HoldToRunButton* key : window_.findChildren<HoldToRunButton*>()) {
         if (key->isVisible() && key->window() == &window_ && !key->visibleRegion().isEmpty()) {
             keys.append(key);
         }
@@ -496,7 +496,7 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     if (keys.isEmpty()) {
         return std::nullopt;
     }
-    const HoldButton* key = keys[below(keys.size())];
+    const HoldToRunButton* key = keys[below(keys.size())];
     return Target{&window_, key->mapTo(&window_, key->rect().center()), nameOf(*key)};
 }
 
@@ -732,7 +732,7 @@ void RandomUser::faultOrCure() {
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
-    const simulator::Truth truth = robot_.truth();
+    const simulator::SimulatedState truth = robot_.truth();
     if (!cures_.isEmpty()) {
         cureAll();
     } else if (state.link == LinkState::Disconnected || state.address != robot_.listenAddress()) {
@@ -909,9 +909,9 @@ void RandomUser::judgeRest() {
 }
 
 bool RandomUser::comesToRest() {
-    const QList<HoldButton*> keys = window_.findChildren<HoldButton*>();
+    const QList<HoldToRunButton*> keys = window_.findChildren<HoldToRunButton*>();
     const bool stepRuns =
-        std::any_of(keys.begin(), keys.end(), [](const HoldButton* key) { return key->isHolding(); });
+        std::any_of(keys.begin(), keys.end(), [](const HoldToRunButton* key) { return key->isHolding(); });
     const JogSelection selection = window_.jogColumn().selection();
     if ((stepRuns || window_.jogColumn().isHolding()) &&
         (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
@@ -940,7 +940,7 @@ int RandomUser::graceOf(const Lie& lie) const {
 void RandomUser::judgeTruth() {
     Patience patience(robot_);
     while (isFine()) {
-        const simulator::Truth truth = robot_.truth();
+        const simulator::SimulatedState truth = robot_.truth();
         // The window of another robot is not checked.
         const SessionState& state = window_.session().state();
         if (state.link != LinkState::Disconnected && state.address != robot_.listenAddress()) {

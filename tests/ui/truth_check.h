@@ -31,15 +31,15 @@ public:
     explicit TruthCheck(const QWidget& window) : window_(window) {}
 
     /// `standing`: the arm has come to rest, so the header must not show motion any more.
-    QList<Lie> lies(const simulator::Truth& truth, bool standing);
+    QList<Lie> lies(const simulator::SimulatedState& truth, bool standing);
     /// Number of displayed values that were compared so far: a window that marks everything as unknown would pass
     /// otherwise.
     int compared() const { return compared_; }
 
 private:
-    void checkModes(const simulator::Truth& truth, bool standing, QList<Lie>& lies);
-    void checkJoints(const simulator::Truth& truth, QList<Lie>& lies);
-    void checkOutputs(const simulator::Truth& truth, QList<Lie>& lies);
+    void checkModes(const simulator::SimulatedState& truth, bool standing, QList<Lie>& lies);
+    void checkJoints(const simulator::SimulatedState& truth, QList<Lie>& lies);
+    void checkOutputs(const simulator::SimulatedState& truth, QList<Lie>& lies);
     bool isMarked() const;
 
     const QWidget& window_;

@@ -157,9 +157,10 @@ private Q_SLOTS:
                 }
             }
             // Hold-to-run buttons have the armed keyboard, STOP has Space and Esc.
-            if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
+            if (qobject_cast<HoldToRunButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
                 widget->focusPolicy() == Qt::NoFocus) {
-                if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton") {
+                if (qobject_cast<HoldToRunButton*>(widget) != nullptr ||
+                    widget->objectName() == "stopButton") {
                     continue;
                 }
             }

@@ -13,7 +13,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/pictures.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
@@ -103,7 +103,7 @@ private:
         window().findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(segment);
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         for (const char* name :
              {"waypoint.goThrough", "waypoint.stepOn", "waypoint.stepBack", "waypoint.goTo"}) {
             keys << &key(name);
@@ -312,7 +312,7 @@ private Q_SLOTS:
             action->trigger();
         };
         const auto enter = [&](const char* name, const QString& text) {
-            auto* box = page.findChild<FigureBox*>(QLatin1String(name));
+            auto* box = page.findChild<DecimalSpinBox*>(QLatin1String(name));
             QVERIFY2(box != nullptr && box->isVisible(), name);
             box->setFocus();
             box->selectAll();

@@ -23,7 +23,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 constexpr int kPeriodMs = 2;
 constexpr int kFrameMs = 16;
 constexpr int kLimitMs = 250;  ///< from the press to standstill
@@ -97,7 +97,7 @@ struct DeadLinkBench : WindowBench {
     bool waitStill(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             frame();
             QTest::qWait(1);
         }
@@ -107,7 +107,7 @@ struct DeadLinkBench : WindowBench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             goOn(kFrameMs, 1);
         }
         return condition();
@@ -139,7 +139,7 @@ struct DeadLinkBench : WindowBench {
     bool waitUntilMoving() {
         QElapsedTimer patience;
         patience.start();
-        while (tcpSpeed(cell) < 0.2 && patience.elapsed() < kPatienceMs) {
+        while (tcpSpeed(cell) < 0.2 && patience.elapsed() < kWaitTimeoutMs) {
             cell.robot.drainSockets();
             goOn(kPeriodMs);
         }
@@ -320,7 +320,7 @@ private Q_SLOTS:
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto& key = bench.find<HoldButton>("jog.X+");
+        auto& key = bench.find<HoldToRunButton>("jog.X+");
         press(key);
         bench.cell.advanceMs(400);
         QVERIFY(!standsStill(bench.cell));
@@ -370,7 +370,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.devices().use(bench.window.devices().devices().front().get());
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        press(bench.find<HoldButton>("jog.X+"));
+        press(bench.find<HoldToRunButton>("jog.X+"));
         bench.cell.advanceMs(400);
         QVERIFY(!standsStill(bench.cell));
         QVERIFY(bench.state().moving);

@@ -77,7 +77,7 @@ class TestGoThrough : public JogWindowTest {
 
 private:
     UndoableDocument& document() { return window().document(); }
-    HoldButton& through() { return key("waypoint.goThrough"); }
+    HoldToRunButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     JointPositions q(int row) { return document().waypoints().at(row).joints; }
     double apart(int row) { return (cell().truth().q.values - q(row).values).cwiseAbs().maxCoeff(); }
@@ -104,7 +104,7 @@ private:
         drive();
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &through() << &key("waypoint.stepOn") << &key("waypoint.stepBack") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -122,7 +122,7 @@ private:
     bool until(const std::function<bool()>& condition, int ms = 60'000) {
         return cell().advanceUntil(condition, ms);
     }
-    void hold(HoldButton& button) {
+    void hold(HoldToRunButton& button) {
         QVERIFY2(button.isEnabled(), qPrintable(button.toolTip()));
         press(button);
         QVERIFY(button.isHolding());
@@ -172,12 +172,12 @@ private:
                 break;
         }
     }
-    HoldButton& keyOf(Stage stage) {
+    HoldToRunButton& keyOf(Stage stage) {
         return stage == Stage::StepOn     ? key("waypoint.stepOn")
                : stage == Stage::StepBack ? key("waypoint.stepBack")
                                           : through();
     }
-    void end(End end, HoldButton& held) {
+    void end(End end, HoldToRunButton& held) {
         switch (end) {
             case End::Release:
                 release(held);
@@ -557,7 +557,7 @@ private Q_SLOTS:
     void whatCannotBeReachedIsNotBegun() {
         teach({0.2, 0.4}, 0);
         project::Waypoint far = document().waypoints().at(1);
-        far.ruling = project::Ruling::Pose;
+        far.ruling = project::TargetKind::Pose;
         far.pose.position = Eigen::Vector3d(3, 0, 0);
         document().changeWaypoint(1, far, "far");
         drive();

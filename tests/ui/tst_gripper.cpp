@@ -17,8 +17,8 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/density.h"
-#include "widgets/common/figure_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
@@ -104,7 +104,7 @@ private:
         QTest::mouseClick(&key(name), Qt::LeftButton);
     }
     void type(const char* box, const QString& figure) {
-        auto& field = bench_->find<FigureBox>(box);
+        auto& field = bench_->find<DecimalSpinBox>(box);
         field.setFocus();
         field.selectAll();
         QTest::keyClicks(&field, figure);
@@ -181,7 +181,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.opening") == "0.0 mm"; }));
         type("gripper.speed", "100");
         type("gripper.position", "40");
-        QTest::keyClick(&bench_->find<FigureBox>("gripper.position"), Qt::Key_Return);
+        QTest::keyClick(&bench_->find<DecimalSpinBox>("gripper.position"), Qt::Key_Return);
         cell().advanceMs(400);
         QTest::qWait(300);
         QCOMPARE(text("gripper.opening"), QString("0.0 mm"));  // Return does not move the fingers
@@ -198,8 +198,8 @@ private Q_SLOTS:
         said_.clear();
         type("gripper.position", "86");
         click("gripper.move");
-        QVERIFY(bench_->find<FigureBox>("gripper.position").isRefused());
-        QVERIFY(bench_->find<FigureBox>("gripper.position").accessibleDescription().contains("85"));
+        QVERIFY(bench_->find<DecimalSpinBox>("gripper.position").isRefused());
+        QVERIFY(bench_->find<DecimalSpinBox>("gripper.position").accessibleDescription().contains("85"));
         type("gripper.force", "101");
         click("gripper.close");
         cell().advanceMs(400);

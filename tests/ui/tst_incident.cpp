@@ -42,7 +42,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 struct Bench : WindowBench {
     std::unique_ptr<script::ScriptClient> pendant;
@@ -63,7 +63,7 @@ struct Bench : WindowBench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
             QTest::qWait(1);
         }
@@ -73,7 +73,7 @@ struct Bench : WindowBench {
     bool hasKept(std::uint64_t packets) {
         QElapsedTimer patience;
         patience.start();
-        while (watch().packets() < packets && patience.elapsed() < kPatienceMs) {
+        while (watch().packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
             const std::uint64_t before = watch().packets();
             cell.advanceMs(100);
             static_cast<void>(
@@ -269,7 +269,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QElapsedTimer patience;
     patience.start();
     view.setFocus();
-    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kPatienceMs) {
+    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kWaitTimeoutMs) {
         QTest::keyClick(&view, Qt::Key_Right);
     }
     QCOMPARE(bench.valueAtA({}, "actual_digital_input_bits"), 4.0);

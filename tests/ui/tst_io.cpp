@@ -64,15 +64,15 @@ private Q_SLOTS:
 
     void settingAnOutputStopsNoProgramAndNoMove() {
         // Home takes a while; the arm is moved by our own program.
-        press(find<HoldButton>("homeKey"));
+        press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
         bench_->window.session().outputs().setDigitalOutput(2, true);
         QVERIFY(until([this] { return output(2); }));
         QVERIFY2(!standsStill(cell()), "the arm goes on");
-        QVERIFY(find<HoldButton>("homeKey").isHolding());
+        QVERIFY(find<HoldToRunButton>("homeKey").isHolding());
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
-        release(find<HoldButton>("homeKey"));
+        release(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(400);
         // The same manually while the program is idle: the session stays in control.
         tab().output(3)->click();

@@ -38,7 +38,7 @@ struct RobotSettings {
 };
 
 RobotSettings settingsOf(const VirtualCell& cell) {
-    const simulator::Truth truth = cell.truth();
+    const simulator::SimulatedState truth = cell.truth();
     return {truth.robotMode, truth.safetyMode, truth.runtimeState, truth.speedSlider, truth.digitalOutputs};
 }
 

@@ -103,8 +103,8 @@ QStringList missing(app::MainWindow& window) {
     look(window.findChild<LimiterLine*>(), QStringLiteral("the limiter line"));
     look(&window.jogColumn(), QStringLiteral("the jog column"));
     look(window.findChild<QWidget*>("statusLine"), QStringLiteral("the status line"));
-    const QVector<HoldButton*> keys = window.jogColumn().holdKeys();
-    for (const HoldButton* key : keys) {
+    const QVector<HoldToRunButton*> keys = window.jogColumn().holdKeys();
+    for (const HoldToRunButton* key : keys) {
         if (key->isVisible()) {
             look(key, key->objectName());
         }
@@ -594,7 +594,7 @@ private Q_SLOTS:
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         bench.cell.advanceMs(300);
         QVERIFY(!standsStill(bench.cell));
@@ -626,7 +626,7 @@ private Q_SLOTS:
         bench.find<app::DockStage>("stage").tabifyDockWidget(&front, &behind);
         front.raise();
         QTRY_VERIFY(!front.visibleRegion().isEmpty() && behind.visibleRegion().isEmpty());
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         bench.cell.advanceMs(300);
         QVERIFY(!standsStill(bench.cell));

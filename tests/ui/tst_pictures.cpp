@@ -93,7 +93,7 @@ private:
         return rows;
     }
     void jog(const char* key, int ms) {
-        auto& button = bench_->find<HoldButton>(key);
+        auto& button = bench_->find<HoldToRunButton>(key);
         driveKeys(bench_->cell, {&button});
         press(button);
         bench_->cell.advanceMs(ms);

@@ -61,7 +61,7 @@ private:
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
     UndoableDocument& document() { return window().document(); }
-    HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
+    HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
 
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 1500; ++i) {
@@ -75,7 +75,7 @@ private:
     }
     void bringUp() {
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        driveKeys(cell(), window().findChildren<HoldButton*>().toVector());
+        driveKeys(cell(), window().findChildren<HoldToRunButton*>().toVector());
         QVERIFY(until([this] { return window().session().state().modelKnown; }));
     }
     void open(const project::Project& project) {

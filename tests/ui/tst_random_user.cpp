@@ -135,7 +135,7 @@ struct Board {
     JointRows joints{&window};
     IoTab io{session, &window};
     SessionState state = liveState();
-    simulator::Truth truth;
+    simulator::SimulatedState truth;
     TruthCheck check{window};
 
     Board() {

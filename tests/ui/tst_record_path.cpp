@@ -91,7 +91,7 @@ private:
         return best;
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &key("waypoint.goThrough") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -268,9 +268,9 @@ private Q_SLOTS:
         release(key("waypoint.goThrough"));
         cell().advanceMs(200);
         QVERIFY((cell().truth().q.values - points.back().joints.values).cwiseAbs().maxCoeff() < 1e-3);
-        QVERIFY(window().jogColumn().wayBack().size() > 10);
+        QVERIFY(window().jogColumn().retracePath().size() > 10);
         int told = 0;
-        connect(&window().jogColumn(), &JogColumn::wayBackChanged, this, [&told] { ++told; });
+        connect(&window().jogColumn(), &JogColumn::retracePathChanged, this, [&told] { ++told; });
 
         press(key("backKey"));
         QVERIFY(key("backKey").isHolding());
@@ -289,7 +289,7 @@ private Q_SLOTS:
                  "to where the motion began");
         QVERIFY2(furthest < 0.010, qPrintable(QString::number(furthest)));
         QVERIFY2(told > 3, "the view is told of the way that is left");
-        QVERIFY(window().jogColumn().wayBack().size() <= 2);
+        QVERIFY(window().jogColumn().retracePath().size() <= 2);
     }
 };
 

@@ -28,7 +28,7 @@
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/formats/open_recording.h"
 #include "tests/support/window_bench.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/plots/plot_dock.h"
 
 using namespace tiller;
@@ -256,7 +256,7 @@ private Q_SLOTS:
         page->showRecording();
         auto* search = page->findChild<QLineEdit*>("settings.recording.search");
         auto* list = page->findChild<QListWidget*>("settings.recording.signals");
-        const auto* nothing = page->findChild<NothingFound*>("settings.recording.signals.nothingFound");
+        const auto* nothing = page->findChild<EmptyState*>("settings.recording.signals.nothingFound");
         search->setFocus();
         QTest::keyClicks(search, "tcp force");
         int shown = 0;

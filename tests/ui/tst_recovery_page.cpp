@@ -102,7 +102,7 @@ struct Bench : WindowBench {
     /// Holds a button of the pad for a while and releases it.
     /// Returns the distance of the TCP [mm].
     double jog() {
-        auto* key = window.findChild<HoldButton*>("jog.Z+");
+        auto* key = window.findChild<HoldToRunButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });
         driveKeys(cell, window.jogColumn().holdKeys());
         const Pose from = cell.truth().tcpPose;

@@ -179,8 +179,8 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.open("pick-and-place"));
-        auto& goTo = bench.find<HoldButton>("waypoint.goTo");
-        QVector<HoldButton*> keys = bench.window.jogColumn().holdKeys();
+        auto& goTo = bench.find<HoldToRunButton>("waypoint.goTo");
+        QVector<HoldToRunButton*> keys = bench.window.jogColumn().holdKeys();
         keys << &goTo;
         driveKeys(bench.cell, keys);
         const ProjectDocument& document = bench.window.document();

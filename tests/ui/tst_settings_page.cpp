@@ -131,7 +131,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
         bench.window.jogColumn().selectors().setSpeedClass(3);  // 100 mm/s
-        auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
+        auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         press(*key);
         bench.cell.advanceMs(500);
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
@@ -170,7 +170,7 @@ private Q_SLOTS:
         page->close();
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
-        auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
+        auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
         // The last events of the closed page are processed before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -248,7 +248,7 @@ private Q_SLOTS:
         const Preferences read = app::readPreferences(app::SettingsView(file));
         QVERIFY(read.speedCap >= Preferences::kLowestCap && read.speedCap <= Preferences::kOrdinaryCap);
         QVERIFY(read.longestHold >= Preferences::kShortestLongestHold &&
-                read.longestHold <= Preferences::kLongestLongestHold);
+                read.longestHold <= Preferences::kMaxHoldLimit);
         QVERIFY(static_cast<int>(read.density) >= 0 && static_cast<int>(read.density) <= 2);
         QVERIFY(static_cast<int>(read.notation.length) <= 1);
         for (const DeviceTuning& tuning : read.devices) {

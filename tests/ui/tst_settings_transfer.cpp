@@ -176,9 +176,9 @@ private Q_SLOTS:
 
     void tutorialProgressIsNotOverwritten() {
         Bench bench;
-        app::Settings(bench.file).setLearned({false, {"jog"}, {"measure"}});
+        app::Settings(bench.file).setTutorialProgress({false, {"jog"}, {"measure"}});
         app::Settings other(bench.folder.filePath("other.ini"));
-        other.setLearned({false, {"powerOn", "teach"}, {"recover"}});
+        other.setTutorialProgress({false, {"powerOn", "teach"}, {"recover"}});
         const QString path = bench.folder.filePath("other.json");
         QVERIFY(app::writeSettingsFile(path, other.bundle()).ok());
         app::ImportDialog* dialog = bench.ask(path);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         // The next saved value keeps the others.
         bench.window.actions().find("app.firstSteps")->trigger();
         bench.find<QAbstractButton>("firstSteps.dismiss").click();
-        const app::Learned learned = app::Settings(bench.file).learned();
+        const app::TutorialProgress learned = app::Settings(bench.file).learned();
         QVERIFY(learned.dismissed);
         QCOMPARE(learned.firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(learned.practice, QStringList("recover"));

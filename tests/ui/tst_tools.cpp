@@ -70,8 +70,8 @@ private Q_SLOTS:
         bench_ = std::make_unique<WindowBench>();
         bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
-        keys << window().findChild<HoldButton*>("payload.estimator.next");
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
+        keys << window().findChild<HoldToRunButton*>("payload.estimator.next");
         driveKeys(cell(), keys);
         cell().advanceMs(40);
         window().showTab("tools");
@@ -111,7 +111,7 @@ private Q_SLOTS:
         window().tools().showPage(ToolsTab::Payloads);
         cell().advanceMs(400);
         click("payload.weigh");
-        auto& next = find<HoldButton>("payload.estimator.next");
+        auto& next = find<HoldToRunButton>("payload.estimator.next");
         for (int n = 0; n < 4; ++n) {
             if (n > 0) {
                 const JointPositions from = window().session().state().q;
@@ -161,14 +161,14 @@ private Q_SLOTS:
         QTRY_VERIFY((click("position.setHome"), window().document().positions().homePosition() != nullptr));
         const JointPositions home = window().document().positions().homePosition()->joints;
         keepPictures("tools-positions");
-        auto& away = find<HoldButton>("jog.Z+");
+        auto& away = find<HoldToRunButton>("jog.Z+");
         press(away);
         cell().advanceMs(600);
         release(away);
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 3000));
         QVERIFY((window().session().state().q.values - home.values).cwiseAbs().maxCoeff() > 0.005);
         cell().advanceMs(100);
-        auto& key = find<HoldButton>("homeKey");
+        auto& key = find<HoldToRunButton>("homeKey");
         press(key);
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));

@@ -219,7 +219,7 @@ private Q_SLOTS:
         Bench bench(kRoomy);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto* key = bench.window.findChild<HoldButton*>("joint.0.plus");
+        auto* key = bench.window.findChild<HoldToRunButton*>("joint.0.plus");
         QVERIFY(key != nullptr);
         const double before = bench.cell.truth().q[0];
         press(*key);

@@ -155,7 +155,7 @@ private Q_SLOTS:
         QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Move), "L", Qt::EditRole));
         QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Blend), "5", Qt::EditRole));
         window.frames().teachFromTcp();
-        auto* key = window.findChild<HoldButton*>("jog.X+");
+        auto* key = window.findChild<HoldToRunButton*>("jog.X+");
         press(*key);
         bench.cell.advanceMs(400);
         release(*key);

@@ -14,7 +14,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/undoable_document.h"
@@ -85,7 +85,7 @@ private:
     QStringList said_;
 
     UndoableDocument& document() { return window().document(); }
-    HoldButton& through() { return key("waypoint.goThrough"); }
+    HoldToRunButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     bool output(int pin) { return (cell().truth().digitalOutputs >> pin & 1) != 0; }
     bool isAt(int row) {
@@ -164,7 +164,7 @@ private:
         points[0].actions = actions;
         document().insertWaypoints(0, points, "taught");
         tab().selectRow(0);
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &through() << &key("waypoint.stepOn") << &key("waypoint.stepBack") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -173,13 +173,13 @@ private:
                          [this](Severity, const QString& text) { said_ << text; });
         cell().advanceMs(40);
     }
-    void hold(HoldButton& button) {
+    void hold(HoldToRunButton& button) {
         QVERIFY2(button.isEnabled(), qPrintable(button.toolTip()));
         press(button);
         QVERIFY(button.isHolding());
     }
     /// Holds the button until its motion ends.
-    void holdToTheEnd(HoldButton& button) {
+    void holdToTheEnd(HoldToRunButton& button) {
         hold(button);
         QVERIFY(until([&] { return !button.isHolding(); }));
         release(button);
@@ -442,7 +442,7 @@ private Q_SLOTS:
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
         QVERIFY(activate(panel));
-        bench_->find<FigureBox>("gripper.speed").setValue(0);
+        bench_->find<DecimalSpinBox>("gripper.speed").setValue(0);
         const auto position = [&] {
             return panel.robotiq().state() ? panel.robotiq().state()->position : -1;
         };

@@ -34,18 +34,18 @@ public:
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
     /// terms  must outlive the guard
-    void setTerms(HoldTerms& terms);
+    void setPolicy(HoldPolicy& terms);
 
     bool active() const { return rules_.isActive(); }
 
     /// Handles a press of the key. Returns false if no motion was started; refused() then reports the reason.
-    bool press(const Grip& grip = {});
+    bool press(const HoldSource& grip = {});
     /// Handles the release of the key.
     void release();
     /// Handles a move of the pointer or finger on the pressed key; coordinates of the key.
     void pointerMoved(const QPoint& position);
     /// Forwards an event of the keyboard that the key itself does not receive.
-    void tell(HoldNews::Kind kind) { rules_.happen(kind); }
+    void tell(HoldEvent::Kind kind) { rules_.happen(kind); }
     /// Ends the motion if one is active.
     void stop(control::StopCause cause);
     /// One refresh: calls hold(). Called by a timer every 20 ms; tests with virtual time call it directly.

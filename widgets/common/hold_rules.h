@@ -9,10 +9,10 @@
 //
 // Evidence that a key is still held:
 // - mouse button or keyboard key: the events of the window and, where available, a query of the display
-//   server (HoldWitness) within the last 100 ms;
+//   server (KeyStateProbe) within the last 100 ms;
 // - finger on the screen, gamepad, SpaceMouse: their events. A finger or stick that is held still may send no
 //   events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
-//   (HoldBounds::silenceNs); after that it needs a new press. For a stick whose driver reports continuously
+//   (HoldBounds::holdTimeoutNs); after that it needs a new press. For a stick whose driver reports continuously
 //   the limit is 100 ms.
 
 #include <QEvent>
@@ -33,10 +33,10 @@ class QWidget;
 namespace tiller {
 
 class HoldRules;
-class HoldWitness;
+class KeyStateProbe;
 
 /// The input that holds a motion.
-struct Grip {
+struct HoldSource {
     enum class By {
         Mouse,   ///< left mouse button
         Touch,   ///< one finger
@@ -49,8 +49,8 @@ struct Grip {
 };
 
 /// Settings and state shared by all hold-to-run keys of a window. Owned by the window, outlives its keys.
-struct HoldTerms {
-    HoldWitness* witness = nullptr;  ///< null: not available
+struct HoldPolicy {
+    KeyStateProbe* witness = nullptr;  ///< null: not available
     /// Limit for motions without an end of their own [ns].
     std::int64_t longestNs = kUsualLongestNs;
     /// The active hold; only one is allowed at a time.
@@ -60,7 +60,7 @@ struct HoldTerms {
 };
 
 /// An event that is checked by the rules while a motion is held.
-struct HoldNews {
+struct HoldEvent {
     enum class Kind {
         Event,         ///< any event of the application
         Application,   ///< the state of the application changed
@@ -92,32 +92,32 @@ public:
 
     void setClock(const Clock& clock) { clock_ = &clock; }
     /// terms  must outlive this
-    void setTerms(HoldTerms& terms) { terms_ = &terms; }
+    void setPolicy(HoldPolicy& terms) { policy_ = &terms; }
 
     /// The reason why no motion may start now, as a sentence; empty if one may start.
     /// key  the held key; null if the input is not a key on the screen
-    QString obstacle(const QWidget* key, const Grip& grip) const;
+    QString obstacle(const QWidget* key, const HoldSource& grip) const;
 
     /// This input requested a motion. Ends a motion that is held by another input: two inputs at once are not
     /// allowed.
     void endOther();
 
     /// A motion was started; the rules apply from now on.
-    void begin(QWidget* key, const Grip& grip, const HoldBounds& bounds);
+    void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
     /// The motion has ended.
     void end();
     bool isActive() const { return active_; }
 
     /// Checks the event against all rules and ends the motion if one applies.
     /// Returns  true if the motion was ended
-    bool happen(const HoldNews& news);
-    bool happen(HoldNews::Kind kind) { return happen(HoldNews{kind}); }
+    bool happen(const HoldEvent& news);
+    bool happen(HoldEvent::Kind kind) { return happen(HoldEvent{kind}); }
     /// The finger or the device sent an event.
     void heard() { heardNs_ = clock_->nowNs(); }
     /// Replaces the keys that hold the motion.
     void setKeys(const QList<KeyCode>& keys);
-    void setSilence(std::int64_t ns) { bounds_.silenceNs = ns; }
-    const Grip& grip() const { return grip_; }
+    void setHoldTimeout(std::int64_t ns) { bounds_.holdTimeoutNs = ns; }
+    const HoldSource& grip() const { return grip_; }
 
     /// Time left until the maximum hold duration [ns].
     std::int64_t leftNs() const;
@@ -136,26 +136,26 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct Book;
+    struct HoldRuleTable;
     struct HeldKey {
         KeyCode code = 0;
         std::int64_t sinceNs = 0;
     };
 
     std::int64_t now() const { return clock_->nowNs(); }
-    bool isWitnessed(const Grip& grip) const;
+    bool hasKeyStateProbe(const HoldSource& grip) const;
     template <class Test>
-    bool anyWitnessed(const Test& test) const;
-    control::StopCause whyGone() const;
+    bool anyKeyState(const Test& test) const;
+    control::StopCause hiddenCause() const;
 
     std::function<void(control::StopCause)> stop_;
     const Clock* clock_;
-    HoldTerms own_;
-    HoldTerms* terms_ = &own_;
+    HoldPolicy own_;
+    HoldPolicy* policy_ = &own_;
     bool active_ = false;
     QPointer<QWidget> key_;
     QPointer<QWidget> window_;
-    Grip grip_;
+    HoldSource grip_;
     HoldBounds bounds_;
     QList<HeldKey> keys_;
     std::int64_t beganNs_ = 0;

@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 class PoseEditor : public QWidget {
     Q_OBJECT
@@ -33,11 +33,11 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showFigures();
+    void updateValueTexts();
     void take(int figure);
 
     Pose pose_;
-    std::array<FigureBox*, 6> boxes_{};
+    std::array<DecimalSpinBox*, 6> boxes_{};
     std::array<double, 6> shown_{};
 };
 

@@ -39,8 +39,8 @@ public:
 
     QString caption() const { return caption_; }
     /// The part of the caption that is elided first: the part after " · ", or the part before it.
-    enum class GivesWay { Behind, Before };
-    void setCaption(const QString& caption, GivesWay givesWay = GivesWay::Behind);
+    enum class ElidedPart { Behind, Before };
+    void setCaption(const QString& caption, ElidedPart elidedPart = ElidedPart::Behind);
     /// The caption as displayed at this width.
     QString shownCaption() const;
     QString text() const { return text_; }
@@ -53,7 +53,7 @@ public:
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
     /// Use the fixed-width font for numbers.
-    void setFigures(bool figures);
+    void setNumberFont(bool figures);
     /// Use smaller text and margins, for a narrow window.
     void setDense(bool dense);
     /// Minimum width: the caption and this number of characters of the value; the rest is elided.
@@ -94,7 +94,7 @@ private:
     void showTip();
 
     QString caption_;
-    GivesWay givesWay_ = GivesWay::Behind;
+    ElidedPart elidedPart_ = ElidedPart::Behind;
     QString text_;
     QString mark_;
     QString advice_;

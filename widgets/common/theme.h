@@ -89,7 +89,7 @@ inline constexpr int kCornerRadius = 6;
 /// The font of the application (with digits of equal width).
 QFont textFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 /// Fixed-width font for columns of numbers.
-QFont figureFont(int pixelSize, QFont::Weight weight = QFont::Normal);
+QFont numberFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 
 /// WCAG 2 contrast ratio of two opaque colours, 1 ... 21.
 double contrastRatio(const QColor& a, const QColor& b);

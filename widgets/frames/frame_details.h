@@ -25,7 +25,7 @@ public:
     void setFrame(const std::optional<project::Frame>& frame, int waypoints);
     /// Empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
-    void editFigures();
+    void editValues();
 
     QString headline() const;
 

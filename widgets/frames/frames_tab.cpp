@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "robot/station/document/project_document.h"
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
 #include "widgets/frames/frame_editing.h"
@@ -103,7 +103,7 @@ void FramesTab::buildLayout() {
     layout->addWidget(teacher_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
-    new LowerEdge(*notice_, *this, {pages_, teacher_});
+    new BottomOverlay(*notice_, *this, {pages_, teacher_});
     connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
     editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
@@ -315,7 +315,7 @@ void FramesTab::buildActions() {
                                          [this] { table_->renameCurrent(); }),
                               "s")));
     menu->addAction(here(with(
-        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editFigures(); }), "s")));
+        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editValues(); }), "s")));
     menu->addAction(
         here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
                              [this] { withCurrent(&FrameEditing::duplicate); }),

@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 /// Values at the ends of the electrical range in the user's unit. Without a unit: not scaled.
 struct AnalogScale {
@@ -80,7 +80,7 @@ private:
     QLabel* nameLabel_;
     QLabel* valueLabel_;
     QComboBox* domain_ = nullptr;
-    FigureBox* wanted_ = nullptr;
+    DecimalSpinBox* wanted_ = nullptr;
     QPushButton* set_ = nullptr;
 };
 

@@ -138,7 +138,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
         painter.drawLine(0, height() - 1, width(), height() - 1);
     }
 
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.setPen(live ? theme.secondary : theme.disabledText);
     painter.drawText(QRect(10, 0, kTerminalWidth, height()), Qt::AlignVCenter | Qt::AlignLeft, terminal_);
     painter.setFont(textFont(14));

@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 class RegisterPanel : public QWidget {
     Q_OBJECT
@@ -48,8 +48,8 @@ private:
 
     QMap<QString, Row> rows_;
     QComboBox* kind_;
-    FigureBox* number_;
-    FigureBox* value_;
+    DecimalSpinBox* number_;
+    DecimalSpinBox* value_;
     QPushButton* write_;
 };
 

@@ -53,7 +53,7 @@ Q_SIGNALS:
     void lost(const QString& name);
     /// The device in use stopped reporting during a motion, which was ended. It is still connected and has to
     /// return to neutral.
-    void fellSilent(const QString& name);
+    void stoppedReporting(const QString& name);
     void tuned(const QString& kind, const tiller::DeviceTuning& tuning);
     /// The stop button of the device in use.
     void stopPressed();
@@ -61,7 +61,7 @@ Q_SIGNALS:
 private:
     void look();
     void follow(const DeviceReading& now);
-    std::chrono::nanoseconds silenceAtMost() const;
+    std::chrono::nanoseconds maxReportInterval() const;
 
     AxisJog& jog_;
     const Clock* clock_ = &SteadyClock::shared();

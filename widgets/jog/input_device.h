@@ -20,9 +20,9 @@ struct DeviceTuning {
     double exponent = 1.0;      ///< exponent of the curve outside of the dead zone
     bool dominantAxis = false;  ///< only the axis with the largest deflection is used
 
-    static constexpr double kLeastDeadZone = 0.03;
-    static constexpr double kMostDeadZone = 0.50;
-    static constexpr double kMostExponent = 4.0;
+    static constexpr double kMinDeadZone = 0.03;
+    static constexpr double kMaxDeadZone = 0.50;
+    static constexpr double kMaxExponent = 4.0;
     /// Limited to valid ranges; NaN is replaced by the default.
     DeviceTuning sane() const;
     friend bool operator==(const DeviceTuning&, const DeviceTuning&) = default;
@@ -34,8 +34,8 @@ struct DeviceShape : DeviceTuning {
     QString directions;   ///< axes and their motions, in a sentence
     /// A hand is never perfectly still. If a deflected device does not report for this time, the device or
     /// its driver hangs and its last value is invalid. Values above 100 ms are limited by
-    /// HoldBounds::silenceAt().
-    std::chrono::milliseconds silenceAtMost{100};
+    /// HoldBounds::holdTimeoutAt().
+    std::chrono::milliseconds maxReportInterval{100};
 };
 
 inline const QString kGamepadKind = QStringLiteral("gamepad");

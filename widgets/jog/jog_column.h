@@ -27,7 +27,7 @@ namespace tiller {
 class ArmKey;
 class AxisJog;
 class RetracePath;
-class HoldButton;
+class HoldToRunButton;
 struct HoldMotion;
 class JogKey;
 class JogPad;
@@ -81,13 +81,13 @@ public:
     /// Sets the zero point of the distance display; a second call removes it.
     void zeroHere();
     /// The positions of the path retraced by Back, oldest first, for the view.
-    std::vector<JointPositions> wayBack() const;
+    std::vector<JointPositions> retracePath() const;
     /// Remaining distances of the arm, as displayed on the pad buttons.
     TravelWatch& travel() { return *travel_; }
 
     /// Sets the rules for all buttons, devices and the keyboard.
     /// terms  must outlive the column
-    void setHoldTerms(HoldTerms& terms);
+    void setHoldPolicy(HoldPolicy& terms);
     /// Ends the motion of any held button. Call before a change of tab, perspective or tool.
     void stopMotion(control::StopCause cause);
     /// True while a motion of a held button or device is active.
@@ -98,7 +98,7 @@ public:
     /// hold-to-run keys: F freedrive, Home home, End align, Backspace back.
     void addHoldKeys(KeyboardJog& keyboard);
     /// All buttons that move the arm, for tests.
-    QVector<HoldButton*> holdKeys() const;
+    QVector<HoldToRunButton*> holdKeys() const;
 
     QSize sizeHint() const override { return {390, 948}; }
     QSize minimumSizeHint() const override;
@@ -115,9 +115,9 @@ Q_SIGNALS:
     void speedChanged();
     /// The pointer is on a button whose motion has a target, or such a button is held.
     void ghostWanted(const tiller::Ghost& ghost);
-    void ghostGone();
-    /// wayBack() has changed; emitted at most about ten times per second.
-    void wayBackChanged();
+    void ghostHidden();
+    /// retracePath() has changed; emitted at most about ten times per second.
+    void retracePathChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -131,9 +131,9 @@ private:
     void connectBottom();
     /// Effect of a button in step mode.
     enum class Steps { None, Lengths, Turns };
-    void guardKey(HoldButton* key, const Begin& begin, Steps steps);
+    void guardKey(HoldToRunButton* key, const Begin& begin, Steps steps);
     /// modified  whether Ctrl and Shift change the speed
-    void guardMotion(HoldButton* key, HoldMotion motion, bool modified);
+    void guardMotion(HoldToRunButton* key, HoldMotion motion, bool modified);
     Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
     Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
     Result<RobotSession::MotionId> beginFreedrive();
@@ -154,7 +154,7 @@ private:
     void arrange();
     void showReason();
     void showFrame();
-    void tellWayBack();
+    void reportRetracePath();
     void showJog();
     void lightKeys();
     void showFactor();
@@ -181,13 +181,13 @@ private:
     LimiterLine* limiter_ = nullptr;
     PoseView* pose_ = nullptr;
     JointRows* joints_ = nullptr;
-    HoldButton* freedrive_ = nullptr;
-    HoldButton* homeKey_ = nullptr;
-    HoldButton* align_ = nullptr;
-    HoldButton* back_ = nullptr;
+    HoldToRunButton* freedrive_ = nullptr;
+    HoldToRunButton* homeKey_ = nullptr;
+    HoldToRunButton* align_ = nullptr;
+    HoldToRunButton* back_ = nullptr;
     std::unique_ptr<RetracePath> track_;
-    std::uint64_t wayBackTold_ = 0;  ///< RetracePath::revision
-    int wayBackFrames_ = 0;          ///< frames since the last signal
+    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision
+    int retracePathFrames_ = 0;              ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
 

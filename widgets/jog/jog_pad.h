@@ -8,12 +8,12 @@
 #include <QWidget>
 
 #include "robot/station/jog/jog_motion.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 namespace tiller {
 
 /// One button: its name, and below it a bar in the colour of its axis.
-class JogKey : public HoldButton {
+class JogKey : public HoldToRunButton {
     Q_OBJECT
 
 public:

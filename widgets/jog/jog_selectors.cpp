@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
-constexpr int kLongestName = 84;  // width of a frame name on its button [px]
+constexpr int kMaxNameLength = 84;  // width of a frame name on its button [px]
 /// Segments of the length and angle rows: Hold, three sizes, other.
 constexpr int kHoldSegment = 0;
 constexpr int kOtherSegment = 4;
@@ -152,7 +152,7 @@ void JogSelectors::showFrames() {
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
     // A name may be longer than the button.
     const QString shown =
-        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
+        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kMaxNameLength);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
     frame_->setSegmentEnabled(kTaughtSegment, any,
                               any ? name : tr("No frame taught yet. Teach a frame in the Frames tab."));
@@ -276,7 +276,7 @@ void JogSelectors::setStepAngle(double angle) {
 
 void JogSelectors::setUntilContact(double force) {
     Q_EMIT changing(StopCause::SelectionChanged);
-    selection_.contactForce = std::clamp(force, kLeastContactForce, kMostContactForce);
+    selection_.contactForce = std::clamp(force, kMinContactForce, kMaxContactForce);
     choose(MotionChoice::UntilContact);
 }
 
@@ -408,7 +408,7 @@ void JogSelectors::askFor(Entry entry) {
             break;
         case Entry::ContactForce:
             askForNumber(tr("Contact force that ends the motion, in N"), selection_.contactForce,
-                         kLeastContactForce, kMostContactForce, 0,
+                         kMinContactForce, kMaxContactForce, 0,
                          [this](double value) { setUntilContact(value); });
             break;
     }

@@ -84,8 +84,8 @@ JointRow::JointRow(int joint, QWidget* parent)
     , joint_(joint)
     , name_(jointName(joint))
     , value_(QStringLiteral("–"))
-    , minus_(new HoldButton(QString(QChar(0x2212)), this))
-    , plus_(new HoldButton(QStringLiteral("+"), this))
+    , minus_(new HoldToRunButton(QString(QChar(0x2212)), this))
+    , plus_(new HoldToRunButton(QStringLiteral("+"), this))
     , bar_(new JointBar(this)) {
     setObjectName(QStringLiteral("joint.%1").arg(joint));
     setAccessibleName(name_);
@@ -147,10 +147,10 @@ void JointRow::setSpeed(const QString& speed) {
 
 /// Width of the longest joint name, so that all rows are aligned [px].
 int JointRow::nameRoom() const {
-    constexpr int kLeast = 86;
+    constexpr int kMinValue = 86;
     constexpr int kApart = 8;
     const QFontMetrics metrics(textFont(kNameSize));
-    int room = kLeast;
+    int room = kMinValue;
     for (int joint = 0; joint < kJointCount; ++joint) {
         room = std::max(room, metrics.horizontalAdvance(jointName(joint)) + kApart);
     }

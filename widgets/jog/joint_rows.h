@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "robot/core/joints.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 class QGridLayout;
 
@@ -48,8 +48,8 @@ public:
     explicit JointRow(int joint, QWidget* parent = nullptr);
 
     int joint() const { return joint_; }
-    HoldButton* minusKey() const { return minus_; }
-    HoldButton* plusKey() const { return plus_; }
+    HoldToRunButton* minusKey() const { return minus_; }
+    HoldToRunButton* plusKey() const { return plus_; }
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
@@ -86,8 +86,8 @@ private:
     QString value_;
     QString shown_;  ///< displayed value
     QString speed_;
-    HoldButton* minus_;
-    HoldButton* plus_;
+    HoldToRunButton* minus_;
+    HoldToRunButton* plus_;
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;

@@ -13,7 +13,7 @@
 
 namespace tiller {
 
-class HoldButton;
+class HoldToRunButton;
 
 class KeyGhosts : public QObject {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
 
     /// target  returns the target of a press now; empty if the button has no target
-    void offer(HoldButton& key, const QString& name, Target target);
+    void offer(HoldToRunButton& key, const QString& name, Target target);
     void setState(const SessionState& state);
 
 Q_SIGNALS:

@@ -105,12 +105,12 @@ bool KeyboardJog::isMoving() const {
 
 /// Ends the motion held by keys because of a keyboard event. The keys remain known as pressed, so that their
 /// releases match, but have no effect until all of them are released.
-void KeyboardJog::tell(HoldNews::Kind kind) {
+void KeyboardJog::tell(HoldEvent::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
     }
     jog_.tell(kind);
-    jog_.requireNeutral(Grip::By::Keys);  // rule: release all keys first
+    jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
 }
 
 /// Releases in other windows are not received, so all keys are considered released.
@@ -225,7 +225,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     if (!known && !press) {
         // Release without a press. For keys without a number, it may be the release of a motion key.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
-            tell(HoldNews::Kind::Unmatched);  // rule: release of a key that was not down
+            tell(HoldEvent::Kind::Unmatched);  // rule: release of a key that was not down
         }
         return false;
     }
@@ -248,7 +248,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
             keyReleased(meaning);
             break;
         case PhysicalKeys::Change::DownAgain:
-            tell(HoldNews::Kind::Unmatched);  // rule: press of a key that is down
+            tell(HoldEvent::Kind::Unmatched);  // rule: press of a key that is down
             break;
         case PhysicalKeys::Change::Repeat:
         case PhysicalKeys::Change::Unknown:
@@ -262,9 +262,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
     const bool held = std::any_of(holdKeys_.begin(), holdKeys_.end(),
                                   [](const HoldGuard* guard) { return guard->active(); });
     if (held) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a jog key in addition to a hold key
+        tell(HoldEvent::Kind::OtherKey);  // rule: a jog key in addition to a hold key
     } else if (jog_.isActive() && modifiers != modifiers_) {
-        tell(HoldNews::Kind::Modifier);  // rule: other modifiers than at the start
+        tell(HoldEvent::Kind::Modifier);  // rule: other modifiers than at the start
     } else {
         modifiers_ = modifiers;
         follow();
@@ -274,9 +274,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
 void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
     // One motion at a time: the second key stops the first one and starts nothing.
     if (isMoving()) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a hold key in addition to another motion
+        tell(HoldEvent::Kind::OtherKey);  // rule: a hold key in addition to another motion
     } else {
-        guard.press({Grip::By::Keys, {code}});
+        guard.press({HoldSource::By::Keys, {code}});
     }
 }
 
@@ -289,7 +289,7 @@ void KeyboardJog::keyReleased(int meaning) {
 
 void KeyboardJog::modifierChanged() {
     if (isMoving()) {
-        tell(HoldNews::Kind::Modifier);  // rule: a modifier is pressed or released
+        tell(HoldEvent::Kind::Modifier);  // rule: a modifier is pressed or released
     }
 }
 
@@ -301,11 +301,11 @@ void KeyboardJog::follow() {
         opposite = opposite || both(one, other) || both(one | kTurns, other | kTurns);
     }
     Deflection wish = deflection();
-    wish.grip = {Grip::By::Keys, keys_.codes()};
+    wish.grip = {HoldSource::By::Keys, keys_.codes()};
     // Opposite keys are not a valid input, nor are joints and Cartesian axes together. Releasing one of the two
     // keys is not a new press.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
-        tell(HoldNews::Kind::OtherKey);  // rule: opposite keys
+        tell(HoldEvent::Kind::OtherKey);  // rule: opposite keys
         return;
     }
     // Some layouts need Shift for digits and signs; it then does not change the speed.

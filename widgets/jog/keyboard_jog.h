@@ -55,7 +55,7 @@ private:
     void keyReleased(int meaning);
     void follow();
     void modifierChanged();
-    void tell(HoldNews::Kind kind);
+    void tell(HoldEvent::Kind kind);
     void forget(control::StopCause cause);
     bool isJogKey(int meaning) const;
     bool isMoving() const;

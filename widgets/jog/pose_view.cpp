@@ -19,9 +19,9 @@ namespace {
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
 /// Below these values the arm counts as stopped: measurement noise of the speed at rest.
-constexpr double kStands = 5e-5;              // [m/s]
-constexpr double kTurnsNot = toRadians(0.5);  // [rad/s]
-constexpr double kAtFlange = 5e-5;            // [m]
+constexpr double kStandstillTolerance = 5e-5;  // [m/s]
+constexpr double kTurnsNot = toRadians(0.5);   // [rad/s]
+constexpr double kAtFlange = 5e-5;             // [m]
 
 /// Two decimals at rest; one during motion, padded with a space.
 QString paced(double metres, bool moving) {
@@ -45,7 +45,7 @@ PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     pace_.setInterval(kDigitPeriodMs);
     connect(&pace_, &QTimer::timeout, this, [this] {
         if (std::exchange(pending_, false)) {
-            showFigures();
+            updateValueTexts();
         }
     });
 }
@@ -71,7 +71,7 @@ void PoseView::changed(bool atOnce) {
         shown_.clear();
     }
     if (atOnce || !pace_.isActive()) {
-        showFigures();
+        updateValueTexts();
     } else {
         pending_ = true;
     }
@@ -86,7 +86,7 @@ QStringList PoseView::figures() const {
 }
 
 // Variations of an arm at rest are smaller than the displayed digits.
-void PoseView::showFigures() {
+void PoseView::updateValueTexts() {
     if (const QStringList now = figures(); now != shown_) {
         shown_ = now;
         update();
@@ -144,7 +144,7 @@ QString PoseView::speedText() const {
     }
     const double linear = speed_.linear.norm();
     const double turn = speed_.angular.norm();
-    const double shown = linear < kStands ? 0 : linear;
+    const double shown = linear < kStandstillTolerance ? 0 : linear;
     const QString way =
         format::lengthNumber(shown, shown < 0.010 ? 1 : 0, false) + QLatin1Char(' ') + format::speedUnit();
     return turn < kTurnsNot ? way : tr("%1 · %2").arg(way, format::degreesPerSecond(turn));

@@ -137,7 +137,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
                 font.setUnderline(true);
                 return font;
             }
-            return index.column() == Time ? figureFont(13) : textFont(14);
+            return index.column() == Time ? numberFont(13) : textFont(14);
         case Qt::ForegroundRole:
             if (index.column() == SeverityColumn && entry.severity != Severity::Info) {
                 return entry.severity == Severity::Error ? Theme::current().alarm : Theme::current().warning;

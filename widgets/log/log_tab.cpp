@@ -19,8 +19,8 @@
 #include "robot/core/atomic_file.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/list_typing.h"
-#include "widgets/common/nothing_found.h"
 #include "widgets/common/replay_band.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
@@ -84,7 +84,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setObjectName(QStringLiteral("log.table"));
     table_->setAccessibleName(tr("Log"));
     table_->setModel(filter_);
-    nothing_ = new NothingFound(*table_);
+    nothing_ = new EmptyState(*table_);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -142,9 +142,9 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
             [this](int index) { filter_->setLeastSeverity(static_cast<Severity>(index)); });
     connect(search_, &QLineEdit::textChanged, filter_, &LogFilter::setWords);
     for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
-        connect(filter_, changed, this, &LogTab::showNothingFound);
+        connect(filter_, changed, this, &LogTab::showEmptyState);
     }
-    connect(search_, &QLineEdit::textChanged, this, &LogTab::showNothingFound);
+    connect(search_, &QLineEdit::textChanged, this, &LogTab::showEmptyState);
     connect(&session, &RobotSession::message, this, &LogTab::append);
 }
 
@@ -227,7 +227,7 @@ void LogTab::setReplay(const Replay& moment) {
         select(-1);
         table_->scrollToBottom();
     }
-    showNothingFound();
+    showEmptyState();
 }
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
@@ -267,7 +267,7 @@ void LogTab::showDetails() {
     }
 }
 
-void LogTab::showNothingFound() {
+void LogTab::showEmptyState() {
     nothing_->tell(filter_->rowCount() == 0 && shownModel().rowCount() > 0, search_->text());
 }
 

@@ -23,7 +23,7 @@ namespace tiller {
 
 class LogFilter;
 class LogModel;
-class NothingFound;
+class EmptyState;
 class ReplayBand;
 class SegmentedControl;
 
@@ -83,7 +83,7 @@ private:
     const LogModel& shownModel() const { return replay_ ? *replayModel_ : *model_; }
     void fillReplay(const ReplayMoment& moment);
     void select(int row);
-    void showNothingFound();
+    void showEmptyState();
     void add(Severity severity, const QString& text, Origin origin, const QString& detail,
              const QString& recording, std::optional<double> moment = {});
     QString textOf(const QList<int>& rows) const;
@@ -99,7 +99,7 @@ private:
     QLineEdit* search_;
     QToolButton* open_;
     QTableView* table_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
     QLabel* details_;
     bool follows_ = true;  ///< true if the newest line was visible when the page was left
 };

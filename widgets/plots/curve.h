@@ -2,7 +2,7 @@
 #pragma once
 
 // One curve, represented by its extent in every pixel column: from minimum to maximum, connected to the neighbours,
-// independent of the length of the history. CurveSheet renders the columns.
+// independent of the length of the history. CurveRaster renders the columns.
 
 #include <QPainterPath>
 #include <QPen>

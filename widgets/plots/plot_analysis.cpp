@@ -23,9 +23,9 @@ namespace tiller {
 namespace {
 
 constexpr int kAnalyseAfter = 120;  // delay after the last change [ms]
-constexpr std::int64_t kMostSamples = 2'000'000;
-constexpr std::int64_t kMostPoints = 50'000;  // maximum number of points for one signal over another
-constexpr int kLeastLetters = 8;              // minimum width of a signal's name [characters]
+constexpr std::int64_t kMaxAnalysisSamples = 2'000'000;
+constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points for one signal over another
+constexpr int kMinLetters = 8;               // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
 /// With more samples, the worker is used.
 constexpr std::int64_t kOnTheSpot = 65'536;
@@ -79,7 +79,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     });
     for (ChoiceBox* box : {x_, y_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(kLeastLetters);
+        box->setMinimumContentsLength(kMinLetters);
         connect(box, &QComboBox::activated, this, &PlotAnalysis::fill);
     }
 }
@@ -164,7 +164,7 @@ void PlotAnalysis::fill() {
     x_->setVisible(xy);
     if (y_->count() == 0) {
         cancel();
-        tellWhyNot(tr("Add a signal to the plots first."));
+        explainMissingResult(tr("Add a signal to the plots first."));
         return;
     }
     const int signal = y_->currentData().toInt();
@@ -177,7 +177,7 @@ void PlotAnalysis::fill() {
     }
 }
 
-void PlotAnalysis::tellWhyNot(const QString& message) {
+void PlotAnalysis::explainMissingResult(const QString& message) {
     title_->clear();
     canvas_->show({}, {}, {}, message);
 }
@@ -194,22 +194,22 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     const std::int64_t least = kind == Kind::Spectrum ? 2 : 1;
     if (task.end - task.begin < least) {
-        tellWhyNot(tr("There are no samples in this range."));
+        explainMissingResult(tr("There are no samples in this range."));
         return std::nullopt;
     }
     if (kind == Kind::Xy) {
-        task.every = (task.end - task.begin + kMostPoints - 1) / kMostPoints;
+        task.every = (task.end - task.begin + kMaxPoints - 1) / kMaxPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
-            tellWhyNot(
+            explainMissingResult(
                 tr("These signals are from different recordings: place the cursors A and B around a shorter "
                    "range."));
             return std::nullopt;
         }
         return task;
     }
-    task.end = std::min(task.end, task.begin + kMostSamples);
+    task.end = std::min(task.end, task.begin + kMaxAnalysisSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
-        tellWhyNot(
+        explainMissingResult(
             tr("Samples are missing in this range: place the cursors A and B so that there is no gap between "
                "them."));
         return std::nullopt;
@@ -286,7 +286,7 @@ void PlotAnalysis::readAndCompute(const Task& task, bool goesOn) {
         if (goesOn) {
             title_->setText(words);
         } else {
-            tellWhyNot(words);
+            explainMissingResult(words);
         }
     };
     progress(0);
@@ -368,7 +368,7 @@ void PlotAnalysis::finish(const Task& task, const Outcome& outcome) {
 
 void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
     if (outcome.points.isEmpty()) {
-        tellWhyNot(outcome.message);
+        explainMissingResult(outcome.message);
         return;
     }
     const QString from = format::number(task.range.from, kSecondDigits);

@@ -81,7 +81,7 @@ private:
     void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
     void present(const Task& task, const Outcome& outcome);
-    void tellWhyNot(const QString& message);
+    void explainMissingResult(const QString& message);
     Columns gather(const Task& task) const;
     /// The data are in a file and have to be read by the worker.
     bool isFar(const Task& task) const;

@@ -170,10 +170,10 @@ void PlotComparison::mark(const QString& recording, const divergence::Report& re
         return;
     }
     place_.marks.addOf(recording, {place_.store.timesOf(recording)->firstTime() + first->seconds,
-                                   tr("Arm and model diverge: %1").arg(partingMark(*first)), true});
+                                   tr("Arm and model diverge: %1").arg(deviationMark(*first)), true});
     constexpr int kWarning = 30;
     place_.replay.setFurtherEvents(
-        recording, {{first->seconds, kWarning, QStringLiteral("tiller"), partingText(*first)}});
+        recording, {{first->seconds, kWarning, QStringLiteral("tiller"), deviationText(*first)}});
 }
 
 void PlotComparison::goThere() {

@@ -130,7 +130,7 @@ Q_SIGNALS:
     /// The replayed time has changed; empty: all data are live.
     void replayChanged(const tiller::Replay& moment);
     /// Arm and model of a recording deviate at this time on its time axis.
-    void partedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
+    void deviatedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
     /// Pages, plots, their signals or the memory limit have changed.
     void arrangementChanged();
 
@@ -144,7 +144,7 @@ private:
     void takeExtra(const SampleBatch& batch);
     void followAbsent();
     void buildPagesMenu();
-    void sayWhatIsShown();
+    void announceContent();
     /// e.g. "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
     static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
@@ -157,13 +157,13 @@ private:
     PageLayout pageFor(const QString& recording) const;
     bool turnTo(const QString& recording);
     bool isOpen(const QString& path, std::optional<double> moment);
-    void makeWay();
+    void makeSpace();
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
     void followLane(const SessionState& state);
     void updateHeader();
-    void sayNothingToExport();
+    void showNothingToExport();
     void buildRecordMenu();
     void showRecordMenu();
     void askForFolder();

@@ -89,7 +89,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
             page.panes.insert(at + 1, PaneLayout{{key}, {}, page.panes[at].column, page.panes[at].share});
             view->setPage(page);
         })
-        ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMostPanes);
+        ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMaxPanes);
     addAction(menu, "plots.menu.remove", tr("Remove %1").arg(name),
               [view, at, signal] { view->removeSignal(at, signal); });
 }
@@ -148,8 +148,8 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
             first = first < 0 ? one : first;
         }
     }
-    constexpr qsizetype kMost = 6;
-    if (keys.size() > 1 && keys.size() <= kMost) {
+    constexpr qsizetype kMaxValue = 6;
+    if (keys.size() > 1 && keys.size() <= kMaxValue) {
         const QString name = QStringLiteral("|%1|").arg(store_.info(first).longLabel);
         add("plots.menu.norm", tr("Norm of the curves in this plot"),
             derivationText(name, pane.unit(),
@@ -162,7 +162,7 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
     PlotView* view = &view_;
     const int at = view_.paneIndex(pane);
     const int columns = columnsOf(view_);
-    const bool room = view_.panes().size() < PlotLayout::kMostPanes;
+    const bool room = view_.panes().size() < PlotLayout::kMaxPanes;
     const auto addPane = [view, at](int column) {
         PageLayout page = view->page();
         page.panes.insert(column == page.panes[at].column ? at + 1 : page.panes.size(),
@@ -174,7 +174,7 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
     })->setEnabled(room);
     addAction(menu, "plots.menu.beside", tr("New plot to the right"), [addPane, columns] {
         addPane(columns);
-    })->setEnabled(room && columns < PlotLayout::kMostColumns);
+    })->setEnabled(room && columns < PlotLayout::kMaxColumns);
     addAction(menu, "plots.menu.removePane", tr("Remove this plot"), [view, at] {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());

@@ -19,7 +19,7 @@
 #include "widgets/plots/axis_labels.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 
 namespace tiller {
 
@@ -31,7 +31,7 @@ constexpr double kPixelsPerLine = 28;
 // Boxes of the labels; a text exceeds its box instead of being cut off. [px]
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
-constexpr double kLeastPitch = 14;
+constexpr double kMinPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
 
@@ -74,7 +74,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
         legend_.push_back(series);
         curves_.push_back(std::make_unique<Curve>(signal));
     }
-    sheet_ = new CurveSheet(curves_, chart_.get());
+    sheet_ = new CurveRaster(curves_, chart_.get());
     sheet_->setZValue(10);
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
@@ -278,7 +278,7 @@ void PlotPane::updateValueAxis() {
     const auto last = std::llround(std::floor(range_.max() / step));
     // A plot with little height only has space for the uppermost label, or for every second one.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
-    const auto every = std::max(1LL, static_cast<long long>(std::ceil(kLeastPitch / std::max(pitch, 0.1))));
+    const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
         if ((last - i) % every != 0) {
             continue;

@@ -26,7 +26,7 @@ namespace tiller {
 
 class AxisLabels;
 class Curve;
-class CurveSheet;
+class CurveRaster;
 class SignalStore;
 
 /// A tick of an axis.
@@ -65,7 +65,7 @@ public:
 
     const AxisRange& range() const { return range_; }
     const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
-    const CurveSheet& sheet() const { return *sheet_; }
+    const CurveRaster& sheet() const { return *sheet_; }
     const std::vector<int>& shown() const { return shown_; }
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
     /// The common unit of all signals, if any.
@@ -116,7 +116,7 @@ private:
     AxisLabels* times_;
     std::vector<QLineSeries*> legend_;  // empty series: one per legend entry
     std::vector<std::unique_ptr<Curve>> curves_;
-    CurveSheet* sheet_;
+    CurveRaster* sheet_;
     AxisRange range_;
     QRectF area_;
     int emphasis_;

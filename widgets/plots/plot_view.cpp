@@ -37,7 +37,7 @@ constexpr double kTimeLabels = 20;  // space below the lowest plot [px]
 constexpr double kLaneHeight = 14;
 constexpr double kLaneGap = 2;
 constexpr double kBottom = 10;
-constexpr double kLeastHeight = 24;  // minimum height of a plot [px]
+constexpr double kMinHeight = 24;  // minimum height of a plot [px]
 
 double niceTickStep(double span, double width) {
     const double least = span / std::max(1.0, width / 110.0);  // minimum distance of labels [s]
@@ -231,7 +231,7 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
             continue;
         }
         QStringList& into = store_.info(signal).isState() ? page.lanes : curves;
-        const int most = store_.info(signal).isState() ? PlotLayout::kMostLanes : PlotLayout::kMostSignals;
+        const int most = store_.info(signal).isState() ? PlotLayout::kMaxLanes : PlotLayout::kMaxSignals;
         if (!into.contains(key) && into.size() < most) {
             into.append(key);
         }
@@ -240,16 +240,16 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
     PaneLayout& target = page.panes[at];
     if (!curves.isEmpty() && place == Place::Into) {
         for (const QString& key : std::as_const(curves)) {
-            if (!target.shown.contains(key) && target.shown.size() < PlotLayout::kMostSignals) {
+            if (!target.shown.contains(key) && target.shown.size() < PlotLayout::kMaxSignals) {
                 target.shown.append(key);
             }
         }
-    } else if (!curves.isEmpty() && page.panes.size() < PlotLayout::kMostPanes) {
+    } else if (!curves.isEmpty() && page.panes.size() < PlotLayout::kMaxPanes) {
         PaneLayout added{curves, {}, target.column, 1};
         if (place == Place::Beside) {
-            added.column = std::min(target.column + 1, PlotLayout::kMostColumns - 1);
+            added.column = std::min(target.column + 1, PlotLayout::kMaxColumns - 1);
             for (PaneLayout& other : page.panes) {
-                const bool moves = other.column > target.column && columns_ < PlotLayout::kMostColumns;
+                const bool moves = other.column > target.column && columns_ < PlotLayout::kMaxColumns;
                 other.column += moves ? 1 : 0;
             }
             page.panes.append(added);
@@ -351,7 +351,7 @@ void PlotView::layOut() {
         most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
     }
     // Lanes are hidden if there is not enough space, because they would cover the curves.
-    const double least = kTop + most * kLeastHeight + (most - 1) * kBetween;
+    const double least = kTop + most * kMinHeight + (most - 1) * kBetween;
     const double below = size.height() - kBottom - kTimeLabels;
     const bool roomy = below - lanes >= least;
     const double bottom = below - (roomy ? lanes : 0);
@@ -362,12 +362,12 @@ void PlotView::layOut() {
             shares += pane->column() == column ? pane->share() : 0;
             count += pane->column() == column ? 1 : 0;
         }
-        const double heights = std::max(count * kLeastHeight, bottom - kTop - (count - 1) * kBetween);
+        const double heights = std::max(count * kMinHeight, bottom - kTop - (count - 1) * kBetween);
         const double left = kLeft + column * (width + kLeft);
         double top = kTop;
         for (const auto& pane : panes_) {
             if (pane->column() == column) {
-                const double height = --count == 0 ? std::max(kLeastHeight, bottom - top)
+                const double height = --count == 0 ? std::max(kMinHeight, bottom - top)
                                                    : std::round(heights * pane->share() / shares);
                 pane->setArea({left, top, width, height});
                 top += height + kBetween;
@@ -1213,7 +1213,7 @@ PlotView::Target PlotView::targetAt(const QPointF& place) const {
     if (pane.shown().empty()) {
         return target;
     }
-    if (along > 1 - kEdge / 2 && columns_ < PlotLayout::kMostColumns) {
+    if (along > 1 - kEdge / 2 && columns_ < PlotLayout::kMaxColumns) {
         target.place = Place::Beside;
         target.mark.setLeft(area.center().x());
     } else if (down > 1 - kEdge) {

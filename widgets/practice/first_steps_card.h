@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-class TickLine;
+class ChecklistItem;
 
 class FirstStepsCard : public ViewCard {
     Q_OBJECT
@@ -28,7 +28,7 @@ private:
     void showSteps();
 
     FirstSteps& steps_;
-    std::array<TickLine*, kFirstSteps.size()> lines_{};
+    std::array<ChecklistItem*, kFirstSteps.size()> lines_{};
 };
 
 }  // namespace tiller

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/practice.h"
-#include "widgets/practice/tick_line.h"
 
 namespace tiller {
 namespace {
@@ -26,7 +26,7 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     , text_(new QLabel)
     , answerRow_(new QWidget)
     , answer_(new QLineEdit)
-    , check_(new TickLine({}))
+    , check_(new ChecklistItem({}))
     , start_(new QPushButton(tr("Start")))
     , done_(new QPushButton(tr("Done"))) {
     name_->setObjectName(QStringLiteral("practice.name"));

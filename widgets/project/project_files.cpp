@@ -30,7 +30,7 @@ QString projectFolder() {
 }
 
 ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject(parent), store_(document) {
-    connect(&store_, &ProjectStore::keptAside, this, [this](const QString& copy) {
+    connect(&store_, &ProjectStore::copyKept, this, [this](const QString& copy) {
         Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1").arg(copy));
     });
     connect(&store_, &ProjectStore::saveFailed, this, [this](const Error& error) {
@@ -47,7 +47,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
                        tr("The other window closed %1. This window saves changes again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
-    connect(&store_, &ProjectStore::foreignChangeGone, this,
+    connect(&store_, &ProjectStore::externalChangeResolved, this,
             [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
         // These notices referred to the previous project.

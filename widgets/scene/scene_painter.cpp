@@ -71,8 +71,8 @@ QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, co
 }
 
 void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides) {
-    constexpr double kPiece = 6;      // step along a line between two visibility checks [px]
-    constexpr int kMostPieces = 400;  // maximum number of steps per line
+    constexpr double kPiece = 6;     // step along a line between two visibility checks [px]
+    constexpr int kMaxPieces = 400;  // maximum number of steps per line
     constexpr double kFaint = 0.28;
     const auto draw = [&](const QPolygonF& line, bool hidden) {
         if (line.size() < 2) {
@@ -113,7 +113,7 @@ void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& s
             const QPointF way = b.point - a.point;
             const int pieces =
                 a.visible() && b.visible()
-                    ? std::min(kMostPieces, static_cast<int>(std::hypot(way.x(), way.y()) / kPiece))
+                    ? std::min(kMaxPieces, static_cast<int>(std::hypot(way.x(), way.y()) / kPiece))
                     : 0;
             for (int k = 1; k < pieces; ++k) {
                 visit(camera_.project(points[i - 1] + (points[i] - points[i - 1]) * k / pieces));

@@ -7,8 +7,8 @@ namespace tiller {
 
 namespace {
 
-constexpr double kLeastStep = 0.0003;         // [m]; smaller steps are not visible
-constexpr std::size_t kLongestStretch = 256;  // limits the cost of each new position
+constexpr double kMinStep = 0.0003;       // [m]; smaller steps are not visible
+constexpr std::size_t kMaxStretch = 256;  // limits the cost of each new position
 
 }  // namespace
 
@@ -50,10 +50,10 @@ bool SceneTrace::extend(double time, const Eigen::Vector3d& place) {
         points_.push_back({time, place});
         return true;
     }
-    if ((points_.back().place - place).norm() < kLeastStep) {
+    if ((points_.back().place - place).norm() < kMinStep) {
         return changed;
     }
-    if (points_.size() >= 2 && passed_.size() < kLongestStretch && fits(place)) {
+    if (points_.size() >= 2 && passed_.size() < kMaxStretch && fits(place)) {
         passed_.push_back(place);
         points_.back() = {time, place};
         return true;

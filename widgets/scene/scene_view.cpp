@@ -33,7 +33,7 @@ constexpr double kGhostApart = 0.003;     // minimum difference of a joint at wh
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
 constexpr double kKeysAt = 8;             // distance from the corner [px]
 constexpr double kFitShare = 0.07;        // margin when the view is fitted, as a fraction of the image
-constexpr double kLeastShare = 0.03;      // margin below which the view moves automatically
+constexpr double kMinShare = 0.03;        // margin below which the view moves automatically
 constexpr double kToolAxes = 0.095;       // length of the tool axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;      // half the size of a mark [px]
@@ -288,14 +288,14 @@ void SceneView::updateGhost() {
         limitText_ = limit;
         Q_EMIT moveLimitChanged(limit);
     }
-    const QString text = ghostFigures();
+    const QString text = ghostValues();
     if (text != ghostText_) {
         ghostText_ = text;
         Q_EMIT ghostTextChanged(text);
     }
 }
 
-QString SceneView::ghostFigures() const {
+QString SceneView::ghostValues() const {
     if (!ghost_) {
         return {};
     }
@@ -396,7 +396,7 @@ void SceneView::frame(const QSizeF& size) {
         fitWanted_ = false;
         camera_.fit(inSight(), margins(size, kFitShare));
     } else {
-        camera_.contain(inSight(), margins(size, kLeastShare));
+        camera_.contain(inSight(), margins(size, kMinShare));
     }
 }
 

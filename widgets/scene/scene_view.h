@@ -132,7 +132,7 @@ private:
     bool armHasMoved() const;
     /// Checks the move to the ghost again.
     void updateGhost();
-    QString ghostFigures() const;
+    QString ghostValues() const;
     void rebuildCheck();
     QRectF drawJog(ScenePainter& scene);
     /// Height of the floor of the cell [m]; empty if the cell has no floor.

@@ -15,7 +15,7 @@
 
 #include "robot/station/history/signal_store.h"
 #include "widgets/common/density.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -25,7 +25,7 @@ namespace {
 constexpr int kKeys = Qt::UserRole + 1;   // QStringList: keys of the signals
 constexpr int kWords = Qt::UserRole + 2;  // text searched by the filter
 constexpr int kGroup = Qt::UserRole + 3;  // bool: a group, which can only be expanded and collapsed
-constexpr int kLeastList = 24;            // minimum height: one line, so that the panel does not grow [px]
+constexpr int kMinList = 24;              // minimum height: one line, so that the panel does not grow [px]
 
 class Model : public QStandardItemModel {
 public:
@@ -98,7 +98,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setObjectName(QStringLiteral("signals.tree"));
     view_->setAccessibleName(tr("Signals of the robot"));
     view_->setHeaderHidden(true);
-    view_->setMinimumHeight(kLeastList);
+    view_->setMinimumHeight(kMinList);
     view_->setUniformRowHeights(true);
     view_->setDragEnabled(true);
     view_->setDragDropMode(QAbstractItemView::DragOnly);
@@ -108,7 +108,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setFont(textFont(13));
     shown_->setSourceModel(model_);
     view_->setModel(shown_);
-    nothing_ = new NothingFound(*view_);
+    nothing_ = new EmptyState(*view_);
     nothing_->setObjectName(QStringLiteral("signals.nothingFound"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 0, 4, 8);
@@ -215,7 +215,7 @@ void SignalTree::setAbsent(const QSet<QString>& fields) {
     }
 }
 
-void SignalTree::tellDerivation(const QString& problem) {
+void SignalTree::showDerivationResult(const QString& problem) {
     problem_->setText(problem);
     problem_->setVisible(!problem.isEmpty());
     if (problem.isEmpty()) {

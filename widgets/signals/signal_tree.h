@@ -20,7 +20,7 @@ class QTreeView;
 
 namespace tiller {
 
-class NothingFound;
+class EmptyState;
 class SignalStore;
 
 class SignalTree : public QWidget {
@@ -33,7 +33,7 @@ public:
     void setAbsent(const QSet<QString>& fields);
     void focusFilter();
     /// Shows the result of entering a derived signal: a problem, or empty if the signal was created.
-    void tellDerivation(const QString& problem);
+    void showDerivationResult(const QString& problem);
 
     /// The signals contained in the data of a drag.
     static QStringList keysIn(const QMimeData* data);
@@ -55,7 +55,7 @@ private:
     QTreeView* view_;
     QStandardItemModel* model_;
     QSortFilterProxyModel* shown_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
     QLineEdit* derivation_;
     QLabel* problem_;
     QSet<QString> absent_;

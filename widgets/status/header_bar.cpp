@@ -99,8 +99,8 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     for (StateChip* withMenu : {robot_, mode_, control_}) {
         withMenu->setMenuArrow(true);
     }
-    link_->setFigures(true);
-    lastStop_->setFigures(true);
+    link_->setNumberFont(true);
+    lastStop_->setNumberFont(true);
     // The layout depends on the width of the bar; see arrange().
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
@@ -249,7 +249,7 @@ void HeaderBar::showLink() {
     }
     showOn(*link_, look);
     // Show the consequence for jogging before the name of the state.
-    link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
+    link_->setCaption(linkCaption(state_), StateChip::ElidedPart::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
     }

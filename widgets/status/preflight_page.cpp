@@ -14,8 +14,8 @@
 #include <algorithm>
 
 #include "robot/station/text/notation.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/shapes.h"
-#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -140,7 +140,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
         list_->addWidget(rows_.back());
     }
     list_->addStretch(1);
-    auto* scroll = new SteadyScrollArea(this);
+    auto* scroll = new NoFocusScrollArea(this);
     scroll->setObjectName(QStringLiteral("preflightConditions"));
     scroll->setAccessibleName(tr("Conditions"));
     scroll->setWidget(list);

@@ -16,16 +16,16 @@
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 namespace {
 
 // Minimum ranges of the scales of the small plots.
-constexpr double kLeastForce = 20.0;   // [N]
-constexpr double kLeastCurrent = 2.0;  // [A]
-constexpr double kLeastSpeed = 0.020;  // [m/s]
+constexpr double kMinForceRange = 20.0;   // [N]
+constexpr double kMinCurrentRange = 2.0;  // [A]
+constexpr double kMinSpeedRange = 0.020;  // [m/s]
 
 /// e.g. "+200.0 mm"
 QString signedLength(double metres) {
@@ -70,7 +70,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(13));
     painter.setPen(theme.secondary);
     painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignLeft | Qt::AlignVCenter, title_);
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignRight | Qt::AlignVCenter,
                      tr("max %1").arg(peak_));
     painter.setPen(theme.border);
@@ -210,7 +210,7 @@ void RecoveryPage::applyState(const SessionState& state) {
     }
     showRecord();
     showKey();
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 void RecoveryPage::showRecord() {
@@ -236,15 +236,15 @@ void RecoveryPage::showRecord() {
     where_->setText(where);
     reports_->setText(record->reports.join(QLatin1Char('\n')));
     plots_[0]->show(
-        *record, [](const StopRecord::Point& p) { return p.force; }, format::newtons, kLeastForce);
+        *record, [](const StopRecord::Point& p) { return p.force; }, format::newtons, kMinForceRange);
     plots_[1]->show(
         *record,
         [joint](const StopRecord::Point& p) {
             return joint >= 0 ? p.current[joint] : p.current.cwiseAbs().maxCoeff();
         },
-        format::amperes, kLeastCurrent);
+        format::amperes, kMinCurrentRange);
     plots_[2]->show(
-        *record, [](const StopRecord::Point& p) { return p.speed; }, format::speed, kLeastSpeed);
+        *record, [](const StopRecord::Point& p) { return p.speed; }, format::speed, kMinSpeedRange);
 }
 
 void RecoveryPage::changeEvent(QEvent* event) {

@@ -20,8 +20,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kWidth = 460;       // [px]
-constexpr int kLeastMargin = 16;  // minimum distance from the edges of the covered widget [px]
+constexpr int kWidth = 460;     // [px]
+constexpr int kMinMargin = 16;  // minimum distance from the edges of the covered widget [px]
 constexpr int kMargin = 16;
 constexpr int kSign = 22;
 constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the complete text
@@ -225,7 +225,7 @@ void RobotPopup::place() {
     const QRect room = over_.isVisible() && over_.window() == &window
                            ? QRect(over_.mapTo(&window, QPoint(0, 0)), over_.size())
                            : window.rect();
-    const int width = std::min(kWidth, std::max(240, room.width() - 2 * kLeastMargin));
+    const int width = std::min(kWidth, std::max(240, room.width() - 2 * kMinMargin));
     layout()->activate();
     const int height = std::max(heightForWidth(width), minimumSizeHint().height());
     setGeometry(room.center().x() - width / 2, room.center().y() - height / 2, width, height);

@@ -14,7 +14,7 @@ namespace tiller {
 namespace {
 constexpr int kPadding = 13;
 constexpr int kSettleMs = 800;
-constexpr int kLeastPercent = 2;  // a speed of 0 has caused protective stops
+constexpr int kMinPercent = 2;  // a speed of 0 has caused protective stops
 }  // namespace
 
 SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
@@ -22,7 +22,7 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setAccessibleName(tr("Speed slider"));
     setToolTip(tr("Speed slider of the robot, 2 to 100 %"));
     setOrientation(Qt::Horizontal);
-    setRange(kLeastPercent, 100);
+    setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
     setFocusPolicy(Qt::StrongFocus);
@@ -82,7 +82,7 @@ void SpeedChip::paintEvent(QPaintEvent*) {
     painter.setFont(caption);
     painter.setPen(theme.secondary);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("SPEED"));
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.setPen(valid_ ? theme.text : theme.secondary);
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      valid_ ? QStringLiteral("%1 %").arg(value()) : QStringLiteral("–"));

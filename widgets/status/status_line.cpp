@@ -76,7 +76,7 @@ StatusLine::StatusLine(QWidget* parent)
     message_->setObjectName(QStringLiteral("lastMessage"));
 
     recording_->setFont(textFont(13, QFont::Bold));
-    details_->setFont(figureFont(13));
+    details_->setFont(numberFont(13));
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -15,7 +15,7 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 class PoseEditor;
 class ProjectDocument;
 
@@ -40,13 +40,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showFigures();
+    void updateValueTexts();
     void take(int figure);
     double unit() const;
 
     Kind kind_;
     Eigen::Vector3d vector_ = Eigen::Vector3d::Zero();
-    std::array<FigureBox*, 3> boxes_{};
+    std::array<DecimalSpinBox*, 3> boxes_{};
     std::array<double, 3> shown_{};
 };
 
@@ -95,12 +95,12 @@ private:
     QCheckBox* enabled_;
     PoseEditor* pose_;
     VectorEditor* size_;
-    QWidget* planeFigures_;
+    QWidget* planeValues_;
     VectorEditor* point_;
     VectorEditor* normal_;
     QCheckBox* hasFloor_;
-    FigureBox* floor_;
-    FigureBox* distance_;
+    DecimalSpinBox* floor_;
+    DecimalSpinBox* distance_;
     double shownFloor_ = 0;
     double shownDistance_ = -1;
 };

@@ -18,7 +18,7 @@ class QPushButton;
 
 namespace tiller {
 
-class HoldButton;
+class HoldToRunButton;
 
 class PayloadEstimator : public QWidget {
     Q_OBJECT
@@ -56,7 +56,7 @@ private:
     QString problem_;
     QPushButton* take_;
     QPushButton* again_;
-    HoldButton* next_;
+    HoldToRunButton* next_;
     QLabel* feedback_;
     QLabel* poses_;
     QPushButton* keep_;

@@ -12,7 +12,7 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/row_table.h"
 
@@ -27,7 +27,7 @@ PartModel* payloadModel(ProjectDocument& document) {
         return document.tooling().payloads.at(static_cast<std::size_t>(row));
     };
     PartModel::Content content;
-    content.figureHeadings = [] {
+    content.valueHeadings = [] {
         return QStringList{PayloadPage::tr("Mass kg"), PayloadPage::tr("CX %1").arg(format::lengthUnit()),
                            PayloadPage::tr("CY %1").arg(format::lengthUnit()),
                            PayloadPage::tr("CZ %1").arg(format::lengthUnit())};
@@ -94,7 +94,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
     const QString spoken[] = {tr("Mass of the payload"), tr("Centre of gravity X"), tr("Centre of gravity Y"),
                               tr("Centre of gravity Z")};
     for (int i = 0; i < 4; ++i) {
-        auto* box = new FigureBox;
+        auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("payload.details.") + QLatin1String(kNames[i]));
         box->setAccessibleName(spoken[i]);
         box->setToolTip(tr("Press Return to apply to the project. The robot's payload does not change."));
@@ -104,7 +104,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
         grid->addWidget(title, 0, i);
         grid->addWidget(box, 1, i);
         boxes_[static_cast<std::size_t>(i)] = box;
-        connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { takeFigure(i); });
+        connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { storeValue(i); });
     }
     auto* layout = new QVBoxLayout(&details());
     layout->setContentsMargins(12, 8, 12, 12);
@@ -187,7 +187,7 @@ void PayloadPage::change(const project::Payload& payload, const QString& text) {
     document_.changeTooling(after, text);
 }
 
-void PayloadPage::takeFigure(int figure) {
+void PayloadPage::storeValue(int figure) {
     const project::Payload* payload = current();
     const auto at = static_cast<std::size_t>(figure);
     if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
@@ -335,7 +335,7 @@ void PayloadPage::refresh() {
     if (payload == nullptr) {
         return;
     }
-    showFigures(*payload);
+    updateValueTexts(*payload);
     if (checking_) {
         return;
     }
@@ -346,7 +346,7 @@ void PayloadPage::refresh() {
                                                      format::position(state_.payloadCentre)));
 }
 
-void PayloadPage::showFigures(const project::Payload& payload) {
+void PayloadPage::updateValueTexts(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
         return;  // keep a value that is being edited
@@ -355,7 +355,7 @@ void PayloadPage::showFigures(const project::Payload& payload) {
     shownUnit_ = perUnit;
     for (int i = 0; i < 4; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        FigureBox& box = *boxes_[at];
+        DecimalSpinBox& box = *boxes_[at];
         const QSignalBlocker quiet(box);
         const double most = i == 0 ? project::kHeaviestPayload : project::kFarthestPayload / perUnit;
         box.setRange(i == 0 ? 0 : -most, most);

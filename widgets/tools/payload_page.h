@@ -15,7 +15,7 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 class ProjectDocument;
 
 class PayloadPage : public PartPage {
@@ -49,9 +49,9 @@ private:
     void remove();
     void insert(project::Payload payload);
     void change(const project::Payload& payload, const QString& text);
-    void takeFigure(int figure);
+    void storeValue(int figure);
     void refresh();
-    void showFigures(const project::Payload& payload);
+    void updateValueTexts(const project::Payload& payload);
     void compare();
     void followCheck();
     bool isOnRobot(const project::Payload& payload) const;
@@ -60,7 +60,7 @@ private:
     ProjectDocument& document_;
     SessionState state_;
     QLabel* facts_;
-    std::array<FigureBox*, 4> boxes_{};  ///< mass and centre of gravity
+    std::array<DecimalSpinBox*, 4> boxes_{};  ///< mass and centre of gravity
     std::array<double, 4> shown_{};
     std::optional<project::Payload> shownPayload_;
     double shownUnit_ = 0;

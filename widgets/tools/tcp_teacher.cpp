@@ -46,7 +46,7 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     setObjectName(QStringLiteral("tcp.teacher"));
     setAccessibleName(tr("Teach the TCP"));
     title_->setProperty("role", "strong");
-    poses_->setFont(figureFont(13));
+    poses_->setFont(numberFont(13));
     take_->setProperty("primary", true);
     takeTurn_->setAccessibleName(tr("Take a pose for the rotation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
@@ -202,7 +202,7 @@ QString TcpTeacher::tipFeedback() const {
                            "each with the tip on the same point and the tool tilted in another direction.")
                       : tr("Tilt the tool in another direction, move the tip to the same point again, and "
                            "take the pose. Poses still needed: %n",
-                           nullptr, kinematics::kLeastTipPoses - taken);
+                           nullptr, kinematics::kMinTipPoses - taken);
 }
 
 QString TcpTeacher::turnFeedback() const {
@@ -223,10 +223,10 @@ QString TcpTeacher::turnFeedback() const {
         case 1:
             return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and take "
                       "the pose.")
-                .arg(format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::shortLength(kinematics::kMinAxisTravel));
         case 2:
             return tr("Now move the tool along its +X direction by at least %1, and take the pose.")
-                .arg(format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::shortLength(kinematics::kMinAxisTravel));
         default:
             break;
     }
@@ -244,10 +244,10 @@ QString TcpTeacher::turnFeedback() const {
                 .arg(fit.worst + 1);
         case Problem::ZTooClose:
             return tr("The distance along +Z is only %1. Take the three poses again, at least %2 apart.")
-                .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::XTooClose:
             return tr("The distance along +X is only %1. Take the three poses again, at least %2 apart.")
-                .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::InLine:
             return tr("The three poses are collinear: the third is only %1 from the line. Take the three "
                       "poses again.")

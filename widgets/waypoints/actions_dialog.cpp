@@ -14,7 +14,7 @@
 
 #include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 namespace {
@@ -48,7 +48,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     , kind_(new ChoiceBox)
     , pin_(new ChoiceBox)
     , value_(new ChoiceBox)
-    , seconds_(new FigureBox) {
+    , seconds_(new DecimalSpinBox) {
     setObjectName(QStringLiteral("waypoint.actions"));
     const auto count = static_cast<int>(waypoints.size());
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
@@ -133,7 +133,7 @@ QWidget* ActionsDialog::buildFields() {
         connect(box, &QComboBox::activated, this, &ActionsDialog::change);
     }
     seconds_->setDecimals(2);
-    seconds_->setRange(0, project::kLongestAction);
+    seconds_->setRange(0, project::kMaxActionTime);
     seconds_->setSuffix(QStringLiteral(" s"));
     connect(seconds_, &QDoubleSpinBox::valueChanged, this, &ActionsDialog::change);
 

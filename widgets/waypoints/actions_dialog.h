@@ -17,7 +17,7 @@ class QPushButton;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 
 class ActionsDialog : public QDialog {
     Q_OBJECT
@@ -53,7 +53,7 @@ private:
     ChoiceBox* kind_;
     ChoiceBox* pin_;
     ChoiceBox* value_;
-    FigureBox* seconds_;
+    DecimalSpinBox* seconds_;
     QLabel* kindText_;
     QLabel* pinText_;
     QLabel* valueText_;

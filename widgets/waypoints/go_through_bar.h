@@ -15,7 +15,7 @@ class QCheckBox;
 namespace tiller {
 
 class ChoiceBox;
-class HoldButton;
+class HoldToRunButton;
 
 class GoThroughBar : public QWidget {
     Q_OBJECT
@@ -53,12 +53,12 @@ Q_SIGNALS:
     void refused(const QString& reason);
 
 private:
-    HoldButton* addKey(const QString& text, const QString& objectName, const QString& accessibleName,
-                       const QString& toolTip, RouteRunner::Way way);
+    HoldToRunButton* addKey(const QString& text, const QString& objectName, const QString& accessibleName,
+                            const QString& toolTip, RouteRunner::Way way);
     QVector<int> rows() const;
     void showRoute();
     void showDetail();
-    HoldButton& through();
+    HoldToRunButton& through();
     void updateAvailability();
 
     MotionPort port_;
@@ -73,7 +73,7 @@ private:
     QString place_;  ///< e.g. "2 of 7"
     QString speed_;
 
-    std::array<HoldButton*, 3> keys_{};  ///< keys by RouteRunner::Way
+    std::array<HoldToRunButton*, 3> keys_{};  ///< keys by RouteRunner::Way
     ChoiceBox* scope_;
     QCheckBox* loop_;
 };

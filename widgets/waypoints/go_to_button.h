@@ -7,12 +7,12 @@
 #include <functional>
 
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/physical_keys.h"
 
 namespace tiller {
 
-class GoToButton : public HoldButton {
+class GoToButton : public HoldToRunButton {
     Q_OBJECT
 
 public:

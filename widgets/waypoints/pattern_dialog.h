@@ -16,7 +16,7 @@ class QSpinBox;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 class PatternGrid;
 class ProjectDocument;
 
@@ -50,7 +50,7 @@ private:
     QSpinBox* columns_ = nullptr;
     QSpinBox* rows_ = nullptr;
     QSpinBox* layers_ = nullptr;
-    FigureBox* layerStep_ = nullptr;
+    DecimalSpinBox* layerStep_ = nullptr;
     ChoiceBox* order_ = nullptr;
     PatternGrid* grid_ = nullptr;
     QLabel* feedback_ = nullptr;

@@ -32,7 +32,7 @@ public:
     void setWaypoint(int row);
     void setLive(const SessionState& state);
     /// Shows the limit on the path to the waypoint; empty: none.
-    void setWayLimit(const QString& text);
+    void setPathLimitText(const QString& text);
     /// Number of program steps that use the waypoint; initially not displayed.
     void setUsedIn(std::optional<int> steps);
     /// Shows a button that switches between the values and other buttons of the tab, if there is not enough space
@@ -40,11 +40,11 @@ public:
     void offerPlace(bool offered);
     /// True if the user switched to the other buttons.
     bool isPlaceWanted() const;
-    void setFiguresShown(bool shown);
-    bool areFiguresShown() const { return figuresShown_; }
-    int figuresHeight() const;  ///< Height of the values, including the spacing to the headline [px].
+    void setValuesVisible(bool shown);
+    bool areValuesVisible() const { return valuesVisible_; }
+    int valuesHeight() const;  ///< Height of the values, including the spacing to the headline [px].
     /// Fixes the height of the values with their spacing [px]; 0: their natural height.
-    void setFiguresSlot(int height);
+    void setValuesSlot(int height);
 
     QString headline() const;
     /// The pose as text, for screen readers.
@@ -66,7 +66,7 @@ private:
     int row_ = -1;
     std::optional<int> usedIn_;
     SessionState live_;
-    QString wayLimit_;
+    QString pathLimitText_;
     QStackedWidget* headlines_;  ///< name and properties, or the limit on the path
     QLabel* name_;
     ElidedLabel* facts_;
@@ -74,7 +74,7 @@ private:
     ChoiceBox* frame_;
     PoseEditor* pose_;
     QPushButton* place_;
-    bool figuresShown_ = true;
+    bool valuesVisible_ = true;
     QString poseLine_;
 };
 

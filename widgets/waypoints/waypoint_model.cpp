@@ -22,9 +22,9 @@ namespace tiller {
 namespace {
 
 constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
-constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
-constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
-constexpr double kMostBlend = 1.0;         ///< [m]
+constexpr double kMinTcpSpeed = 0.001;   ///< [m/s]
+constexpr double kMaxTcpSpeed = 1.0;     ///< [m/s]
+constexpr double kMaxBlendRadius = 1.0;  ///< [m]
 
 /// The colours of the curves, which remain distinguishable with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
@@ -142,7 +142,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
-            if (point.ruling == project::Ruling::Joints) {
+            if (point.ruling == project::TargetKind::Joints) {
                 return QStringLiteral("—");
             }
             const project::Frame* frame = document_.frames().find(point.frame);
@@ -184,7 +184,7 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP moves along a straight line");
         case Frame:
-            return point.ruling == project::Ruling::Joints
+            return point.ruling == project::TargetKind::Joints
                        ? tr("Joints have priority: the arm returns to the same configuration")
                        : tr("The pose has priority: the waypoint moves with its frame");
         case ReachColumn:
@@ -231,7 +231,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                 headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(),
                 display(point, index.row(), index.column()));
         case Qt::FontRole: {
-            QFont font = index.column() == Speed ? figureFont(14) : textFont(15);
+            QFont font = index.column() == Speed ? numberFont(14) : textFont(15);
             font.setBold(unreachable || (index.column() == Name && point.id == coming_));
             return font;
         }
@@ -303,7 +303,7 @@ bool WaypointModel::setData(const QModelIndex& index, const QVariant& value, int
             return setFrame(index.row(), text);
         case Speed:
         case Blend:
-            return setFigure(index.row(), index.column(), text);
+            return setNumber(index.row(), index.column(), text);
         default:
             return false;
     }
@@ -348,7 +348,7 @@ void WaypointModel::setPose(int row, const Pose& pose) {
         return;
     }
     project::Waypoint point = waypointAt(row);
-    const bool joints = point.ruling == project::Ruling::Joints;
+    const bool joints = point.ruling == project::TargetKind::Joints;
     std::optional<Pose> place = pose;
     if (!joints) {
         point.pose = pose;
@@ -389,7 +389,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
-        point.ruling = project::Ruling::Joints;
+        point.ruling = project::TargetKind::Joints;
         document_.changeWaypoint(row, point, tr("Use joint positions for “%1”").arg(point.name));
         return true;
     }
@@ -400,10 +400,10 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     }
     // The position is unchanged: only its frame changes.
     const std::optional<Pose> place =
-        point.ruling == project::Ruling::Joints
+        point.ruling == project::TargetKind::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
             : project::poseInBase(point, document_.frames());
-    point.ruling = project::Ruling::Pose;
+    point.ruling = project::TargetKind::Pose;
     point.frame = frame == nullptr ? QUuid() : frame->id;
     if (place) {
         point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames());
@@ -412,7 +412,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     return true;
 }
 
-bool WaypointModel::setFigure(int row, int column, const QString& text) {
+bool WaypointModel::setNumber(int row, int column, const QString& text) {
     project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
         return true;  // keep the full precision
@@ -425,11 +425,11 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
     const bool turns = column == Speed && point.move == project::MoveKind::Joint;
     const double unit = turns ? toRadians(1) : format::metresPerUnit();
     const double value = *figure * unit;
-    const double least = column == Blend ? 0 : turns ? toRadians(1) : kLeastToolSpeed;
-    const double most = column == Blend ? kMostBlend
+    const double least = column == Blend ? 0 : turns ? toRadians(1) : kMinTcpSpeed;
+    const double most = column == Blend ? kMaxBlendRadius
                         : turns         ? *std::min_element(document_.robot().maxJointSpeed.begin(),
                                                             document_.robot().maxJointSpeed.end())
-                                        : kMostToolSpeed;
+                                        : kMaxTcpSpeed;
     if (value < least * (1 - 1e-9) || value > most * (1 + 1e-9)) {
         const auto shown = [&](double bound) {
             return turns             ? format::degreesPerSecond(bound)

@@ -59,7 +59,7 @@ private:
     bool setName(int row, const QString& text);
     bool setMove(int row, const QString& text);
     bool setFrame(int row, const QString& text);
-    bool setFigure(int row, int column, const QString& text);
+    bool setNumber(int row, int column, const QString& text);
     void followDocument();
     const project::Waypoint& waypointAt(int row) const { return document_.waypoints().at(row); }
 

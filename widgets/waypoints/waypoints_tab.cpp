@@ -18,7 +18,7 @@
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
 #include "robot/station/text/reach_words.h"
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/folding_row.h"
@@ -137,8 +137,8 @@ void WaypointsTab::buildLayout(MotionPort port) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    constexpr int kLeastTable = 104;  // [px] the header and two rows
-    pages_->setMinimumHeight(kLeastTable);
+    constexpr int kMinTable = 104;  // [px] the header and two rows
+    pages_->setMinimumHeight(kMinTable);
     details_ = new WaypointDetails(document_, *model_);
 
     auto* layout = new QVBoxLayout(this);
@@ -156,7 +156,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->addWidget(details_);
     notice_ = new NoticeBar;
     notice_->installEventFilter(this);
-    new LowerEdge(*notice_, *this, {pages_});
+    new BottomOverlay(*notice_, *this, {pages_});
 
     connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
 
@@ -196,7 +196,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     connect(dialogs_, &WaypointDialogs::done, this,
             [this](const QString& text) { Q_EMIT message(Severity::Info, text); });
     search_ = new WaypointSearch(document_, *table_);
-    new LowerEdge(*search_, *this, {pages_});
+    new BottomOverlay(*search_, *this, {pages_});
     connect(search_, &WaypointSearch::rowWanted, this, &WaypointsTab::selectRow);
 }
 
@@ -241,7 +241,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointsTab::fitRoutes() {
-    details_->setFiguresSlot(0);
+    details_->setValuesSlot(0);
     routes_->setMinimumHeight(0);
     // In a narrow panel "Record path" is only in the menu.
     paths_->setVisible(true);
@@ -250,7 +250,7 @@ void WaypointsTab::fitRoutes() {
     const bool both = routes_->sizeHint().height() <= spare;
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
-    details_->setFiguresShown(!instead);
+    details_->setValuesVisible(!instead);
     // Below the headline, in place of the values: the pressed button keeps its position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
@@ -258,14 +258,14 @@ void WaypointsTab::fitRoutes() {
         column->removeWidget(routes_);
         column->insertWidget(instead ? column->indexOf(details_) + 1 : column->indexOf(pages_), routes_);
     }
-    const int available = spare + details_->figuresHeight();
+    const int available = spare + details_->valuesHeight();
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
         // Values and buttons have the same height, so that the headline keeps its position when they are
         // swapped.
-        const int slot = std::max(details_->figuresHeight(), std::min(wanted, available));
-        details_->setFiguresSlot(slot);
+        const int slot = std::max(details_->valuesHeight(), std::min(wanted, available));
+        details_->setValuesSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
     }
 }
@@ -273,8 +273,8 @@ void WaypointsTab::fitRoutes() {
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
     // This also applies while Run route replaces the values, so that the panel does not change.
-    const bool slotIsKept = details_->areFiguresShown() || routes_->minimumHeight() > 0;
-    least.rheight() += slotIsKept ? 0 : details_->figuresHeight();
+    const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
+    least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {
         // The details appear with the first waypoint; this must not move buttons in a panel with little
         // height.
@@ -364,7 +364,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
     for (int row = 0; row < model_->rowCount(); ++row) {
         const project::Waypoint& point = document_.waypoints().at(row);
         std::optional<Pose> pose = project::poseInBase(point, document_.frames());
-        if (point.ruling == project::Ruling::Joints) {
+        if (point.ruling == project::TargetKind::Joints) {
             pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {
@@ -434,8 +434,8 @@ Result<MoveRequest> WaypointsTab::moveTo(int row) const {
     return move ? slowedTo(heldSpeed_(), *move, state_) : move;
 }
 
-void WaypointsTab::setWayLimit(const QString& text) {
-    details_->setWayLimit(text);
+void WaypointsTab::setPathLimitText(const QString& text) {
+    details_->setPathLimitText(text);
 }
 
 void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {

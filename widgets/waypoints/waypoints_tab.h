@@ -60,7 +60,7 @@ public:
     void addToMenu(const QList<QAction*>& actions);
 
     /// Shows the limit on the path to the selected waypoint next to the button; empty: none.
-    void setWayLimit(const QString& text);
+    void setPathLimitText(const QString& text);
     /// Sets the source of the speed limit for "Go to", evaluated at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
     /// Sets the gripper used by "Run route"; initially none.

@@ -81,7 +81,7 @@ private:
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};
     std::atomic<std::uint16_t> localPort_{0};
-    native_socket::Waker waker_;
+    native_socket::EventFd waker_;
     std::atomic<bool> watchdogUsable_{false};
     std::atomic<bool> wrenchUsable_{false};
     std::atomic<bool> kick_{false};

@@ -205,7 +205,7 @@ Eigen::Vector3d FieldReader::point(const QString& where, const QJsonObject& obje
 Pose FieldReader::pose(const QString& where, const QJsonObject& object, const char* key) {
     std::array<double, 6> result = six(where, object, key);
     for (int i = 0; i < 6; ++i) {
-        const double most = i < 3 ? kMostLength : 4 * std::numbers::pi;
+        const double most = i < 3 ? kMaxCoordinate : 4 * std::numbers::pi;
         double& component = result[static_cast<std::size_t>(i)];
         component = number(fieldAt(fieldAt(where, key), i), component, -most, most, i < 3 ? "m" : "rad");
     }
@@ -214,11 +214,11 @@ Pose FieldReader::pose(const QString& where, const QJsonObject& object, const ch
 
 JointPositions FieldReader::joints(const QString& where, const QJsonValue& value) {
     // Twice the joint range: larger values are probably in degrees.
-    constexpr double kMost = 4 * std::numbers::pi + 0.2;
+    constexpr double kMaxValue = 4 * std::numbers::pi + 0.2;
     const QVector<double> read = numbers(where, value, kJointCount);
     JointPositions q;
     for (int i = 0; i < kJointCount; ++i) {
-        q[i] = number(fieldAt(where, i), read[i], -kMost, kMost, "rad");
+        q[i] = number(fieldAt(where, i), read[i], -kMaxValue, kMaxValue, "rad");
     }
     return q;
 }

@@ -180,8 +180,8 @@ void ProjectReader::readCell(const QJsonValue& value) {
     CellGeometry& cell = result_.document.cell;
     if (object.contains(QLatin1String("floor"))) {
         const qsizetype before = fields_.problemCount();
-        const double floor =
-            fields_.number(where, object, "floor", -FieldReader::kMostLength, FieldReader::kMostLength, "m");
+        const double floor = fields_.number(where, object, "floor", -FieldReader::kMaxCoordinate,
+                                            FieldReader::kMaxCoordinate, "m");
         if (fields_.problemCount() == before) {
             cell.floor = floor;
         }

@@ -139,8 +139,8 @@ bool Reader::readSummary() {
     }
     ByteReader records(
         std::string_view(summary).substr(0, static_cast<std::size_t>(summaryEnd - summaryStart)));
-    constexpr std::size_t kLeastChunkIndex = 90;
-    chunks_.reserve(summary.size() / kLeastChunkIndex);
+    constexpr std::size_t kMinChunkIndex = 90;
+    chunks_.reserve(summary.size() / kMinChunkIndex);
     while (records.ok() && !records.atEnd()) {
         const auto opcode = records.number<std::uint8_t>();
         const std::string_view content = records.bytes(records.number<std::uint64_t>());
@@ -276,8 +276,8 @@ void Reader::scan() {
 
 bool Reader::takeChunk(std::uint64_t offset, std::uint64_t length) {
     constexpr std::uint64_t kHead = 8 + 8 + 8 + 4;
-    constexpr std::uint64_t kLongestHead = kHead + 4 + 16 + 8;
-    const std::string begin = bytesAt(offset + kRecordHead, std::min(length, kLongestHead));
+    constexpr std::uint64_t kMaxHead = kHead + 4 + 16 + 8;
+    const std::string begin = bytesAt(offset + kRecordHead, std::min(length, kMaxHead));
     ByteReader in(begin);
     ChunkIndex chunk;
     chunk.offset = offset;

@@ -17,8 +17,8 @@ constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
 constexpr double kPathStiffness = 10;  // 1/s: how non-compliant axes return to the path
 // Below these limits, force mode would end because of the residual error of the arm's own control.
-constexpr double kLeastDeviation = 2e-3;  // m
-constexpr double kLeastTurn = 0.02;       // rad
+constexpr double kMinDeviation = 2e-3;  // m
+constexpr double kMinTurn = 0.02;       // rad
 
 // Freedrive.
 const Vector6 kJointInertia = (Vector6() << 2.0, 2.0, 1.2, 0.3, 0.3, 0.3).finished();  // kg m2
@@ -180,7 +180,7 @@ Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
 // `way`: distance of the axes from the target of the program, force frame.
 bool ComplianceController::deviates(const Vector6& way) const {
     for (int i = 0; i < 6; ++i) {
-        const double least = i < 3 ? kLeastDeviation : kLeastTurn;
+        const double least = i < 3 ? kMinDeviation : kMinTurn;
         if (!force_.compliant[static_cast<std::size_t>(i)] &&
             std::abs(way[i]) > std::max(force_.limits[i], least)) {
             return true;

@@ -12,7 +12,7 @@ constexpr double kSampleStep = 0.01;        // m
 constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
 constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within less is a singularity
-constexpr double kLongestFollowed = 5;      // m: no path from one end of the reach to the other is longer
+constexpr double kMaxFollowedTurn = 5;      // m: no path from one end of the reach to the other is longer
 }  // namespace
 
 ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
@@ -116,7 +116,7 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming
 int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
     // A target may be far out of reach: the arm moves towards it to the end of its reach.
     const double length =
-        std::min(segment.path.length(), kLongestFollowed + 2 * geometry_.tcpTransform().translation().norm());
+        std::min(segment.path.length(), kMaxFollowedTurn + 2 * geometry_.tcpTransform().translation().norm());
     const double widest = std::max(length / 200, std::min(kSampleStep, length / 32));
     const bool endsWithinReach = geometry_.isReachable(segment.path.finish().transform());
     // Otherwise the speed is derived from the samples, which must be close together on the ramps.

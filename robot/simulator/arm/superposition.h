@@ -64,7 +64,7 @@ private:
     void begin();
     void rebase();
     Eigen::Matrix3d axes(OffsetFrame frame) const;
-    Eigen::Isometry3d laidOver(const Eigen::Isometry3d& T) const;
+    Eigen::Isometry3d appliedTo(const Eigen::Isometry3d& T) const;
     void settle(const Vector6& rate, const Vector6& goal, JointTarget& state);
 
     const ArmGeometry& geometry_;

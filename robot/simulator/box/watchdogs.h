@@ -26,13 +26,13 @@ public:
     std::optional<urscript::WatchdogAction> step(double dt);
 
 private:
-    struct Dog {
+    struct Watchdog {
         std::size_t input = 0;
         double limit = 0;  ///< [s]
         double age = 0;    ///< [s]
         urscript::WatchdogAction action{};
     };
-    std::vector<Dog> dogs_;
+    std::vector<Watchdog> dogs_;
 };
 
 }  // namespace tiller::simulator

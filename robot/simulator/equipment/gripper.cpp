@@ -10,8 +10,8 @@ namespace {
 
 // End positions and speeds of the fingers of a real gripper. Source: instruction manual, 2F-85: 20 to 150
 // mm/s over 85 mm, which correspond to 255 steps.
-constexpr double kMostOpen = 3;
-constexpr double kMostClosed = 230;
+constexpr double kFullyOpen = 3;
+constexpr double kFullyClosed = 230;
 constexpr double kSlowest = 20.0 / 85.0 * 255.0;   ///< [steps/s]
 constexpr double kFastest = 150.0 / 85.0 * 255.0;  ///< [steps/s]
 /// Time to close and open once.
@@ -116,7 +116,7 @@ double Gripper::fingerSpeed() const {
 }
 
 void Gripper::move(double target, double speed, double dt) {
-    const double end = std::clamp(target, kMostOpen, kMostClosed);
+    const double end = std::clamp(target, kFullyOpen, kFullyClosed);
     const double before = position_;
     const bool closing = end > before;
     const double next = closing ? std::min(end, before + speed * dt) : std::max(end, before - speed * dt);
@@ -143,16 +143,16 @@ void Gripper::step(double dt) {
         fault_ = kReleasing;
     }
     if (fault_ == kReleasing) {
-        move(releaseDirection_ != 0 ? kMostOpen : kMostClosed, kReleaseSpeed, dt);
+        move(releaseDirection_ != 0 ? kFullyOpen : kFullyClosed, kReleaseSpeed, dt);
         fault_ = objectStatus_ == kMoving ? kReleasing : kReleased;
     } else if (status_ == kActivating) {
         activationTime_ += dt;
         // Closes, opens and measures its range.
         const double part = activationTime_ / kActivationTime;
         position_ =
-            kMostOpen + (kMostClosed - kMostOpen) * (part < 0.5 ? 2 * part : std::max(0.0, 2 - 2 * part));
+            kFullyOpen + (kFullyClosed - kFullyOpen) * (part < 0.5 ? 2 * part : std::max(0.0, 2 - 2 * part));
         if (part >= 1) {
-            position_ = kMostOpen;
+            position_ = kFullyOpen;
             status_ = kActive;
             fault_ =
                 fault_ == kDelayed ? kNone : fault_;  // requests received in the meantime are executed now

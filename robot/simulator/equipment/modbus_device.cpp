@@ -8,7 +8,7 @@ namespace tiller::simulator {
 namespace {
 
 constexpr int kLastAddress = 65535;
-constexpr std::size_t kMostSignals = 1000;
+constexpr std::size_t kMaxSignals = 1000;
 constexpr double kPeriodTolerance = 1e-9;  // sums of periods deviate from whole seconds by rounding
 
 Error noSignal(std::string_view name) {
@@ -34,7 +34,7 @@ const ModbusDevice::Signal* ModbusDevice::find(std::string_view name) const {
 // ---- signals --------------------------------------------------------------------------------------------
 
 Result<void> ModbusDevice::add(const urscript::ModbusSignal& signal) {
-    if (signals_.size() >= kMostSignals && find(signal.name) == nullptr) {
+    if (signals_.size() >= kMaxSignals && find(signal.name) == nullptr) {
         return urscript::scriptError("There are too many Modbus signals");
     }
     Signal added;

@@ -3,7 +3,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/rtde/fields.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
 
 namespace tiller::simulator {
@@ -197,10 +197,10 @@ void ScriptArm::zeroForceSensor() {
 Result<void> ScriptArm::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
     // Loss of the sensor data pauses the program, unless the program requests another action.
-    constexpr double kLeastFrequency = 10.0;
+    constexpr double kMinFrequency = 10.0;
     const auto action =
         sensor.enabled && sensor.viaRtde ? urscript::WatchdogAction::Pause : urscript::WatchdogAction::Ignore;
-    return plant_.watchdogs().set("external_force_torque", kLeastFrequency, action);
+    return plant_.watchdogs().set("external_force_torque", kMinFrequency, action);
 }
 
 }  // namespace tiller::simulator

@@ -15,7 +15,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptHost final : public urscript::Host,
@@ -27,7 +27,7 @@ class ScriptHost final : public urscript::Host,
                          public ScriptMessages,
                          public ScriptModbus {
 public:
-    explicit ScriptHost(Plant& plant);
+    explicit ScriptHost(ControllerModel& plant);
 
     /// To be called once per control period, before the scripts run.
     void beginPeriod();
@@ -43,7 +43,7 @@ public:
     void programEnded(urscript::ProgramKind kind) override;
 
 private:
-    Plant& plant_;
+    ControllerModel& plant_;
     bool wasRunning_ = false;
     bool freedriveWanted_ = false;
 };

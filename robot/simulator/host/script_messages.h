@@ -10,12 +10,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptMessages : public virtual urscript::MessageHost {
 public:
-    explicit ScriptMessages(Plant& plant) : plant_(plant) {}
+    explicit ScriptMessages(ControllerModel& plant) : plant_(plant) {}
 
     /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
     /// type.
@@ -39,7 +39,7 @@ private:
 
     std::map<int, Question> requests_;  ///< by id
     int lastRequest_ = 0;
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
@@ -130,7 +130,7 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
 
 // The target is at rest but the arm is not yet: a stop waits briefly for standstill.
 bool ScriptMotion::comesToRest(Motion& motion) const {
-    const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
+    const bool waits = plant_.assumptions().stopReturns == BehaviourOptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
         motion.settled < kSettling) {
         motion.settled += plant_.stepTime();

@@ -10,12 +10,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptMotion : public virtual urscript::MotionHost {
 public:
-    explicit ScriptMotion(Plant& plant) : plant_(plant) {}
+    explicit ScriptMotion(ControllerModel& plant) : plant_(plant) {}
 
     Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;
     Result<bool> motionFinished(urscript::ThreadId thread) override;
@@ -47,7 +47,7 @@ private:
     Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
     std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished, by thread
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -9,11 +9,11 @@ namespace {
 /// Number of bytes buffered in each of three places: the system, the socket and this class.
 constexpr qsizetype kShare = 16 << 10;
 /// Limit of this class while the program waits for the end of a longer message [bytes].
-constexpr qsizetype kMostUnread = 4 << 20;
+constexpr qsizetype kMaxUnread = 4 << 20;
 }  // namespace
 
 void ScriptSockets::Connection::takeIn() {
-    const qsizetype room = (wantsMore ? kMostUnread : kShare) - received.size();
+    const qsizetype room = (wantsMore ? kMaxUnread : kShare) - received.size();
     if (room > 0 && socket->bytesAvailable() > 0) {
         received += socket->read(room);
     }

@@ -8,12 +8,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
-    explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
+    explicit ScriptSuperposition(ControllerModel& plant) : plant_(plant) {}
 
     /// To be called once per control period after the scripts: counts the encoders and moves conveyors.
     void stepConveyors();
@@ -35,7 +35,7 @@ public:
 private:
     Encoders encoders_;
     int trackedEncoder_ = 0;  ///< encoder of the tracked conveyor
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -12,12 +12,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptTerminals : public virtual urscript::RegisterHost, public virtual urscript::IoHost {
 public:
-    explicit ScriptTerminals(Plant& plant) : plant_(plant) {}
+    explicit ScriptTerminals(ControllerModel& plant) : plant_(plant) {}
 
     /// A program has started or ended, which changes some outputs.
     void programChanged(bool running);
@@ -55,7 +55,7 @@ private:
     TerminalRules rules_;
     std::bitset<kPorts> portBits_;
     std::array<std::int16_t, kPorts> portRegisters_{};
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

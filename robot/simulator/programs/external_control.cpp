@@ -16,7 +16,7 @@ namespace {
 
 constexpr qsizetype kLargestInstallation = 64 << 20;
 constexpr qsizetype kLargestScript = 4 << 20;
-constexpr qint64 kPatienceMs = 2000;
+constexpr qint64 kWaitTimeoutMs = 2000;
 
 /// Moves the lines between two marks out of the script; the marks are comments and may stay.
 std::string takeHeader(std::string& script) {
@@ -88,7 +88,7 @@ std::optional<std::string> ControlScriptRequest::poll() {
     }
     const bool over =
         socket_.state() == QAbstractSocket::UnconnectedState ||
-        (lastData_.isValid() ? lastData_.hasExpired(silence_.count()) : asked_.hasExpired(kPatienceMs));
+        (lastData_.isValid() ? lastData_.hasExpired(silence_.count()) : asked_.hasExpired(kWaitTimeoutMs));
     return over ? std::optional(received_.toStdString()) : std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 
 namespace tiller::simulator {
@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kSetSpeed = "set speed ";  // followed by the new speed slider value, 0 to 1
 }
 
-ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
+ProgramRunner::ProgramRunner(ControllerModel& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
 void ProgramRunner::endAll() {
     controlled_.reset();
@@ -149,9 +149,10 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     name_ = program->name();
     urscript::Limits limits;
     limits.randomSeed = plant_.options().seed;
-    limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
-    limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == Assumptions::RpcFactory::Defers;
-    limits.mainFirst = plant_.assumptions().threadOrder == Assumptions::ThreadOrder::MainFirst;
+    limits.threadsBeginNextFrame =
+        plant_.assumptions().threadStart == BehaviourOptions::ThreadStart::NextPeriod;
+    limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == BehaviourOptions::RpcFactory::Defers;
+    limits.mainFirst = plant_.assumptions().threadOrder == BehaviourOptions::ThreadOrder::MainFirst;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     failure_.reset();
@@ -162,8 +163,8 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
 }
 
 void ProgramRunner::startSecondary(std::shared_ptr<const Program> program) {
-    constexpr std::size_t kMostSecondaries = 32;
-    if (secondaries_.size() < kMostSecondaries) {
+    constexpr std::size_t kMaxSecondaries = 32;
+    if (secondaries_.size() < kMaxSecondaries) {
         secondaries_.push_back(std::make_unique<Interpreter>(std::move(program), host_));
     }
 }
@@ -204,7 +205,7 @@ void ProgramRunner::stepMain() {
             break;
     }
     if (ended_) {
-        if (plant_.elapsed() - begun_ < kLeastPlaying - 0.5 * plant_.stepTime()) {
+        if (plant_.elapsed() - begun_ < kMinPlayingTime - 0.5 * plant_.stepTime()) {
             return;
         }
         main_.reset();
@@ -286,7 +287,7 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::haltForProtectiveStop() {
-    if (fromFile_ || plant_.assumptions().protectiveStop != Assumptions::ProtectiveStop::Ends) {
+    if (fromFile_ || plant_.assumptions().protectiveStop != BehaviourOptions::ProtectiveStop::Ends) {
         pause();
     } else {
         beginStopping();

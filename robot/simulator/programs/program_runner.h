@@ -21,7 +21,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ScriptHost;
 
 class ProgramRunner {
@@ -30,9 +30,9 @@ public:
     static constexpr double kStopTime = 0.02;
 
     /// Minimum duration of a program, so that clients that poll less often than every period see it [s].
-    static constexpr double kLeastPlaying = 0.01;
+    static constexpr double kMinPlayingTime = 0.01;
 
-    ProgramRunner(Plant& plant, ScriptHost& host);
+    ProgramRunner(ControllerModel& plant, ScriptHost& host);
     ~ProgramRunner() { endAll(); }
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
@@ -111,7 +111,7 @@ private:
     void finishStopping();
     void reportFailure(const urscript::Interpreter& interpreter);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ScriptHost& host_;
     std::deque<NextProgram> requests_;
     std::unique_ptr<Controlled> controlled_;  ///< waiting for its script

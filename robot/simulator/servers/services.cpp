@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/urscript/program.h"
 
@@ -12,16 +12,16 @@ namespace tiller::simulator {
 namespace {
 
 /// Current data for reading programs of the pendant.
-pendant::PendantSource pendantSource(const Plant& plant) {
-    const Assumptions& assumptions = plant.assumptions();
+pendant::PendantSource pendantSource(const ControllerModel& plant) {
+    const BehaviourOptions& assumptions = plant.assumptions();
     pendant::PendantSource source;
     source.software = plant.options().software;
     source.isReserved = [](const QString& name) { return urscript::isReservedName(name.toStdString()); };
-    source.eventNeedsEdge = assumptions.eventNode == Assumptions::EventNode::Edge;
+    source.eventNeedsEdge = assumptions.eventNode == BehaviourOptions::EventNode::Edge;
     source.unknownUrcap =
-        assumptions.unknownUrcap == Assumptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip
-        : assumptions.unknownUrcap == Assumptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
-                                                                     : pendant::UnknownUrcap::Refuse;
+        assumptions.unknownUrcap == BehaviourOptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip
+        : assumptions.unknownUrcap == BehaviourOptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
+                                                                          : pendant::UnknownUrcap::Refuse;
     if (!plant.options().urcapsFolder.isEmpty()) {
         (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // checked by Simulator::start()
     }
@@ -30,7 +30,7 @@ pendant::PendantSource pendantSource(const Plant& plant) {
 
 }  // namespace
 
-Services::Services(Plant& plant, FaultServer::Handler faults)
+Services::Services(ControllerModel& plant, FaultServer::Handler faults)
     : plant_(plant)
     , link_(plant.options().seed)
     , store_(plant.options().programsFolder, [&plant] { return pendantSource(plant); })

@@ -24,7 +24,7 @@ namespace tiller::simulator {
 class Services {
 public:
     /// faults  handles the lines of the fault port
-    Services(Plant& plant, FaultServer::Handler faults);
+    Services(ControllerModel& plant, FaultServer::Handler faults);
 
     /// Opens all ports or none. Errors as Listener::open().
     Result<void> open(const SimulatorOptions& options);
@@ -55,7 +55,7 @@ private:
     };
     Result<void> openOne(const Entry& entry, const QHostAddress& address, const SimulatorOptions& options);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     Link link_;
     ProgramStore store_;
     DashboardServer dashboard_;

@@ -183,17 +183,17 @@ void Execution::execute(ScriptThread& thread) {
             case Op::Not:
                 save();
                 settle();
-                sp[-1] = !quickTruth(sp[-1]);
+                sp[-1] = !fastTruthValue(sp[-1]);
                 break;
             case Op::ToBool:
                 save();
                 settle();
-                sp[-1] = quickTruth(sp[-1]);
+                sp[-1] = fastTruthValue(sp[-1]);
                 break;
             case Op::Xor:
                 save();
                 settle();
-                sp[-2] = quickTruth(sp[-2]) != quickTruth(sp[-1]);
+                sp[-2] = fastTruthValue(sp[-2]) != fastTruthValue(sp[-1]);
                 (--sp)->reset();
                 break;
 
@@ -282,7 +282,7 @@ void Execution::execute(ScriptThread& thread) {
                 save();
                 settle();
                 const bool decisive = instruction.op == Op::JumpIfTrueKeep;
-                if (quickTruth(sp[-1]) == decisive) {
+                if (fastTruthValue(sp[-1]) == decisive) {
                     sp[-1].setBool(decisive);
                     pc = instruction.b;
                 } else {

@@ -88,7 +88,7 @@ inline bool fastCompare(Op op, double a, double b) {
     }
 }
 
-inline bool quickTruth(const Value& v) {
+inline bool fastTruthValue(const Value& v) {
     return v.is(Value::Type::Bool) ? v.asBool() : truth(v);
 }
 

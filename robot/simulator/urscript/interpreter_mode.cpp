@@ -14,11 +14,11 @@ InterpreterMode::Reply InterpreterMode::submit(std::string_view line) {
     if (awaitsClear_ || clearing_) {
         return {Reply::Kind::Wait, 0, {}};
     }
-    if (queue_.size() >= kMostWaiting) {
+    if (queue_.size() >= kMaxWaiting) {
         return {Reply::Kind::Discard, 0, "too many statements wait"};
     }
     if (code_.functions.size() + code_.globals.size() >
-        code_.program.code->functions.size() + code_.program.code->globals.size() + kMostDefinitions) {
+        code_.program.code->functions.size() + code_.program.code->globals.size() + kMaxDefinitions) {
         return {Reply::Kind::Discard, 0, "too many definitions without clear_interpreter()"};
     }
     LineOutcome outcome = compileLine(line, code_);

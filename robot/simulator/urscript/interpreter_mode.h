@@ -19,9 +19,9 @@ namespace tiller::simulator::urscript {
 class InterpreterMode {
 public:
     /// Maximum number of waiting lines; more are discarded.
-    static constexpr std::size_t kMostWaiting = 2'000;
+    static constexpr std::size_t kMaxWaiting = 2'000;
     /// Maximum number of functions and variables that lines may define until they are cleared.
-    static constexpr std::size_t kMostDefinitions = 2'000;
+    static constexpr std::size_t kMaxDefinitions = 2'000;
     /// Maximum number of lines run in one frame; the rest runs in the next ones.
     static constexpr int kLinesPerFrame = 100;
 

@@ -34,8 +34,8 @@ public:
     Result<std::optional<Value>> result(std::int64_t call);
 
 private:
-    static constexpr std::size_t kMostHandles = 100;
-    static constexpr std::size_t kMostCalls = 32;  ///< active; the oldest is dropped (its thread was killed)
+    static constexpr std::size_t kMaxHandles = 100;
+    static constexpr std::size_t kMaxCalls = 32;  ///< active; the oldest is dropped (its thread was killed)
 
     struct Call {
         std::string request;

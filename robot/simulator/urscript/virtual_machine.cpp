@@ -23,7 +23,7 @@ Interpreter::State Interpreter::Machine::runFrame() {
         return state;
     }
     inFrame_ = true;
-    hostTold_ = false;
+    hostNotified_ = false;
     ++frame_;
     beginFrame();
     // Scheduling is cooperative: a thread runs until it blocks. Nothing else runs between two of its
@@ -161,8 +161,8 @@ void Interpreter::Machine::finishProgram() {
     over_ = true;
     threads_.clear();
     context_.motionOwner = -1;
-    if (!hostTold_) {
-        hostTold_ = true;
+    if (!hostNotified_) {
+        hostNotified_ = true;
         host_.programEnded(program->kind());
     }
 }

@@ -64,7 +64,7 @@ private:
     bool pauseRequested_ = false;
     bool stopRequested_ = false;
     bool over_ = false;  // skips the rest of the frame
-    bool hostTold_ = true;
+    bool hostNotified_ = true;
 };
 
 }  // namespace tiller::simulator::urscript

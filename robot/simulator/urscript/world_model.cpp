@@ -66,7 +66,7 @@ Result<void> WorldModel::add(const std::string& name, const Pose& pose, const st
     if (!contains(ref)) {
         return noFrame(ref);
     }
-    if (frames_.size() >= kMostFrames) {
+    if (frames_.size() >= kMaxFrames) {
         return scriptError("Too many frames");
     }
     frames_[name] = {ref, pose.transform(), {}};

@@ -26,7 +26,7 @@ struct ArmFrames {
 /// Errors of all functions  ScriptError, naming the frame.
 class WorldModel {
 public:
-    static constexpr std::size_t kMostFrames = 1000;
+    static constexpr std::size_t kMaxFrames = 1000;
 
     /// name must be new. pose  relative to `ref`, which becomes the parent
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);

@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-constexpr std::chrono::seconds kIdentityPatience{5};
+constexpr std::chrono::seconds kIdentityTimeout{5};
 
 QString reasonText(const std::string& reason) {
     if (reason == "protective-stop") {
@@ -80,7 +80,7 @@ void IncidentWatch::learnIdentity() {
     box_.setFact("software", toString(version));
     worker_.post(this, [this, version, robot = session_.address()](const CancelToken& cancel) {
         const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, version.isCb3(),
-                                                     Deadline::after(kIdentityPatience, cancel));
+                                                     Deadline::after(kIdentityTimeout, cancel));
         box_.setFact("model", identity.model.toStdString());
         box_.setFact("serial_number", identity.serialNumber.toStdString());
         return std::function<void()>();

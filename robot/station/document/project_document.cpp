@@ -42,7 +42,7 @@ void ProjectDocument::useRobot(const RobotModel& robot) {
     }
     robot_ = robot;
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
 }
 
 void ProjectDocument::adoptRobot(RobotModelId connected) {
@@ -63,7 +63,7 @@ void ProjectDocument::restoreRobot() {
         adoptRobot(*connectedModel_);
     }
     if (project_.robot != now) {
-        tellPart(project_.robot);
+        notifyPart(project_.robot);
     }
 }
 
@@ -100,7 +100,7 @@ void ProjectDocument::refreshReach() {
     }
 }
 
-void ProjectDocument::tellAllChanged() {
+void ProjectDocument::notifyAllChanged() {
     if (!waypoints().isEmpty()) {
         Q_EMIT waypointsChanged(0, waypoints().size() - 1);
     }
@@ -649,44 +649,44 @@ void ProjectDocument::reorderRaw(const QVector<QUuid>& order) {
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::FrameList&) {
+void ProjectDocument::notifyPart(const project::FrameList&) {
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
     Q_EMIT framesChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::Tooling&) {
+void ProjectDocument::notifyPart(const project::Tooling&) {
     Q_EMIT toolingChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::Positions&) {
+void ProjectDocument::notifyPart(const project::Positions&) {
     Q_EMIT positionsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::PatternList&) {
+void ProjectDocument::notifyPart(const project::PatternList&) {
     Q_EMIT patternsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::CellGeometry&) {
+void ProjectDocument::notifyPart(const project::CellGeometry&) {
     Q_EMIT cellChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::PathList&) {
+void ProjectDocument::notifyPart(const project::PathList&) {
     Q_EMIT pathsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const std::optional<RobotModelId>&) {
+void ProjectDocument::notifyPart(const std::optional<RobotModelId>&) {
     if (!isConnected_) {
         clearRobot();
     }
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
     Q_EMIT documentChanged();
 }
 

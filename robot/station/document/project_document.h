@@ -117,7 +117,7 @@ public:
     template <class Part>
     void setPartRaw(Part project::Project::*part, const Part& value) {
         project_.*part = value;
-        tellPart(value);
+        notifyPart(value);
     }
 
 Q_SIGNALS:
@@ -162,7 +162,7 @@ private:
     void restoreRobot();
     project::Reach reachOf(const project::Waypoint& point) const;
     void refreshReach();
-    void tellAllChanged();
+    void notifyAllChanged();
     template <class Part>
     void pushPart(Part project::Project::*part, const Part& after, const QString& text);
     void pushOrder(const QVector<QUuid>& after, const QString& text);
@@ -174,13 +174,13 @@ private:
     void leaveFrame(const QUuid& frame, const QString& text);
     void forgetPlaces(const QList<int>& rows, const QString& text);
     QVector<int> rowsOf(const QUuid& pattern) const;
-    void tellPart(const project::FrameList&);
-    void tellPart(const project::Tooling&);
-    void tellPart(const project::Positions&);
-    void tellPart(const project::PatternList&);
-    void tellPart(const project::CellGeometry&);
-    void tellPart(const project::PathList&);
-    void tellPart(const std::optional<RobotModelId>&);
+    void notifyPart(const project::FrameList&);
+    void notifyPart(const project::Tooling&);
+    void notifyPart(const project::Positions&);
+    void notifyPart(const project::PatternList&);
+    void notifyPart(const project::CellGeometry&);
+    void notifyPart(const project::PathList&);
+    void notifyPart(const std::optional<RobotModelId>&);
 
     project::Project project_;
     std::vector<project::Reach> reach_;  ///< of the waypoints, in list order

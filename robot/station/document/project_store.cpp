@@ -298,7 +298,7 @@ void ProjectStore::settle(std::uint64_t revision, const Result<project::ProjectA
         modified_ = modified_ && revision != revision_;
         keeper_->remove(revision);
         if (!saved->keptCopy.isEmpty()) {
-            Q_EMIT keptAside(saved->keptCopy);
+            Q_EMIT copyKept(saved->keptCopy);
         }
         if (failedBefore) {
             Q_EMIT saveRecovered();
@@ -343,7 +343,7 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
     if (!check.changedByOther) {
         if (std::exchange(announced_, std::nullopt)) {
-            Q_EMIT foreignChangeGone();
+            Q_EMIT externalChangeResolved();
         }
     } else if (check.owner && !modified_ && showOwnersSave()) {
         return;
@@ -367,7 +367,7 @@ bool ProjectStore::showOwnersSave() {
     loading_ = false;
     ++revision_;
     if (std::exchange(announced_, std::nullopt)) {
-        Q_EMIT foreignChangeGone();
+        Q_EMIT externalChangeResolved();
     }
     return true;
 }

@@ -91,7 +91,7 @@ Q_SIGNALS:
     /// The path of the project file has changed; empty for a copy.
     void pathChanged(const QString& path);
     /// A damaged file was renamed to `copy`.
-    void keptAside(const QString& copy);
+    void copyKept(const QString& copy);
     /// Automatic saving failed.
     void saveFailed(const tiller::Error& error);
     /// Automatic saving works again.
@@ -103,7 +103,7 @@ Q_SIGNALS:
     /// Another program has changed the file.
     void changedByOther();
     /// The file again contains what this window has read or written.
-    void foreignChangeGone();
+    void externalChangeResolved();
 
 private:
     using Access = std::shared_ptr<project::ProjectAccess>;

@@ -62,7 +62,7 @@ QString outcomeLine(const divergence::Outcome& outcome) {
                  seconds(*outcome.greatest));
     }
     return ComparisonText::tr("%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s")
-        .arg(name, limit, seconds(*outcome.parted), partingMark(*outcome.parted),
+        .arg(name, limit, seconds(*outcome.parted), deviationMark(*outcome.parted),
              amountText(outcome.quantity, outcome.greatest->amount), seconds(*outcome.greatest));
 }
 
@@ -82,12 +82,12 @@ QString amountText(Quantity quantity, double amount) {
     return {};
 }
 
-QString partingMark(const divergence::Difference& parting) {
+QString deviationMark(const divergence::Difference& parting) {
     const QString place = parting.joint < 0 ? ComparisonText::tr("TCP") : jointName(parting.joint);
     return ComparisonText::tr("%1 %2", "TCP 6.2 mm").arg(place, amountText(parting.quantity, parting.amount));
 }
 
-QString partingText(const divergence::Difference& parting) {
+QString deviationText(const divergence::Difference& parting) {
     const QString amount = amountText(parting.quantity, parting.amount);
     switch (parting.quantity) {
         case Quantity::JointPosition:
@@ -108,7 +108,7 @@ QString partingText(const divergence::Difference& parting) {
 
 QString reportText(const divergence::Report& report) {
     if (const auto first = report.first()) {
-        return partingText(*first);
+        return deviationText(*first);
     }
     const QString model = QString::fromLatin1(robotModel(report.model).name);
     return report.firstCompared ? ComparisonText::tr("The motion matches the model of a %1").arg(model)

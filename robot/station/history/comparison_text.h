@@ -12,9 +12,9 @@ namespace tiller {
 /// "0.80°", "6.2 mm", "4.20 A", "61.0 N"
 QString amountText(divergence::Quantity quantity, double amount);
 /// Short label for the mark in the plots: "Elbow 0.80°"
-QString partingMark(const divergence::Difference& parting);
+QString deviationMark(const divergence::Difference& parting);
 /// "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°"
-QString partingText(const divergence::Difference& parting);
+QString deviationText(const divergence::Difference& parting);
 /// Result of the whole comparison, also when there is no deviation.
 QString reportText(const divergence::Report& report);
 /// The suggested checks, and one line per quantity with its largest deviation and the time from which it

@@ -21,7 +21,7 @@ struct DerivationText {
 
 constexpr double kNoResult = std::numeric_limits<double>::quiet_NaN();
 constexpr double kShortestStretch = 0.001;  // [s]
-constexpr double kLongestStretch = 60;
+constexpr double kMaxStretch = 60;
 
 Error wrong(const QString& why) {
     return {ErrorCode::InvalidArgument, DerivationText::tr("compute a signal"), why};
@@ -102,7 +102,7 @@ public:
                 }
                 inputs_.append(key);
             }
-            if (inputs_.isEmpty() || inputs_.size() > kMostInputs) {
+            if (inputs_.isEmpty() || inputs_.size() > kMaxInputs) {
                 return inputs_.isEmpty() ? DerivationText::tr("The expression contains no signal.")
                                          : DerivationText::tr("The expression contains too many signals.");
             }
@@ -171,7 +171,7 @@ public:
             points_.pop_front();
         }
         if (mean_) {
-            if (sample % kSumAnew == 0) {
+            if (sample % kSumAgainEvery == 0) {
                 sum_ = 0;
                 for (const Point& point : points_) {
                     sum_ += point.value;
@@ -184,7 +184,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t kSumAnew = 4096;  // limits accumulated rounding errors
+    static constexpr std::int64_t kSumAgainEvery = 4096;  // limits accumulated rounding errors
 
     struct Point {
         double time, value;
@@ -211,7 +211,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     static const QRegularExpression kStretch(
         QStringLiteral("^(deriv|mean)\\(\\s*([A-Za-z_][\\w.]*)\\s*,\\s*([0-9.]+)\\s*\\)$"));
     const auto tooLong = [] { return wrong(DerivationText::tr("The text is too long.")); };
-    if (text.size() > kLongestText) {
+    if (text.size() > kMaxTextLength) {
         return tooLong();
     }
     const QRegularExpressionMatch form = kForm.match(text);
@@ -236,7 +236,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
             return wrong(
                 DerivationText::tr("There is no signal “%1”. See the signal list for the names.").arg(input));
         }
-        if (!isNumber || seconds < kShortestStretch || seconds > kLongestStretch) {
+        if (!isNumber || seconds < kShortestStretch || seconds > kMaxStretch) {
             return wrong(DerivationText::tr("The time window must be between 0.001 and 60 seconds."));
         }
         made = std::make_shared<Stretch>(input, seconds, stretch.captured(1) == QLatin1String("mean"));
@@ -253,8 +253,8 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
     // The normalized text must be accepted as input too, so it has the same length limit.
-    return made->text_.size() > kLongestText ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
-                                             : Result<std::shared_ptr<DerivedSignal>>(made);
+    return made->text_.size() > kMaxTextLength ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
+                                               : Result<std::shared_ptr<DerivedSignal>>(made);
 }
 
 }  // namespace tiller

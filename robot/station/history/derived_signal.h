@@ -49,8 +49,8 @@ public:
                                                        const std::function<bool(const QString&)>& exists);
     /// A signal's key as it is written in an expression.
     static QString written(const QString& key);
-    static constexpr int kMostInputs = 24;
-    static constexpr qsizetype kLongestText = 1500;
+    static constexpr int kMaxInputs = 24;
+    static constexpr qsizetype kMaxTextLength = 1500;
 
 protected:
     QString text_;

@@ -97,7 +97,7 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
         return false;
     }
     live_.rows.push_back({time, gap});
-    if (any_ && time - newest > kNoticeableSilence) {
+    if (any_ && time - newest > kNoticeableGap) {
         silences_.push_back({newest, time});
     }
     any_ = true;

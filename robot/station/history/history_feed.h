@@ -35,9 +35,9 @@ public:
         double from = 0;
         double to = 0;
     };
-    static constexpr double kNoticeableSilence = 0.3;  ///< [s]
+    static constexpr double kNoticeableGap = 0.3;  ///< [s]
     /// The interruptions that ended since the last call.
-    std::vector<Silence> takeSilences() { return std::exchange(silences_, {}); }
+    std::vector<Silence> takeDataGaps() { return std::exchange(silences_, {}); }
 
     /// Rows lost because the window was too slow for the ring buffer.
     std::uint64_t overrun() const { return overrun_; }

@@ -21,7 +21,7 @@ constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;
 constexpr std::int64_t kDraftColumns = 4;
 /// Minimum number of extents from which a long recording is first drawn as a whole.
-constexpr std::int64_t kLeastExtents = 1000;
+constexpr std::int64_t kMinExtents = 1000;
 /// Number of blocks whose rows stay in memory.
 constexpr std::size_t kBlocksKept = 64;
 
@@ -77,7 +77,7 @@ Result<std::unique_ptr<HistoryFile>> HistoryFile::make(const recording::Recordin
     for (const std::uint64_t rows : file.summaryRows()) {
         const auto each = static_cast<std::int64_t>(rows);
         if (each % SeriesColumn::kSummary == 0 && (kBlock % each == 0 || each % kBlock == 0) &&
-            static_cast<std::int64_t>(file.rows()) / each >= kLeastExtents) {
+            static_cast<std::int64_t>(file.rows()) / each >= kMinExtents) {
             made->levels_.push_back(each);
         }
     }
@@ -179,14 +179,15 @@ void HistoryFile::forgetRows() {
 }
 
 bool HistoryFile::isFilled(std::int64_t block) const {
-    return std::all_of(columns_.begin(), columns_.end(),
-                       [&](const Column& column) { return history_.grainOf(column.column, block) == 1; });
+    return std::all_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+        return history_.resolutionOf(column.column, block) == 1;
+    });
 }
 
-std::int64_t HistoryFile::grainOf(std::int64_t block) const {
+std::int64_t HistoryFile::resolutionOf(std::int64_t block) const {
     std::int64_t grain = 1;
     for (const Column& column : columns_) {
-        grain = std::max(grain, history_.grainOf(column.column, block));
+        grain = std::max(grain, history_.resolutionOf(column.column, block));
     }
     return grain;
 }
@@ -229,10 +230,10 @@ void HistoryFile::fill(std::int64_t block) {
 
 bool HistoryFile::readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach,
                               std::int64_t mostExtents) {
-    while (first <= last && grainOf(first) <= rowsEach) {
+    while (first <= last && resolutionOf(first) <= rowsEach) {
         ++first;
     }
-    while (first <= last && grainOf(last) <= rowsEach) {
+    while (first <= last && resolutionOf(last) <= rowsEach) {
         --last;
     }
     first -= rowsEach > kBlock ? first % (rowsEach / kBlock) : 0;
@@ -287,7 +288,7 @@ bool HistoryFile::sharpen(std::int64_t begin, std::int64_t end, int pixelColumns
         readExtents(first, last, coarsest(kDraftColumns * perColumn),
                     std::numeric_limits<std::int32_t>::max());
         for (std::int64_t block = first; block <= last; ++block) {
-            if (grainOf(block) > wanted || (rows <= kRowsInTheEnd && !isFilled(block))) {
+            if (resolutionOf(block) > wanted || (rows <= kRowsInTheEnd && !isFilled(block))) {
                 return true;
             }
         }

@@ -68,7 +68,7 @@ private:
     /// Newly added columns are filled when a block is next accessed.
     void forgetRows();
     /// The coarsest resolution of any column in this block [rows].
-    std::int64_t grainOf(std::int64_t block) const;
+    std::int64_t resolutionOf(std::int64_t block) const;
     /// Reads extents of `rowsEach` rows for the blocks first ... last, `mostExtents` extents at most.
     /// Returns  true when something was read
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);

@@ -54,8 +54,8 @@ public:
     /// "Fz above 50.0 N"
     QString words(const Threshold& threshold) const;
 
-    static constexpr int kMostThresholds = 48;
-    static constexpr std::size_t kMostMarks = 2000;
+    static constexpr int kMaxThresholds = 48;
+    static constexpr std::size_t kMaxMarks = 2000;
 
 Q_SIGNALS:
     void thresholdsChanged();

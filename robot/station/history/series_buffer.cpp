@@ -124,7 +124,7 @@ bool SeriesBuffer::hasRows(int column, std::int64_t begin, std::int64_t end) con
     const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
     for (std::int64_t block = begin >> SeriesColumn::kBlockBits;
          block <= (end - 1) >> SeriesColumn::kBlockBits; ++block) {
-        if (values.grainOf(block) != 1) {
+        if (values.resolutionOf(block) != 1) {
             return false;
         }
     }

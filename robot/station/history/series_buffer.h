@@ -118,8 +118,8 @@ public:
     /// See SeriesColumn. The values of a column added by outlineColumn() are stored in the file.
     int outlineColumn(Precision precision);
     void setExtents(int column, std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
-    std::int64_t grainOf(int column, std::int64_t block) const {
-        return columns_[static_cast<std::size_t>(column)].grainOf(block);
+    std::int64_t resolutionOf(int column, std::int64_t block) const {
+        return columns_[static_cast<std::size_t>(column)].resolutionOf(block);
     }
     void setTimes(std::int64_t block, std::span<const double> times);
     void setRows(int column, std::int64_t block, std::span<const double> values);
@@ -145,7 +145,7 @@ public:
     double value(int column, std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
-        if (file_ != nullptr && values.grainOf(row >> SeriesColumn::kBlockBits) != 1) {
+        if (file_ != nullptr && values.resolutionOf(row >> SeriesColumn::kBlockBits) != 1) {
             fetch(row);
         }
         return values.value(row);

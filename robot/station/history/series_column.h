@@ -73,7 +73,9 @@ public:
     /// Releases the values of a block and restores the state before setRows().
     void forgetRows(std::int64_t block);
     /// Rows per known extent of this block: kUnknown at first, 1 when its rows are in memory.
-    std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
+    std::int64_t resolutionOf(std::int64_t block) const {
+        return blocks_[static_cast<std::size_t>(block)].grain;
+    }
 
     double value(std::int64_t row) const {
         const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];

@@ -459,7 +459,7 @@ std::optional<std::size_t> SignalStore::fileColumnOf(int signal) const {
     return table.file->indexOf(wanted.info.field.toStdString());
 }
 
-bool SignalStore::hasRoomFor(int signal, std::size_t bytes) {
+bool SignalStore::hasCapacityFor(int signal, std::size_t bytes) {
     if (memoryBytes() + bytes <= limits_.bytes) {
         return true;
     }
@@ -491,7 +491,7 @@ bool SignalStore::loadOutlines(const QSet<int>& shown) {
             const std::size_t extent =
                 2 * (precisions.back() == Precision::Single ? sizeof(float) : sizeof(double));
             bytes += table.file->rows() / static_cast<std::uint64_t>(SeriesColumn::kSummary) * extent;
-            if (!hasRoomFor(signal, bytes)) {
+            if (!hasCapacityFor(signal, bytes)) {
                 return false;
             }
         }
@@ -531,7 +531,7 @@ bool SignalStore::load(int signal) {
     }
     const std::uint64_t rows = table.file->rows();
     const std::size_t size = wanted.info.precision() == Precision::Single ? sizeof(float) : sizeof(double);
-    if (!hasRoomFor(signal, rows * size)) {
+    if (!hasCapacityFor(signal, rows * size)) {
         return false;
     }
     const std::optional<std::size_t> column = fileColumnOf(signal);

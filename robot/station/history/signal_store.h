@@ -199,7 +199,7 @@ private:
     /// Reads the summaries of the shown signals of long recordings together.
     bool loadOutlines(const QSet<int>& shown);
     std::optional<std::size_t> fileColumnOf(int signal) const;
-    bool hasRoomFor(int signal, std::size_t bytes);
+    bool hasCapacityFor(int signal, std::size_t bytes);
     QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
 
     HistoryLimits limits_;

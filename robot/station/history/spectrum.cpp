@@ -20,7 +20,7 @@ struct SpectrumText {
 };
 
 /// Longer segments give a resolution that is not visible on a screen.
-constexpr std::size_t kLongestSegment = 8192;
+constexpr std::size_t kMaxSegment = 8192;
 
 struct FreePlan {
     void operator()(kiss_fftr_cfg plan) const { kiss_fftr_free(plan); }
@@ -32,14 +32,14 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const auto refuse = [](const QString& why) {
         return Error{ErrorCode::InvalidArgument, SpectrumText::tr("compute a spectrum"), why};
     };
-    if (values.size() < kLeastForSpectrum || !(period > 0)) {
+    if (values.size() < kMinSpectrumSamples || !(period > 0)) {
         return refuse(SpectrumText::tr("There are fewer than %1 samples: select a longer range.")
-                          .arg(kLeastForSpectrum));
+                          .arg(kMinSpectrumSamples));
     }
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
         return refuse(SpectrumText::tr("Values are missing in this range: select a range without gaps."));
     }
-    const std::size_t length = std::min(std::bit_floor(values.size()), kLongestSegment);
+    const std::size_t length = std::min(std::bit_floor(values.size()), kMaxSegment);
     std::vector<double> window(length);
     double sum = 0;
     for (std::size_t i = 0; i < length; ++i) {

@@ -20,9 +20,9 @@ struct Spectrum {
 
 /// values  one every `period` seconds, without a gap; their mean is removed and appears only in the first
 /// line
-/// Errors  InvalidArgument with the suggested action: fewer than kLeastForSpectrum samples, no period, a
+/// Errors  InvalidArgument with the suggested action: fewer than kMinSpectrumSamples samples, no period, a
 /// value that is not finite
 Result<Spectrum> spectrumOf(std::span<const double> values, double period);
-inline constexpr int kLeastForSpectrum = 16;
+inline constexpr int kMinSpectrumSamples = 16;
 
 }  // namespace tiller

@@ -29,7 +29,7 @@ struct LaneSegment {
 
 class StateLane {
 public:
-    static constexpr std::size_t kMostSegments = 20000;
+    static constexpr std::size_t kMaxSegments = 20000;
 
     /// The state from this time on. The same kind and label extend the last segment.
     void add(double time, LaneKind kind, const QString& label);

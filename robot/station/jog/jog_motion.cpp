@@ -36,7 +36,7 @@ double turnSpeed(double rotation, const control::MotionLimits& limits) {
 
 double contactForce(const JogSelection& selection) {
     return selection.motion == MotionChoice::UntilContact
-               ? std::clamp(selection.contactForce, kLeastContactForce, kMostContactForce)
+               ? std::clamp(selection.contactForce, kMinContactForce, kMaxContactForce)
                : 0;
 }
 

@@ -59,8 +59,8 @@ inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
 /// Until contact: the default force, the smallest force that a robot can distinguish from noise, the largest
 /// allowed force [N], and the maximum speeds for any speed class.
 inline constexpr double kContactForce = 10;
-inline constexpr double kLeastContactForce = 5;
-inline constexpr double kMostContactForce = 50;
+inline constexpr double kMinContactForce = 5;
+inline constexpr double kMaxContactForce = 50;
 inline constexpr SpeedClass kContactSpeed{0.020, 0.0523598775598, 0.0174532925199};
 
 /// A taught frame; only its rotation is used.

@@ -60,7 +60,7 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
             if (slowing ? !slowed || kind.joint != state.limiter.joint : !kind.near) {
                 continue;
             }
-            const int key = wayOutOf(state, R_base_frame, kind.singularity);
+            const int key = escapeKeyFrom(state, R_base_frame, kind.singularity);
             return {slowing ? kind.slowed.arg(format::percent(state.limiter.scale)) : kind.what,
                     key < 0 ? kind.advice : kind.orElse.arg(travelKeyName(key))};
         }
@@ -85,7 +85,7 @@ LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d&
         return {};
     }
     const collision::Surroundings& around = state.check->surroundings();
-    const int key = nearest ? wayOutOf(state, R_base_frame, nearest->pair) : -1;
+    const int key = nearest ? escapeKeyFrom(state, R_base_frame, nearest->pair) : -1;
     const QString advice = key < 0 ? LimiterAdviceText::tr("move away from it")
                                    : LimiterAdviceText::tr("jog %1").arg(travelKeyName(key));
     if (slowed) {
@@ -119,7 +119,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
     if (nearest >= 0) {
         const QString name = jointName(nearest);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
-        const int key = wayOut(state, R_base_frame, nearest);
+        const int key = escapeKey(state, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
                 key < 0
                     ? LimiterAdviceText::tr("rotate %1 %2").arg(name, back)

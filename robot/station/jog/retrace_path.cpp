@@ -111,7 +111,7 @@ HoldBounds RetracePath::bounds() const {
         seconds += apart(*from, *place) / speed;
         from = &*place;
     }
-    return {HoldBounds::longestOf(seconds), HoldBounds::silenceAt(0, fastest)};
+    return {HoldBounds::longestOf(seconds), HoldBounds::holdTimeoutAt(0, fastest)};
 }
 
 HoldMotion RetracePath::motion() {

@@ -34,13 +34,13 @@ std::optional<NearestBodies> nearestBodies(const SessionState& state, double bey
 // R_base_frame  the axes of the keys
 
 /// Moves this joint away from its limit.
-int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
+int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
 /// Leads out of a singularity.
 enum class Singularity { Wrist, Elbow, Shoulder };
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
 /// Separates this pair of bodies.
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
-             const collision::CollisionCheck::Pair& pair);
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
+                  const collision::CollisionCheck::Pair& pair);
 /// Label of a key by its number: "Z\u2212".
 QString travelKeyName(int key);
 

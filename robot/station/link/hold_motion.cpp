@@ -13,15 +13,15 @@ std::int64_t HoldBounds::longestOf(double seconds) {
     return static_cast<std::int64_t>((sane + kSpare) * kNsPerSecond);
 }
 
-std::int64_t HoldBounds::silenceAt(double linear, double angular) {
-    double seconds = static_cast<double>(kMaxSilenceNs) / kNsPerSecond;
+std::int64_t HoldBounds::holdTimeoutAt(double linear, double angular) {
+    double seconds = static_cast<double>(kMaxHoldTimeoutNs) / kNsPerSecond;
     if (linear > 0) {
-        seconds = std::min(seconds, kSilentLength / linear);
+        seconds = std::min(seconds, kUnconfirmedLength / linear);
     }
     if (angular > 0) {
-        seconds = std::min(seconds, kSilentAngle / angular);
+        seconds = std::min(seconds, kUnconfirmedAngle / angular);
     }
-    return std::max(kMinSilenceNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
+    return std::max(kMinHoldTimeoutNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
 }
 
 }  // namespace tiller

@@ -14,23 +14,23 @@ namespace tiller {
 
 /// Time limits of one hold.
 struct HoldBounds {
-    static constexpr std::int64_t kMinSilenceNs = 100 * kNsPerMs;
-    static constexpr std::int64_t kMaxSilenceNs = 2 * kNsPerSecond;
+    static constexpr std::int64_t kMinHoldTimeoutNs = 100 * kNsPerMs;
+    static constexpr std::int64_t kMaxHoldTimeoutNs = 2 * kNsPerSecond;
     /// Maximum distance the arm may move while a finger or stick that holds it reports no event.
-    static constexpr double kSilentLength = 0.025;            ///< [m]
-    static constexpr double kSilentAngle = 0.26179938779915;  ///< [rad] 15 deg
+    static constexpr double kUnconfirmedLength = 0.025;            ///< [m]
+    static constexpr double kUnconfirmedAngle = 0.26179938779915;  ///< [rad] 15 deg
 
-    /// Maximum duration of the motion [ns]; 0: no own limit, HoldTerms::longestNs applies.
+    /// Maximum duration of the motion [ns]; 0: no own limit, HoldPolicy::longestNs applies.
     std::int64_t longestNs = 0;
     /// Maximum time without an event from a finger or a stick [ns].
-    std::int64_t silenceNs = kMinSilenceNs;
+    std::int64_t holdTimeoutNs = kMinHoldTimeoutNs;
 
     /// For a motion with a known duration: its duration plus 5 s.
     static std::int64_t longestOf(double seconds);
-    /// The time in which the arm moves kSilentLength and kSilentAngle at most, limited to kMinSilenceNs ...
-    /// kMaxSilenceNs [ns].
+    /// The time in which the arm moves kUnconfirmedLength and kUnconfirmedAngle at most, limited to kMinHoldTimeoutNs ...
+    /// kMaxHoldTimeoutNs [ns].
     /// linear, angular  speeds [m/s, rad/s]; a speed of 0 is ignored
-    static std::int64_t silenceAt(double linear, double angular);
+    static std::int64_t holdTimeoutAt(double linear, double angular);
 };
 
 /// The motion of one held key: its start, refresh and end, and its limits. Created from MotionPort, which

@@ -18,8 +18,8 @@ struct RecordingChoiceText {
     Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
 };
 
-constexpr qsizetype kLongestName = 120;
-constexpr int kMostNumber = 99'999;
+constexpr qsizetype kMaxNameLength = 120;
+constexpr int kMaxFileNumber = 99'999;
 constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
 const QString kNumber = QStringLiteral("{number}");
 
@@ -49,7 +49,7 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
         name.prepend(QLatin1Char('_'));
     }
-    return name.left(kLongestName);
+    return name.left(kMaxNameLength);
 }
 
 /// All entries of the folder, including hidden and broken ones, in lower case because some file systems
@@ -99,14 +99,14 @@ QString patternProblem(const QString& pattern) {
     if (forbidden != name.end()) {
         return RecordingChoiceText::tr("A file name cannot contain “%1”.").arg(*forbidden);
     }
-    return name.size() > kLongestName ? RecordingChoiceText::tr("This name is too long.") : QString();
+    return name.size() > kMaxNameLength ? RecordingChoiceText::tr("This name is too long.") : QString();
 }
 
 RecordingChoice RecordingChoice::sane() const {
     RecordingChoice out = *this;
     out.folder = folder.trimmed();
-    out.every = std::clamp(every, 1, kMostSparse);
-    out.keepFree = std::clamp(keepFree, 0, kMostKeptFree);
+    out.every = std::clamp(every, 1, kMaxDecimation);
+    out.keepFree = std::clamp(keepFree, 0, kMaxKeptFree);
     if (!patternProblem(pattern).isEmpty()) {
         out.pattern = defaultPattern();
     }
@@ -128,7 +128,7 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
         return !taken.contains(file.toLower());
     };
     if (name.contains(kNumber)) {
-        for (int number = 1; number <= kMostNumber; ++number) {
+        for (int number = 1; number <= kMaxFileNumber; ++number) {
             const QString counted =
                 QString(name).replace(kNumber, QStringLiteral("%1").arg(number, 3, 10, QLatin1Char('0'))) +
                 ending;

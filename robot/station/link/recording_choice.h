@@ -22,8 +22,8 @@ struct RecordingChoice {
     Format format = Format::Csv;
     int keepFree = 200;  ///< stops recording when less is free on the disk [MB]
 
-    static constexpr int kMostSparse = 500;
-    static constexpr int kMostKeptFree = 100'000;  ///< [MB]
+    static constexpr int kMaxDecimation = 500;
+    static constexpr int kMaxKeptFree = 100'000;  ///< [MB]
     static QString defaultPattern() { return QStringLiteral("{date}_{time}"); }
 
     /// Returns the nearest valid choice.

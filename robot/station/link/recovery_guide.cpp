@@ -16,7 +16,7 @@ struct RecoveryGuideText {
 };
 
 /// After the safety system is back to normal: the usual steps to power on.
-RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
+RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;
     guide.title = RecoveryGuideText::tr("Safety is normal again");
@@ -59,7 +59,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     const SafetyStatus status = state.safety();
     const RecoveryStep next = dashboard::nextRecoveryStep(status, state.robotMode);
     if (allowsMotion(status)) {
-        return wayUp(state, next);
+        return powerUpGuide(state, next);
     }
     const ModeWords words = safetyWords(status);
     guide.title = words.text;

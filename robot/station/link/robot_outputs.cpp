@@ -54,7 +54,7 @@ struct PulseLink {
 /// ended    the order was cancelled, or `leaving`
 Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
                           const Clock& clock, const CancelToken& leaving, const CancelToken& ended) {
-    constexpr std::int64_t kMuteNs = 200 * kNsPerMs;
+    constexpr std::int64_t kHoldGapNs = 200 * kNsPerMs;
     control::OutputPulses pulses(*link.controller);
     const milliseconds length = lengthOf(pulse.seconds);
     const Result<void> begun = pulses.begin(levels.mask, levels.during, length, control::Holding::Held,
@@ -80,7 +80,7 @@ Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, cons
                 isSeen = isSeen || (*levelsNow & levels.mask) == levels.during;
                 isOver = isSeen && (*levelsNow & levels.mask) == levels.after;
             }
-            return isOver || nowNs >= overdueNs || nowNs - heldNs > kMuteNs;
+            return isOver || nowNs >= overdueNs || nowNs - heldNs > kHoldGapNs;
         });
     }
     if (isOver) {

@@ -38,7 +38,7 @@ QString codeTitle(const script::ControllerMessage& message, const CodeWords& wor
 }
 
 /// True for stops caused by the operator: releasing the key, a stop key, or STOP.
-bool isByHand(control::StopCause cause) {
+bool isOperatorStop(control::StopCause cause) {
     using control::StopCause;
     return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
@@ -531,7 +531,7 @@ void RobotSession::refresh() {
     std::vector<receive::Sample> room = std::move(d_->room);
     const std::uint64_t connection = d_->sample.connection;
     const SampleBatch batch = d_->drain(room);
-    const bool isConnectedAnew = d_->sample.connection != connection;
+    const bool isNewConnection = d_->sample.connection != connection;
     d_->read();
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
@@ -545,7 +545,7 @@ void RobotSession::refresh() {
     reportChanges();
     if (d_->link) {
         services_.followForeignStop(batch);
-        if (isConnectedAnew) {
+        if (isNewConnection) {
             Q_EMIT connected();
         }
         services_.ask();
@@ -560,7 +560,7 @@ void RobotSession::reportChanges() {
         d_->stopsSeen = state.lastStop.count;
         Q_EMIT motionStopped(state.lastStop);
         Q_EMIT message(Severity::Info, stopSentence(state.lastStop),
-                       isByHand(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
+                       isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {

@@ -15,9 +15,9 @@ using ActionKind = project::WaypointAction::Kind;
 /// Robot data older than this are not used [ms].
 constexpr double kOldest = 100;
 /// A gripper that takes longer than this has failed [s].
-constexpr double kLongestGrip = 15;
+constexpr double kMaxGripTime = 15;
 /// Maximum time until the robot reports a new output level [s].
-constexpr double kLongestConfirmation = 3;
+constexpr double kMaxConfirmation = 3;
 
 bool isGrip(const project::WaypointAction& action) {
     return action.kind == ActionKind::OpenGripper || action.kind == ActionKind::CloseGripper;
@@ -45,15 +45,15 @@ QString ActionStep::obstacle(const project::WaypointAction& action, const Grippe
 double ActionStep::longestOf(const project::WaypointAction& action) {
     switch (action.kind) {
         case ActionKind::SetOutput:
-            return kLongestConfirmation;
+            return kMaxConfirmation;
         case ActionKind::PulseOutput:
-            return 2 * kLongestConfirmation + action.seconds;
+            return 2 * kMaxConfirmation + action.seconds;
         case ActionKind::WaitForInput:
-            return action.seconds > 0 ? action.seconds : project::kLongestAction;
+            return action.seconds > 0 ? action.seconds : project::kMaxActionTime;
         case ActionKind::WaitTime:
             return action.seconds;
         default:
-            return kLongestGrip;
+            return kMaxGripTime;
     }
 }
 
@@ -148,10 +148,10 @@ Result<SequenceStep::State> ActionStep::holdRobotiq() {
         gripping_ = false;
         return *outcome ? Result<State>(State::Done) : outcome->error();
     }
-    if (elapsed() < kLongestGrip) {
+    if (elapsed() < kMaxGripTime) {
         return State::Going;
     }
-    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kLongestGrip));
+    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kMaxGripTime));
 }
 
 void ActionStep::end(control::StopCause) {

@@ -107,7 +107,7 @@ Result<void> MoveStep::begin(std::uint64_t stops) {
         return begun.error();
     }
     id_ = *begun;
-    told_(toldOf_ = 0);
+    told_(reportedStep_ = 0);
     return {};
 }
 
@@ -117,8 +117,8 @@ Result<SequenceStep::State> MoveStep::hold() {
     if (!progress) {
         return progress.error();
     }
-    if (const int heading = progress->waypoint - 1; alive && heading > toldOf_) {
-        told_(toldOf_ = heading);
+    if (const int heading = progress->waypoint - 1; alive && heading > reportedStep_) {
+        told_(reportedStep_ = heading);
     }
     if (alive) {
         return State::Going;

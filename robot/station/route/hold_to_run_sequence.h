@@ -79,7 +79,7 @@ private:
     control::MotionPath path_;
     std::function<void(int)> told_;
     MotionPort::Id id_ = 0;
-    int toldOf_ = -1;
+    int reportedStep_ = -1;
 };
 
 }  // namespace tiller

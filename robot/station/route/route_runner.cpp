@@ -16,7 +16,7 @@ namespace {
 /// Two blends must not overlap: each ends before the middle of the segment [fraction].
 constexpr double kBlendShare = 0.49;
 /// Smaller blends are ignored [m].
-constexpr double kLeastBlend = 1e-4;
+constexpr double kMinBlend = 1e-4;
 /// Number of segments examined in detail to estimate the total duration.
 constexpr int kLookedAt = 32;
 
@@ -59,7 +59,7 @@ HoldMotion RouteRunner::motion(Way way) {
     HoldMotion motion = sequence.motion([this, way] { return bounds(way); });
     motion.begin = [this, way, begin = std::move(motion.begin)]() -> Result<HoldMotion::Id> {
         if (way != Way::StepBack && route_.isDone()) {
-            route_.beginAnew();
+            route_.restartRoute();
         }
         const QString why = obstacle(way);
         if (const QString all = why.isEmpty() ? actionObstacle(way) : why; !all.isEmpty()) {
@@ -221,7 +221,7 @@ Result<void> RouteRunner::permits(Way way) const {
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
-           document_.waypoints().at(rowOf(leg.last())).blend >= kLeastBlend &&
+           document_.waypoints().at(rowOf(leg.last())).blend >= kMinBlend &&
            document_.waypoints().at(rowOf(leg.last())).actions.empty()) {
         leg << leg.last() + 1;
     }
@@ -278,7 +278,7 @@ control::MotionPath RouteRunner::pathOf(const QVector<int>& leg,
                                                    (places[i + 2] - places[i + 1]).norm());
         const double blend =
             std::min(document_.waypoints().at(rowOf(leg[static_cast<qsizetype>(i)])).blend, room);
-        path[i].blend = blend < kLeastBlend ? 0 : blend;
+        path[i].blend = blend < kMinBlend ? 0 : blend;
     }
     return path;
 }
@@ -409,7 +409,7 @@ HoldBounds RouteRunner::bounds(Way way) const {
         }
     }
     HoldBounds bounds;
-    bounds.silenceNs = HoldBounds::silenceAt(linear, angular);
+    bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(linear, angular);
     // A loop has no maximum duration.
     if (way != Way::Through || !route_.isLoop()) {
         // The remaining moves may take up to twice as long as the examined ones.

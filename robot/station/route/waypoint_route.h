@@ -36,7 +36,7 @@ public:
     void headBackTo(int place);
     /// The arm has reached the waypoint.
     void reach(int place);
-    void beginAnew();
+    void restartRoute();
 
 private:
     std::optional<int> next(int place) const;

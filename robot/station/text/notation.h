@@ -59,7 +59,7 @@ QString speedUnit();
 /// Returns         three numbers with unit: "179.94°" or "3.1406"
 std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector);
 /// As rotation(), with the unit after the last number only.
-std::array<QString, 3> rotationFigures(const Eigen::Vector3d& rotationVector);
+std::array<QString, 3> rotationNumbers(const Eigen::Vector3d& rotationVector);
 
 /// "X 120.00 Y 80.00 Z 150.00 mm"
 QString position(const Eigen::Vector3d& metres);

@@ -23,7 +23,7 @@ constexpr milliseconds kProgramTime(5000);
 constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
 // Time without data after which the connection counts as broken. The robot has ended all motions long before.
-constexpr milliseconds kSilence(2500);
+constexpr milliseconds kDataTimeout(2500);
 // Lower values than the defaults of the controller, as in ur_rtde.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
 constexpr double kGentlestBrake = 0.1;  ///< minimum of robot/control
@@ -146,8 +146,8 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.limits.tcpSpeed = control::kNoCap;
         wanted.limits.tcpRotationSpeed = control::kNoCap;
         wanted.limits.jointSpeed = control::kNoCap;
-        wanted.dataTimeout = kSilence;
-        wanted.connectionTimeout = kSilence;
+        wanted.dataTimeout = kDataTimeout;
+        wanted.connectionTimeout = kDataTimeout;
         wanted.force = kCalmForce;
         wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the pendant
         if (server != nullptr) {
@@ -169,8 +169,9 @@ NativeControl::~NativeControl() {
 }
 
 void NativeControl::connect() {
-    const bool byHand = server_ != nullptr;
-    const auto taken = controller_.takeControl(within(byHand ? kManualStart : kConnectTime + kProgramTime));
+    const bool byOperator = server_ != nullptr;
+    const auto taken =
+        controller_.takeControl(within(byOperator ? kManualStart : kConnectTime + kProgramTime));
     if (!taken) {
         raiseUnconnected(taken.error(), controller_.version().major > 0);
     }

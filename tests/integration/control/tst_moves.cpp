@@ -57,7 +57,7 @@ private Q_SLOTS:
         double fastest = 0;
         std::optional<Eigen::Vector3d> elbow;
         cell.everyTick = [&] {
-            const simulator::Truth truth = cell.robot.truth();
+            const simulator::SimulatedState truth = cell.robot.truth();
             const Eigen::Vector3d now = kinematics::linkFrames(dh, truth.q)[2].translation();
             fastest = std::max(fastest, truth.tcpSpeed.linear.norm());
             if (elbow) {

@@ -60,8 +60,8 @@ public:
     void end() {
         if (thread_.joinable()) {
             quit_ = true;
-            constexpr int kMost = 100;  // packets; those whose cycles have already run start no cycle
-            for (int i = 0; i < kMost && !over_ && cell_.step(); ++i) {
+            constexpr int kMaxValue = 100;  // packets; those whose cycles have already run start no cycle
+            for (int i = 0; i < kMaxValue && !over_ && cell_.step(); ++i) {
             }
             if (!over_) {
                 cell_.controller->stop(StopCause::ApiCall);

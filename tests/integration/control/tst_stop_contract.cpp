@@ -36,8 +36,8 @@ QStringList onlyCell;                 ///< motion, event, slider, options
 constexpr double kLostLimitMs = 250;  ///< for all events except a release
 constexpr quint32 kSeed = 20261123;
 
-simulator::Assumptions assumed(const QString& words) {
-    simulator::Assumptions assumptions;
+simulator::BehaviourOptions assumed(const QString& words) {
+    simulator::BehaviourOptions assumptions;
     for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
         if (const auto taken = simulator::assume(assumptions, word); !taken) {
             qFatal("%s", qPrintable(taken.error().context));
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QTest::newRow("as by default") << QString() << 1.0 << 24;
         QTest::newRow("slider at 30 %") << QString() << 0.3 << 2;
         constexpr int kFew = 2;
-        for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
+        for (const simulator::BehaviourOptionInfo& info : simulator::assumptionTable()) {
             for (const QString& reading : info.readings.mid(1)) {
                 const QString words = info.name + "=" + reading;
                 QTest::newRow(qPrintable(words)) << words << 1.0 << kFew;
@@ -175,7 +175,7 @@ private Q_SLOTS:
         for (int i = firstCombination; i < end; ++i) {
             QRandomGenerator random(kSeed + static_cast<quint32>(i));
             QStringList words;
-            for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
+            for (const simulator::BehaviourOptionInfo& info : simulator::assumptionTable()) {
                 // Half of the options have their default.
                 const auto readings = static_cast<quint32>(info.readings.size());
                 if (random.bounded(2) == 1) {

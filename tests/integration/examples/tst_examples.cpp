@@ -43,7 +43,7 @@ std::unique_ptr<simulator::Simulator> robotAt(int number) {
 
 struct Cell {
     std::vector<std::unique_ptr<simulator::Simulator>> robots;
-    simulator::Truth before;
+    simulator::SimulatedState before;
     QTemporaryDir folder;
 
     explicit Cell(int count) {
@@ -53,7 +53,7 @@ struct Cell {
         before = robot().truth();
     }
     simulator::Simulator& robot(std::size_t i = 0) const { return *robots.at(i); }
-    simulator::Truth truth(std::size_t i = 0) const { return robots.at(i)->truth(); }
+    simulator::SimulatedState truth(std::size_t i = 0) const { return robots.at(i)->truth(); }
     double rise() const { return truth().tcpPose.position.z() - before.tcpPose.position.z(); }
 };
 

@@ -20,22 +20,22 @@ QString ownAddress() {
 struct Cli {
     explicit Cli(const QStringList& arguments) {
         process.start(QStringLiteral(TILLER_CLI), arguments);
-        process.waitForStarted(kPatienceMs);
+        process.waitForStarted(kWaitTimeoutMs);
     }
     ~Cli() {
         if (process.state() != QProcess::NotRunning) {
             process.kill();
-            process.waitForFinished(kPatienceMs);
+            process.waitForFinished(kWaitTimeoutMs);
         }
     }
     QByteArray readyLine() {
-        while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
+        while (!process.canReadLine() && process.waitForReadyRead(kWaitTimeoutMs)) {
         }
         return process.readLine();
     }
     /// Exit code; -1 if the process did not exit by itself, -2 if it crashed.
     int exitCode() {
-        if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
+        if (process.state() != QProcess::NotRunning && !process.waitForFinished(kWaitTimeoutMs)) {
             return -1;
         }
         return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2;
@@ -117,7 +117,7 @@ private Q_SLOTS:
                 };
                 QElapsedTimer patience;
                 patience.start();
-                while (!isTold() && patience.elapsed() < kPatienceMs) {
+                while (!isTold() && patience.elapsed() < kWaitTimeoutMs) {
                 }
                 told += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
                 if (!heard.contains("ran")) {

@@ -68,7 +68,7 @@ private Q_SLOTS:
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.send("GET ACT\nGET STA\nGET FLT\n");
-        gripper.socket().waitForReadyRead(kPatienceMs);
+        gripper.socket().waitForReadyRead(kWaitTimeoutMs);
         QCOMPARE(gripper.socket().readAll(), QByteArray("ACT 0\nSTA 0\nFLT 0\n"));
     }
 

@@ -346,7 +346,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.inputPackages(), quint64(0));
         rtde.sendPackage('U', QByteArray("\x01\0\0\0\1", 5));
         QVERIFY(robot.controller.waitForInputPackages(
-            1, Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+            1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
     }
 
     void masksSelectWhatAPackageWrites() {
@@ -361,7 +361,7 @@ private Q_SLOTS:
                              QByteArray("\x01") + mask + value + bigEndian(sliderMask) + bigEndian(slider));
             const quint64 sent = robot.controller.inputPackages() + 1;
             robot.controller.waitForInputPackages(sent,
-                                                  Deadline::after(std::chrono::milliseconds(kPatienceMs)));
+                                                  Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs)));
             robot.controller.step();
             return robot.controller.truth();
         };
@@ -409,7 +409,7 @@ private Q_SLOTS:
             writer.sendPackage('U', QByteArray("\x01") + bigEndian(qint32(-5)) + bigEndian(2.5) + '\x01' +
                                         bigEndian(quint32(0x80000001U)));
             QVERIFY(robot.controller.waitForInputPackages(
-                1, Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+                1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             writer.close();
         }
         QTRY_COMPARE(robot.controller.rtdeClients(), 1);

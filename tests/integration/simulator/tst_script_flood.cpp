@@ -73,7 +73,7 @@ private Q_SLOTS:
                 burst += command(++newest);
             }
             client->write(burst);
-            while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+            while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kWaitTimeoutMs)) {
             }
             cell.robot.controller.drainSockets();  // the network is faster than a period
             cell.robot.controller.step(2);
@@ -110,7 +110,7 @@ private Q_SLOTS:
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         Cell cell(options);
-        QVERIFY(cell.server.waitForNewConnection(kPatienceMs));
+        QVERIFY(cell.server.waitForNewConnection(kWaitTimeoutMs));
         QTcpSocket* const client = cell.server.nextPendingConnection();
         QByteArray many;
         for (qint32 i = 1; i <= 1000; ++i) {
@@ -125,12 +125,12 @@ private Q_SLOTS:
         }
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
         QCOMPARE(cell.robot.controller.truth().safetyMode, SafetyMode::Normal);
-        while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+        while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kWaitTimeoutMs)) {
         }
         client->write(command(424242));
-        client->waitForBytesWritten(kPatienceMs);
+        client->waitForBytesWritten(kWaitTimeoutMs);
         // Packages arrive without a pause: there is no end to wait for.
-        QDeadlineTimer deadline(kPatienceMs);
+        QDeadlineTimer deadline(kWaitTimeoutMs);
         qint32 acting = 0;
         while (acting != 424242 && !deadline.hasExpired()) {
             const RawRtde::Package package = cell.rtde.next();

@@ -304,7 +304,7 @@ private Q_SLOTS:
         dashboard.connect();
         auto moving = std::async(std::launch::async, [&] { return control->moveJ(kQ, 0.05); });
         QVERIFY(hanging.until(
-            [&](const simulator::Truth&) { return control->getAsyncOperationProgress() >= 0; }));
+            [&](const simulator::SimulatedState&) { return control->getAsyncOperationProgress() >= 0; }));
         hanging.robot.silence(true);
         hanging.freeze(true);
         control->disconnect();

@@ -87,13 +87,14 @@ private Q_SLOTS:
         const QString loaded = QString::fromStdString(dashboard.getLoadedProgram());
         QVERIFY2(loaded.startsWith("Loaded program: ") && loaded.endsWith("loaded.urp"), qPrintable(loaded));
         dashboard.play();
-        QVERIFY(robot->until([&](const simulator::Truth&) { return dashboard.running(); }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) { return dashboard.running(); }));
         QCOMPARE(dashboard.programState(), std::string("PLAYING loaded.urp"));
         dashboard.pause();
-        QVERIFY(robot->until(
-            [&](const simulator::Truth&) { return dashboard.programState() == "PAUSED loaded.urp"; }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) {
+            return dashboard.programState() == "PAUSED loaded.urp";
+        }));
         dashboard.stop();
-        QVERIFY(robot->until([&](const simulator::Truth&) { return !dashboard.running(); }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) { return !dashboard.running(); }));
     }
 
     void dashboardBringsTheRobotUpAndDown() {
@@ -101,26 +102,30 @@ private Q_SLOTS:
         DashboardClient dashboard(robot->host());
         dashboard.connect();
         const auto becomes = [&](RobotMode mode) {
-            return robot->until([mode](const simulator::Truth& truth) { return truth.robotMode == mode; });
+            return robot->until(
+                [mode](const simulator::SimulatedState& truth) { return truth.robotMode == mode; });
         };
         dashboard.powerOn();
         QVERIFY(becomes(RobotMode::Idle));
         dashboard.brakeRelease();
         QVERIFY(becomes(RobotMode::Running));
         robot->robot.protectiveStop();
-        QVERIFY(robot->until(
-            [](const simulator::Truth& truth) { return truth.safetyMode == SafetyMode::ProtectiveStop; }));
+        QVERIFY(robot->until([](const simulator::SimulatedState& truth) {
+            return truth.safetyMode == SafetyMode::ProtectiveStop;
+        }));
         QVERIFY_EXCEPTION_THROWN(dashboard.unlockProtectiveStop(), std::logic_error);  // refused for 5 s
         QVERIFY(robot->pass(6));
         dashboard.unlockProtectiveStop();
         QVERIFY(robot->until(
-            [](const simulator::Truth& truth) { return truth.safetyMode == SafetyMode::Normal; }));
+            [](const simulator::SimulatedState& truth) { return truth.safetyMode == SafetyMode::Normal; }));
         dashboard.powerOff();
         QVERIFY(becomes(RobotMode::PowerOff));
         robot->robot.fault();
-        QVERIFY(robot->until([](const simulator::Truth& t) { return t.safetyMode == SafetyMode::Fault; }));
+        QVERIFY(robot->until(
+            [](const simulator::SimulatedState& t) { return t.safetyMode == SafetyMode::Fault; }));
         dashboard.restartSafety();
-        QVERIFY(robot->until([](const simulator::Truth& t) { return t.safetyMode == SafetyMode::Normal; }));
+        QVERIFY(robot->until(
+            [](const simulator::SimulatedState& t) { return t.safetyMode == SafetyMode::Normal; }));
         dashboard.quit();
         QVERIFY(!dashboard.isConnected());
         dashboard.connect();
@@ -162,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(client.isConnected());
         const auto outputs = [&](std::uint64_t bits) {
             return robot->until(
-                [bits](const simulator::Truth& truth) { return truth.digitalOutputs == bits; });
+                [bits](const simulator::SimulatedState& truth) { return truth.digitalOutputs == bits; });
         };
         QVERIFY(client.sendScriptCommand("set_standard_digital_out(0, True)"));
         QVERIFY(outputs(1));

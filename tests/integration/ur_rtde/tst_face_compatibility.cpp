@@ -18,7 +18,7 @@ class TestFaceCompatibility : public test::FaceControlTest {
 
 private:
     bool until(const std::function<bool()>& condition) {
-        return cell_->until([&](const simulator::Truth&) { return condition(); });
+        return cell_->until([&](const simulator::SimulatedState&) { return condition(); });
     }
 
 private Q_SLOTS:

@@ -64,8 +64,8 @@ bool isInRealTime(const QByteArray& end, const QByteArray& way) {
 }
 
 /// Returns true if the robot has no builtin for this motion.
-bool isMissing(const simulator::Assumptions& assumptions, const QByteArray& way) {
-    using Builtin = simulator::Assumptions::Builtin;
+bool isMissing(const simulator::BehaviourOptions& assumptions, const QByteArray& way) {
+    using Builtin = simulator::BehaviourOptions::Builtin;
     return (way == "teach mode" && assumptions.teachMode == Builtin::Missing) ||
            (way == "servoC" && assumptions.servoc == Builtin::Missing);
 }
@@ -73,8 +73,8 @@ bool isMissing(const simulator::Assumptions& assumptions, const QByteArray& way)
 QStringList assumed;  ///< assumptions for every row
 bool runsAll = false;
 
-simulator::Assumptions assumptionsOf(const QString& more) {
-    simulator::Assumptions assumptions;
+simulator::BehaviourOptions assumptionsOf(const QString& more) {
+    simulator::BehaviourOptions assumptions;
     QStringList words = assumed;
     if (!more.isEmpty()) {
         words.append(more);

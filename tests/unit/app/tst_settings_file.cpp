@@ -77,7 +77,7 @@ private Q_SLOTS:
             QVERIFY2(read->values.value(it.key()) == it.value(), qPrintable(it.key()));
         }
         for (const SettingsPart part : kSettingsParts) {
-            QVERIFY(read->saysTheSame(bundle, part));
+            QVERIFY(read->hasSameValues(bundle, part));
         }
     }
 

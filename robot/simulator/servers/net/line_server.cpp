@@ -6,7 +6,7 @@
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kLongestLine = 16 * 1024;
+constexpr std::size_t kMaxLineLength = 16 * 1024;
 /// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
 /// others.
 constexpr std::size_t kLineShare = 64 * 1024;
@@ -47,7 +47,7 @@ void LineServer::read(Client& client) {
                 out += given.text;
                 closes = given.closes;
                 client.line.clear();
-            } else if (client.line.size() < kLongestLine) {
+            } else if (client.line.size() < kMaxLineLength) {
                 client.line += c;
                 client.answeredUnfinished = false;
             } else {

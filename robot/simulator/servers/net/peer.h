@@ -82,8 +82,8 @@ private:
     bool hasArrived_ = true;  ///< data may be available
     bool open_ = true;
     bool closing_ = false;
-    bool isMute_ = false;  ///< no data reach the client any more
-    bool ended_ = false;   ///< the client has closed the connection; remaining data were sent before
+    bool isUnresponsive_ = false;  ///< no data reach the client any more
+    bool ended_ = false;           ///< the client has closed the connection; remaining data were sent before
 };
 
 }  // namespace tiller::simulator

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/servers/primary/primary_state.h"
 #include "robot/simulator/servers/primary/primary_variables.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double kStatePeriod = 0.1;  ///< [s]
 }
 
-PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
+PrimaryServer::PrimaryServer(ControllerModel& plant, bool messages, bool acceptsScripts)
     : plant_(plant)
     , messages_(messages)
     , acceptsScripts_(acceptsScripts)

@@ -19,7 +19,7 @@ namespace tiller::simulator {
 class PrimaryServer final : public Server {
 public:
     /// messages  primary: all messages; otherwise only the version message at the connection
-    PrimaryServer(Plant& plant, bool messages, bool acceptsScripts);
+    PrimaryServer(ControllerModel& plant, bool messages, bool acceptsScripts);
 
     void service() override;
     using Server::publish;
@@ -43,7 +43,7 @@ private:
     void sendMessages(const std::vector<primary::Bytes>& messages);
     void publishVariables();
 
-    Plant& plant_;
+    ControllerModel& plant_;
     std::vector<primary::Bytes> lastValues_;
     bool messages_;
     bool acceptsScripts_;

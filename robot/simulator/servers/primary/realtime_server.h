@@ -11,7 +11,7 @@ namespace tiller::simulator {
 
 class RealtimeServer final : public Server {
 public:
-    RealtimeServer(Plant& plant, bool acceptsScripts);
+    RealtimeServer(ControllerModel& plant, bool acceptsScripts);
 
     void service() override;
     void publish() override;
@@ -25,7 +25,7 @@ private:
         ScriptIntake intake;
     };
 
-    Plant& plant_;
+    ControllerModel& plant_;
     bool acceptsScripts_;
     std::vector<std::unique_ptr<Client>> clients_;
     std::vector<std::uint8_t> record_;

@@ -16,7 +16,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// One input recipe of one client.
 struct InputRecipe {
@@ -29,7 +29,7 @@ class RtdeInputs {
 public:
     using ClientId = std::uint64_t;
 
-    RtdeInputs(Plant& plant, const SoftwareVersion& software);
+    RtdeInputs(ControllerModel& plant, const SoftwareVersion& software);
 
     struct Claim {
         std::vector<rtde::FieldAnswer> answers;
@@ -65,7 +65,7 @@ private:
     void store(const rtde::Field& field, const double* value);
     void applyMasks(const InputRecipe& recipe);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     SoftwareVersion software_;
     std::vector<ClientId> owners_;  ///< by field; 0: none
     std::vector<double> values_;    ///< buffer of apply()

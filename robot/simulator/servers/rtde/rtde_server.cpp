@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/rtde/rtde_properties.h"
 
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kMostInputRecipes = 255;
+constexpr std::size_t kMaxInputRecipes = 255;
 /// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
 /// others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
 /// Maximum number of clients of a CB3. A further one completes its handshake and is closed after this time
 /// [s]. Source: Universal Robots forum, threads 2793 and 3673
-constexpr int kMostCb3Clients = 3;
+constexpr int kMaxCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
 /// Owner of the inputs held by an injected fault; client ids start at 1.
-constexpr RtdeInputs::ClientId kNobodyHere = ~RtdeInputs::ClientId{0};
+constexpr RtdeInputs::ClientId kReservedClient = ~RtdeInputs::ClientId{0};
 }  // namespace
 
-RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
+RtdeServer::RtdeServer(ControllerModel& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
 
 void RtdeServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
@@ -40,7 +40,7 @@ void RtdeServer::service() {
         }
         client->peer.flush();
     }
-    removeGone();
+    removeDisconnected();
 }
 
 void RtdeServer::greet(Client& client) {
@@ -55,7 +55,7 @@ void RtdeServer::greet(Client& client) {
     }
 }
 
-void RtdeServer::removeGone() {
+void RtdeServer::removeDisconnected() {
     removeClosed(clients_, [this](const Client& client) {
         inputs_.release(client.id);
         --connected_;
@@ -126,7 +126,7 @@ bool RtdeServer::placesAreTaken() const {
     return plant_.options().software.isCb3() &&
            std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {
                return client->started && !client->leaves;
-           }) >= kMostCb3Clients;
+           }) >= kMaxCb3Clients;
 }
 
 void RtdeServer::reply(Client& client) {
@@ -171,7 +171,7 @@ void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
 
 void RtdeServer::onInputs(Client& client, rtde::ByteView payload) {
     const Result<std::vector<std::string>> names = rtde::readSetupInputsRequest(payload);
-    if (!names || client.inputs.size() >= kMostInputRecipes) {
+    if (!names || client.inputs.size() >= kMaxInputRecipes) {
         rtde::writeSetupInputsReply(reply_, 0, {});
         return;
     }
@@ -205,7 +205,7 @@ void RtdeServer::publish() {
             periods > 0 && periods % client->divider == 0 && (link() == nullptr || !link()->drops());
         const auto id =
             client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
-        if (plant_.assumptions().data == Assumptions::Data::Even && client->waiting.empty()) {
+        if (plant_.assumptions().data == BehaviourOptions::Data::Even && client->waiting.empty()) {
             if (on) {
                 send(*client, client->output->write(plant_.telemetry(), id));
             }
@@ -213,14 +213,14 @@ void RtdeServer::publish() {
         }
         if (on) {
             const rtde::ByteView package = client->output->write(plant_.telemetry(), id);
-            const int times = plant_.assumptions().data == Assumptions::Data::Doubled ? 2 : 1;
+            const int times = plant_.assumptions().data == BehaviourOptions::Data::Doubled ? 2 : 1;
             for (int i = 0; i < times; ++i) {
                 client->waiting.push_back({departure(), {package.begin(), package.end()}});
             }
         }
         sendDue(*client);
     }
-    removeGone();
+    removeDisconnected();
 }
 
 void RtdeServer::send(Client& client, rtde::ByteView package) {
@@ -244,19 +244,19 @@ std::vector<RtdeDelivery> RtdeServer::deliveries() const {
 double RtdeServer::departure() const {
     const double now = plant_.elapsed();
     switch (plant_.assumptions().data) {
-        case Assumptions::Data::Late: {
-            constexpr double kLeast = 0.004;
+        case BehaviourOptions::Data::Late: {
+            constexpr double kMinValue = 0.004;
             constexpr double kMore = 0.020;
             // Any deterministic scatter is suitable; the queue keeps the order.
             const auto scatter = static_cast<double>(plant_.tick() * 2654435761U >> 8U & 0xFFU) / 255.0;
-            return now + kLeast + kMore * scatter;
+            return now + kMinValue + kMore * scatter;
         }
-        case Assumptions::Data::Bunched: {
+        case BehaviourOptions::Data::Bunched: {
             constexpr std::uint64_t kBunch = 10;
             return now + static_cast<double>(kBunch - 1 - plant_.tick() % kBunch) * plant_.stepTime();
         }
-        case Assumptions::Data::Even:
-        case Assumptions::Data::Doubled:
+        case BehaviourOptions::Data::Even:
+        case BehaviourOptions::Data::Doubled:
             break;
     }
     return now;
@@ -275,11 +275,11 @@ bool RtdeServer::holdInputs(const QStringList& names) {
     for (const QString& name : names) {
         wanted.push_back(name.toStdString());
     }
-    return inputs_.claim(kNobodyHere, wanted, rtde::ProtocolVersion::V2).recipe.has_value();
+    return inputs_.claim(kReservedClient, wanted, rtde::ProtocolVersion::V2).recipe.has_value();
 }
 
 void RtdeServer::releaseHeldInputs() {
-    inputs_.release(kNobodyHere);
+    inputs_.release(kReservedClient);
 }
 
 void RtdeServer::closeClients() {

@@ -27,11 +27,11 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class RtdeServer final : public Server {
 public:
-    explicit RtdeServer(Plant& plant);
+    explicit RtdeServer(ControllerModel& plant);
 
     /// To be called once per control period, before reading.
     void beginPeriod() {
@@ -96,9 +96,9 @@ private:
     double departure() const;
     void sendDue(Client& client);
     bool placesAreTaken() const;
-    void removeGone();
+    void removeDisconnected();
 
-    Plant& plant_;
+    ControllerModel& plant_;
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
     RtdeInputs::ClientId lastId_ = 0;

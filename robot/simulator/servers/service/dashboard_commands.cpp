@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "robot/core/ascii.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/box/personality.h"
-#include "robot/simulator/box/plant.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/support_file.h"
@@ -141,7 +141,7 @@ std::string DashboardCommands::load(const std::string& name) {
         if (error.code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
         }
-        plant_.tellLog("Error while loading program: " + name + ": " + error.context.toStdString());
+        plant_.appendToLog("Error while loading program: " + name + ": " + error.context.toStdString());
         return "Error while loading program: " + name;
     }
     // The reply means "loaded", so the previous program must have ended.
@@ -154,7 +154,8 @@ std::string DashboardCommands::loadInstallation(const std::string& name) {
         if (loaded.error().code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
         }
-        plant_.tellLog("Failed to load installation: " + name + ": " + loaded.error().context.toStdString());
+        plant_.appendToLog("Failed to load installation: " + name + ": " +
+                           loaded.error().context.toStdString());
         return "Failed to load installation: " + name;
     }
     plant_.programs().stopNow();
@@ -181,8 +182,8 @@ std::string DashboardCommands::play(const std::string&) {
     }
     const Result<std::string> text = store_.script();
     if (!text) {
-        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
-                       text.error().context.toStdString());
+        plant_.appendToLog("Error while loading program: " + store_.name() + ": " +
+                           text.error().context.toStdString());
         return kFailed;
     }
     if (text->find(pendant::kControlNode) != std::string::npos) {
@@ -301,8 +302,8 @@ std::string DashboardCommands::addToLog(const std::string& text) {
     if (text.empty()) {
         return "No log message to add";
     }
-    constexpr std::size_t kMostMessages = 10'000;
-    if (log_.size() >= kMostMessages) {
+    constexpr std::size_t kMaxMessages = 10'000;
+    if (log_.size() >= kMaxMessages) {
         log_.pop_front();
     }
     log_.push_back(std::to_string(plant_.timestamp()) + ' ' + text);

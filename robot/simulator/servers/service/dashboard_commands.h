@@ -13,12 +13,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ProgramStore;
 
 class DashboardCommands {
 public:
-    DashboardCommands(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
+    DashboardCommands(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
     /// Rights of a connection: determined when it is opened, revoked when the switch on the pendant changes.
     using Rights = std::uint64_t;
@@ -87,7 +87,7 @@ private:
 
     bool mayControl(Rights rights) const;
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ProgramStore& store_;
     std::deque<std::string> log_;
     std::string userRole_ = "PROGRAMMER";

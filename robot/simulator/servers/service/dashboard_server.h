@@ -11,7 +11,7 @@ namespace tiller::simulator {
 
 class DashboardServer final : public LineServer {
 public:
-    DashboardServer(Plant& plant, ProgramStore& store) : commands_(plant, store) {}
+    DashboardServer(ControllerModel& plant, ProgramStore& store) : commands_(plant, store) {}
 
 protected:
     std::uint64_t tagOfNewClient() override { return commands_.rightsOfNewClient(); }

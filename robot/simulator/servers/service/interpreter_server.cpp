@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 
@@ -69,7 +69,7 @@ void InterpreterServer::service() {
 void InterpreterServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kInterpreterShare && client.lines.size() < kMostWaiting) {
+    while (client.peer.isOpen() && total < kInterpreterShare && client.lines.size() < kMaxWaiting) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;

@@ -14,19 +14,19 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class InterpreterServer final : public Server {
 public:
     /// Maximum length of a line [bytes]; a longer one is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
     /// Maximum number of lines per client that may wait for a clear_interpreter(); then reading stops.
-    static constexpr std::size_t kMostWaiting = 1000;
+    static constexpr std::size_t kMaxWaiting = 1000;
 
     /// Maximum number of lines compiled per cycle, so that many lines do not delay the robot.
     static constexpr int kLinesAtOnce = 32;
 
-    explicit InterpreterServer(Plant& plant) : plant_(plant) {}
+    explicit InterpreterServer(ControllerModel& plant) : plant_(plant) {}
 
     void service() override;
     void closeClients() override { clients_.clear(); }
@@ -46,7 +46,7 @@ private:
     /// The reply; nothing if it is not available yet.
     std::string replyTo(const Client& client, const std::string& line);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     std::vector<std::unique_ptr<Client>> clients_;
 };
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "robot/core/file_reading.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 
@@ -287,7 +287,8 @@ HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
     }
     if (!loaded) {
         const QString why = loaded.error().context;
-        plant_.tellLog(QStringLiteral("Error while loading program: %1: %2").arg(name, why).toStdString());
+        plant_.appendToLog(
+            QStringLiteral("Error while loading program: %1: %2").arg(name, why).toStdString());
         return refuse(500, QStringLiteral("The program cannot be read"),
                       QStringLiteral("%1: %2").arg(name, why));
     }
@@ -326,8 +327,8 @@ HttpResponse RobotApi::play(bool resuming) {
     const Result<std::string> text =
         store_.isLoaded() ? store_.script() : Result<std::string>("def Default_program():\nend\n");
     if (!text) {
-        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
-                       text.error().context.toStdString());
+        plant_.appendToLog("Error while loading program: " + store_.name() + ": " +
+                           text.error().context.toStdString());
     }
     if (!text || !runner.submitText(*text)) {
         return notNow(QStringLiteral("The program has errors"));

@@ -12,13 +12,13 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ProgramStore;
 
 /// Threads  the simulator's.
 class RobotApi {
 public:
-    RobotApi(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
+    RobotApi(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
     /// Requests that take time are answered on completion: see HttpResponse::due.
     HttpResponse run(const HttpRequest& request);
@@ -59,7 +59,7 @@ private:
     QString loadedName() const;
     const char* stateName() const;
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ProgramStore& store_;
 };
 

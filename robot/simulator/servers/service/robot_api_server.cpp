@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
@@ -12,7 +12,7 @@ namespace {
 /// others.
 constexpr std::size_t kRequestShare = 256 * 1024;
 /// Maximum time for which an answer waits for the robot [s]: the vendor's client gives up after 10.
-constexpr double kMostPatience = 8.0;
+constexpr double kMaxAnswerTime = 8.0;
 }  // namespace
 
 void RobotApiServer::service() {
@@ -79,7 +79,7 @@ bool RobotApiServer::sendNext(Client& client) {
     // In virtual time a client could not wait, because time advances only after its request has been
     // answered.
     if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
-        if (plant_.elapsed() - answer.asked < kMostPatience) {
+        if (plant_.elapsed() - answer.asked < kMaxAnswerTime) {
             return false;
         }
         answer.response = HttpResponse{};

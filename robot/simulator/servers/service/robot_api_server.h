@@ -13,7 +13,7 @@ namespace tiller::simulator {
 
 class RobotApiServer final : public Server {
 public:
-    RobotApiServer(Plant& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
+    RobotApiServer(ControllerModel& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
 
     void service() override;
     void closeClients() override { clients_.clear(); }
@@ -37,7 +37,7 @@ private:
     void answer(Client& client);
     bool sendNext(Client& client);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     RobotApi api_;
     std::vector<std::unique_ptr<Client>> clients_;
 };

@@ -8,7 +8,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class ScriptIntake {
 public:
@@ -16,7 +16,7 @@ public:
     explicit ScriptIntake(bool mayWrite) : mayWrite_(mayWrite) {}
 
     /// Reads the received data. plant  null: a read-only port, all data are discarded
-    void read(Peer& peer, Plant* plant);
+    void read(Peer& peer, ControllerModel* plant);
 
 private:
     bool mayWrite_;

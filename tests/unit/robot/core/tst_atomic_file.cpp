@@ -54,7 +54,7 @@ void replaceOnFullDisk(const SmallDisk& disk) {
     int failures = 0;
     for (const int freeBlocks : {0, 1, 3, 5, 13}) {
         for (const qsizetype size : sizesAroundBuffers()) {
-            disk.makeRoom();
+            disk.fitToContents();
             const QByteArray before = pattern(700, 'A');
             const QByteArray after = pattern(size, 'a');
             QVERIFY(writeFileAtomically(path, before).ok());

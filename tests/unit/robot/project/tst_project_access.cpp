@@ -196,7 +196,7 @@ private Q_SLOTS:
         const auto saved = access.save(withWaypoints({"a", "b"}), 1);
         QVERIFY(saved.error().code == ErrorCode::DiskFull);
         QCOMPARE(loadProject(path)->waypoints.size(), 1);
-        disk.makeRoom();
+        disk.fitToContents();
         QVERIFY(access.save(withWaypoints({"a", "b"}), 1)->outcome == Outcome::Saved);
         QCOMPARE(loadProject(path)->waypoints.size(), 2);
     }

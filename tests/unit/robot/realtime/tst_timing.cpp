@@ -181,7 +181,7 @@ void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
     PunctualWait wait(true);
     for (int i = 0; i < 1000; ++i) {
         wait.learn(2'000'000);
-        QVERIFY(wait.awakeNs() <= PunctualWait::kMostAwakeNs);
+        QVERIFY(wait.awakeNs() <= PunctualWait::kMaxAwakeNs);
     }
     QCOMPARE(wait.awakeNs(), std::int64_t(0));
     for (int i = 0; i < 1000; ++i) {

@@ -31,7 +31,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kPatienceMs = 100'000;
+constexpr int kWaitTimeoutMs = 100'000;
 constexpr double kPeriod = 0.002;
 constexpr std::uint64_t kHalfASecond = 250;  // packets
 
@@ -68,7 +68,7 @@ struct Bench {
             sent.push_back(i * kPeriod);
             peer.send(sent.back());
         }
-        return QTest::qWaitFor([&] { return receiver.counters().packets == sent.size(); }, kPatienceMs);
+        return QTest::qWaitFor([&] { return receiver.counters().packets == sent.size(); }, kWaitTimeoutMs);
     }
 
     test::RtdePeer peer;
@@ -175,7 +175,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         QVERIFY(bench.send(from, from + 499, &random));
         // The ring holds about 4000 samples: a sender faster than a robot waits for the file.
         const std::uint64_t due = bench.sent.size() < 1500 ? 0 : bench.sent.size() - 1500;
-        QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kWaitTimeoutMs);
     }
     QVERIFY(bench.gaps.size() > 20);
     recorder.stop();
@@ -235,7 +235,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
         QVERIFY(bench.send(at + 1, at + 50, nullptr));
         at += 50;
     }
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kWaitTimeoutMs);
     QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
     const auto opened = openRecording(options.path);
     QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
@@ -270,7 +270,7 @@ void TestLossyLink::diskErrorKeepsWrittenData() {
         at += 50;
         QTest::qWait(1);
     }
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kWaitTimeoutMs);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
     QVERIFY(story.writes > kGoodWrites);
@@ -300,7 +300,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
         story.standsStill.notify_all();
     });
     QVERIFY(bench.send(1, 500, nullptr));
-    QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kWaitTimeoutMs);
     story.standsStill = true;
     // Far more than the ring holds. send() returns when the receiver has all of them.
     constexpr int kAll = 20'000;

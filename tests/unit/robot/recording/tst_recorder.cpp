@@ -26,9 +26,9 @@ using test::RtdePeer;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 30000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 receive::ReceiverOptions to(std::uint16_t port) {
     receive::ReceiverOptions options;
@@ -469,20 +469,20 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
     const QString path = folder.filePath(QStringLiteral("recording.csv"));
     QProcess victim;
     victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--record-until-killed"), path});
-    QVERIFY(victim.waitForStarted(kPatienceMs));
+    QVERIFY(victim.waitForStarted(kWaitTimeoutMs));
     // The child reports its progress after every package.
     qulonglong rows = 0;
     QByteArray line;
     while (rows < 200) {
         if (!victim.canReadLine()) {
-            QVERIFY(victim.waitForReadyRead(kPatienceMs));
+            QVERIFY(victim.waitForReadyRead(kWaitTimeoutMs));
             continue;
         }
         line = victim.readLine();
         rows = line.split(' ').at(1).trimmed().toULongLong();
     }
     ::kill(static_cast<pid_t>(victim.processId()), SIGKILL);
-    QVERIFY(victim.waitForFinished(kPatienceMs));
+    QVERIFY(victim.waitForFinished(kWaitTimeoutMs));
     QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
 
     const auto table = readCsv(path);

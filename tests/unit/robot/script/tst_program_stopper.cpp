@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 ProgramStopperOptions to(int port) {
     ProgramStopperOptions options;
@@ -84,7 +84,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         QVERIFY(heard.lines().isEmpty());
         stopper.requestStop();
         heardOne.get_future().wait();
@@ -112,7 +112,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
@@ -131,7 +131,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         for (int s = 0; s < 600 && peer.clients() < 2; ++s) {
             clock.advanceNs(kNsPerSecond / 10);
             QTest::qWait(10);
@@ -145,7 +145,7 @@ private Q_SLOTS:
             RawPeer peer(obedient(heard));
             ProgramStopper stopper(to(peer.port()));
             stopper.start();
-            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
             QTest::qWait(50);
         }
         QCOMPARE(heard.lines(), QList<QByteArray>{QByteArray()});
@@ -161,8 +161,8 @@ private Q_SLOTS:
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kWaitTimeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kWaitTimeoutMs);
         back = true;
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
@@ -190,7 +190,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
@@ -228,7 +228,7 @@ private Q_SLOTS:
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         QTest::qWait(30);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
@@ -254,10 +254,10 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         QList<QByteArray> expected(2, QByteArray("stop program"));
-        QTRY_COMPARE_WITH_TIMEOUT(heard.lines(), expected, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(heard.lines(), expected, kWaitTimeoutMs);
         QVERIFY(stopper.isUnderWay());
         constexpr std::int64_t kAgainNs = 300 * kNsPerMs;
         clock.advanceNs(kAgainNs);
@@ -284,7 +284,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(2 * kNsPerSecond + kNsPerMs);
@@ -308,7 +308,7 @@ private Q_SLOTS:
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         for (int i = 0; i < 400'000 && stopper.isConnected(); ++i) {
             stopper.requestStop();
         }
@@ -329,13 +329,13 @@ private Q_SLOTS:
             });
             ProgramStopper stopper(to(peer.port()));
             stopper.start();
-            QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kPatienceMs);
-            QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kWaitTimeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kWaitTimeoutMs);
             stopper.requestStop();
             stopper.withdraw();
             QCOMPARE(stopper.error().code, ErrorCode::Cancelled);
             back = true;
-            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
             QTest::qWait(50);
         }
         QVERIFY(!heard.lines().contains("stop program"));
@@ -345,10 +345,10 @@ private Q_SLOTS:
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.reconnect();
-        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 2, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 2, kWaitTimeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
     }
 
     void withoutItsThreadItIsNotConnected() {

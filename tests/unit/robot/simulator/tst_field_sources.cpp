@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
 
@@ -16,7 +16,7 @@ private Q_SLOTS:
     void everyOutputFieldHasASourceAndAFiniteValue() {
         SimulatorOptions options;
         options.poweredOn = true;
-        Plant plant(options);
+        ControllerModel plant(options);
         plant.step();
         for (const rtde::Field& field : rtde::outputFields()) {
             const auto source = fieldSource(field);
@@ -35,7 +35,7 @@ private Q_SLOTS:
     void theExecutionTimeIsThatOfARobot() {
         SimulatorOptions options;
         options.poweredOn = true;
-        Plant plant(options);
+        ControllerModel plant(options);
         const auto source = fieldSource(*rtde::findOutput("actual_execution_time"));
         double least = 1;
         double most = 0;
@@ -51,7 +51,7 @@ private Q_SLOTS:
     }
 
     void registersAreReadByTheirNumber() {
-        Plant plant{SimulatorOptions()};
+        ControllerModel plant{SimulatorOptions()};
         plant.registers().output.ints[47] = 47;
         plant.registers().input.doubles[0] = 0.5;
         plant.registers().output.bits[64] = true;
@@ -89,7 +89,7 @@ private Q_SLOTS:
             if (integer) {
                 QVERIFY(assume(options.assumptions, "realtime-bits=integer").ok());
             }
-            Plant plant(options);
+            ControllerModel plant(options);
             plant.pins().digitalOutputs = 1;
             plant.pins().digitalInputs = 2;
             plant.step();
@@ -103,7 +103,7 @@ private Q_SLOTS:
     }
 
     void theRealtimeRecordIsFullBeforeItIsCut() {
-        Plant plant{SimulatorOptions()};
+        ControllerModel plant{SimulatorOptions()};
         plant.arm().setPayload({1.5, {0.01, 0.02, 0.03}, Vector6::Constant(0.25)});
         plant.step();
         std::vector<std::uint8_t> record;

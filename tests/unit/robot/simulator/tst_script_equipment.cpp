@@ -7,7 +7,7 @@
 #include <QTcpSocket>
 #include <QTest>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -62,7 +62,7 @@ struct Robot {
     /// Text of the last runtime exception.
     QByteArray error() const { return bodies(10).isEmpty() ? QByteArray() : bodies(10).last().mid(8); }
 
-    Plant plant;
+    ControllerModel plant;
     std::vector<QByteArray> messages;
 };
 

@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 Q_DECLARE_METATYPE(tiller::control::StopCause)
 
@@ -60,16 +60,16 @@ struct Scene {
     FakeTarget target;
     FakeTarget otherTarget;
     QWidget window;
-    HoldButton* key;
-    HoldButton* other;
+    HoldToRunButton* key;
+    HoldToRunButton* other;
     QLineEdit* edit;
     QPushButton* button;
 
     Scene() {
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(60, 60, 60, 60);
-        key = new HoldButton(QStringLiteral("X+"), &window);
-        other = new HoldButton(QStringLiteral("Y+"), &window);
+        key = new HoldToRunButton(QStringLiteral("X+"), &window);
+        other = new HoldToRunButton(QStringLiteral("Y+"), &window);
         edit = new QLineEdit(&window);
         button = new QPushButton(QStringLiteral("Teach"), &window);
         for (QWidget* w : {static_cast<QWidget*>(key), static_cast<QWidget*>(other),

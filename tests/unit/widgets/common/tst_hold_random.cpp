@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 using namespace tiller;
 using control::StopCause;
@@ -75,9 +75,9 @@ private Q_SLOTS:
         QWidget window;
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(50, 50, 50, 50);
-        std::array<HoldButton*, 2> keys{};
+        std::array<HoldToRunButton*, 2> keys{};
         for (auto& key : keys) {
-            key = new HoldButton(QStringLiteral("X+"), &window);
+            key = new HoldToRunButton(QStringLiteral("X+"), &window);
             key->setFixedSize(80, 60);
             key->guard().setClock(clock);
             key->setMotion(session.motion());
@@ -100,7 +100,7 @@ private Q_SLOTS:
             for (int step = 0; step < length; ++step) {
                 const auto action = random.bounded(12U);
                 const auto which = static_cast<int>(random.bounded(2U));
-                HoldButton* key = keys.at(static_cast<std::size_t>(which));
+                HoldToRunButton* key = keys.at(static_cast<std::size_t>(which));
                 switch (action) {
                     case 0:
                     case 1:
@@ -158,7 +158,7 @@ private Q_SLOTS:
                         break;
                 }
                 clock.advanceNs(20 * kNsPerMs);
-                for (HoldButton* each : keys) {
+                for (HoldToRunButton* each : keys) {
                     each->guard().pump();
                 }
                 const QByteArray where = QByteArray("sequence ") + QByteArray::number(sequence) + " step " +

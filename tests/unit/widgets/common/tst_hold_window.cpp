@@ -86,7 +86,7 @@ private Q_SLOTS:
         VirtualClock clock;
         FakeTarget target;
         QTabWidget tabs;
-        auto* key = new HoldButton(QStringLiteral("X+"));
+        auto* key = new HoldToRunButton(QStringLiteral("X+"));
         key->guard().setClock(clock);
         key->setMotion(target.motion());
         tabs.addTab(key, QStringLiteral("one"));

@@ -10,7 +10,7 @@
 
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/segmented_control.h"
 
 using namespace tiller;
@@ -70,14 +70,14 @@ private Q_SLOTS:
     }
 
     void valueAcceptsEitherDecimalSignAndIgnoresTheWheel() {
-        FigureBox box;
+        DecimalSpinBox box;
         box.setRange(-1000, 1000);
         box.setDecimals(2);
         box.setSuffix(QStringLiteral(" mm"));
         box.show();
         QVERIFY(QTest::qWaitForWindowActive(&box));
         int told = 0;
-        connect(&box, &FigureBox::valueChanged, &box, [&](double) { ++told; });
+        connect(&box, &DecimalSpinBox::valueChanged, &box, [&](double) { ++told; });
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");

@@ -220,7 +220,7 @@ private Q_SLOTS:
 
     void aDeviceThatHangsWhileDeflectedStopsTheArm() {
         Bench b;
-        QSignalSpy silent(&b.devices, &DeviceJog::fellSilent);
+        QSignalSpy silent(&b.devices, &DeviceJog::stoppedReporting);
         b.devices.use(b.device());
         b.push(0, 0.0);
         b.push(0, 1.0);
@@ -325,8 +325,8 @@ private Q_SLOTS:
         QCOMPARE(b.next, 2U);
         QVERIFY(std::abs(b.targets.last().twist.linear.x() - 0.025) < 1e-9);
         b.devices.tune(kGamepadKind, {-1, 99, false});
-        QCOMPARE(b.devices.shape(*b.device()).deadZone, DeviceTuning::kLeastDeadZone);
-        QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMostExponent);
+        QCOMPARE(b.devices.shape(*b.device()).deadZone, DeviceTuning::kMinDeadZone);
+        QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMaxExponent);
     }
 
     void theStopKeyStopsAndAsksForNeutral() {
@@ -450,7 +450,7 @@ private Q_SLOTS:
         QCOMPARE(now->axes[0], 1.0);
         QCOMPARE(now->axes[1], 1.0);
         QVERIFY(now->deadMan && !now->stop);
-        QVERIFY(pad->shape().silenceAtMost <= std::chrono::seconds(2));
+        QVERIFY(pad->shape().maxReportInterval <= std::chrono::seconds(2));
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_B, 1);
         now = pad->read();

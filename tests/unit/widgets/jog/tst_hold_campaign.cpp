@@ -215,7 +215,7 @@ private:
         }
     }
     QWidget& anyKey() {
-        const QVector<HoldButton*> keys = h.keys();
+        const QVector<HoldToRunButton*> keys = h.keys();
         return *keys[random.below(static_cast<int>(keys.size()))];
     }
     void pressMouse() {
@@ -425,10 +425,10 @@ private:
                 return sendKey(h.window, QEvent::KeyRelease, 98, Qt::Key_Right);
             default:
                 done << QStringLiteral("greyed");
-                for (HoldButton* key : h.keys()) {
+                for (HoldToRunButton* key : h.keys()) {
                     key->setUnavailable(QStringLiteral("Protective stop"));
                 }
-                for (HoldButton* key : h.keys()) {
+                for (HoldToRunButton* key : h.keys()) {
                     key->setUnavailable({});
                 }
         }

@@ -180,7 +180,7 @@ public:
             h.advance(20);
         }
     }
-    HoldButton& key() { return h.key(way_.key); }
+    HoldToRunButton& key() { return h.key(way_.key); }
     std::optional<DeviceReading>& stick() {
         return QLatin1String(way_.key) == kGamepadKind ? h.gamepad : h.spaceMouse;
     }
@@ -215,7 +215,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         h.physicalKey(QEvent::KeyPress, 117, Qt::Key_PageDown);
     } else if (rule == "a modifier of the keyboard") {
         if (way.meaning == Qt::Key_G) {
-            h.key("waypoint.goTo").guard().tell(HoldNews::Kind::Modifier);
+            h.key("waypoint.goTo").guard().tell(HoldEvent::Kind::Modifier);
         } else {
             h.physicalKey(QEvent::KeyPress, scan::kShift, Qt::Key_Shift, {Qt::ShiftModifier});
         }
@@ -421,7 +421,7 @@ private Q_SLOTS:
         if (isByKeys(kWays[way].by)) {
             // Its keys are not delivered then; a guard that receives a press nevertheless refuses it.
             QVERIFY(kWays[way].key == nullptr ||
-                    !holder.key().guard().press({Grip::By::Keys, {kWays[way].code}}));
+                    !holder.key().guard().press({HoldSource::By::Keys, {kWays[way].code}}));
         } else {
             holder.press();
         }
@@ -522,7 +522,7 @@ private Q_SLOTS:
         holder.prepare();
         holder.press();
         QSignalSpy refused(&hands.key("homeKey").guard(), &HoldGuard::refused);
-        QVERIFY(!hands.key("homeKey").guard().press({Grip::By::Keys, {scan::kHome}}));
+        QVERIFY(!hands.key("homeKey").guard().press({HoldSource::By::Keys, {scan::kHome}}));
         QCOMPARE(refused.count(), 1);
         QCOMPARE(hands.arm.next, 1U);
     }
@@ -610,7 +610,7 @@ private Q_SLOTS:
         QVERIFY(!hands.arm.moves());
         const double seconds = static_cast<double>(hands.arm.movedNs - from) / kNsPerSecond;
         QVERIFY(seconds <= 2.03);
-        QVERIFY2(metresPerSecond * seconds <= HoldBounds::kSilentLength + metresPerSecond * 0.03,
+        QVERIFY2(metresPerSecond * seconds <= HoldBounds::kUnconfirmedLength + metresPerSecond * 0.03,
                  qPrintable(QString::number(metresPerSecond * seconds)));
     }
 

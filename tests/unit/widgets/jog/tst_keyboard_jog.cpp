@@ -9,7 +9,7 @@
 
 #include "tests/support/key_events.h"
 #include "tests/support/written_port.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/keyboard_jog.h"
 
 using namespace tiller;
@@ -23,15 +23,15 @@ struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
-    HoldButton home{QStringLiteral("Home"), &window};
-    HoldButton freedrive{QStringLiteral("Freedrive"), &window};
+    HoldToRunButton home{QStringLiteral("Home"), &window};
+    HoldToRunButton freedrive{QStringLiteral("Freedrive"), &window};
     QLineEdit text{&window};
     AxisJog jog{port, selection, [] { return QString(); }, &window};
     KeyboardJog keyboard{jog, window};
 
     Bench() {
         auto* layout = new QVBoxLayout(&window);
-        for (HoldButton* key : {&home, &freedrive}) {
+        for (HoldToRunButton* key : {&home, &freedrive}) {
             key->setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
                             .hold = port.hold,
                             .end = port.endMotion,

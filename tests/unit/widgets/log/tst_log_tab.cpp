@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/log/log_model.h"
@@ -134,7 +134,7 @@ private Q_SLOTS:
     }
 
     void filtersWithoutMatchesAreReported() {
-        const auto* nothing = tab_->findChild<NothingFound*>("log.table.nothingFound");
+        const auto* nothing = tab_->findChild<EmptyState*>("log.table.nothingFound");
         QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
         tab_->append(Severity::Info, "Jog stopped: released");
         auto* severity = tab_->findChild<SegmentedControl*>("log.severity");

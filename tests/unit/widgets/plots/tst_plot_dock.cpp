@@ -42,7 +42,7 @@
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/comparison_dialog.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_layout.h"
@@ -482,7 +482,7 @@ private Q_SLOTS:
             std::vector<std::unique_ptr<Curve>> curves;
             curves.push_back(std::make_unique<Curve>(0));
             curves[0]->setPen(QPen(Qt::red, 2));
-            CurveSheet sheet(curves, nullptr);
+            CurveRaster sheet(curves, nullptr);
             ColumnGrid grid;
             const double t0 = 2.0 - span / 2;
             history.cut(t0, span / 200, 200, grid);
@@ -1376,7 +1376,7 @@ private Q_SLOTS:
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
-        QSignalSpy parted(&b.dock, &PlotDock::partedFromModel);
+        QSignalSpy parted(&b.dock, &PlotDock::deviatedFromModel);
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(asked, 2);

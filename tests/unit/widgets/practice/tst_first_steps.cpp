@@ -15,9 +15,9 @@
 #include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/first_steps.h"
 #include "widgets/practice/first_steps_card.h"
-#include "widgets/practice/tick_line.h"
 #include "widgets/project/undoable_document.h"
 
 using namespace tiller;
@@ -186,12 +186,12 @@ private Q_SLOTS:
         }
         const QRect place = card.geometry();
         for (int i = 0; i < static_cast<int>(kFirstSteps.size()); ++i) {
-            QVERIFY(!card.findChild<TickLine*>(QStringLiteral("firstSteps.%1").arg(i))->isDone());
+            QVERIFY(!card.findChild<ChecklistItem*>(QStringLiteral("firstSteps.%1").arg(i))->isDone());
         }
         steps_->setDone({"powerOn", "releaseBrakes", "jog", "teach", "goTo", "record"});
         QCoreApplication::processEvents();
         for (int i = 0; i < static_cast<int>(kFirstSteps.size()); ++i) {
-            const auto* line = card.findChild<TickLine*>(QStringLiteral("firstSteps.%1").arg(i));
+            const auto* line = card.findChild<ChecklistItem*>(QStringLiteral("firstSteps.%1").arg(i));
             QVERIFY(line->isDone() && line->accessibleDescription() == "done");
         }
         QCOMPARE(card.geometry(), place);
@@ -283,7 +283,7 @@ private Q_SLOTS:
         FirstStepsCard card(*steps_, view);
         view.show();
         card.open();
-        QTest::mouseClick(card.findChild<TickLine*>("firstSteps.0"), Qt::LeftButton);
+        QTest::mouseClick(card.findChild<ChecklistItem*>("firstSteps.0"), Qt::LeftButton);
         QTest::mouseClick(&card, Qt::LeftButton, {}, QPoint(4, 4));
         QCOMPARE(view.presses, 0);
         QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(470, 10));

@@ -13,9 +13,9 @@
 #include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/practice.h"
 #include "widgets/practice/practice_card.h"
-#include "widgets/practice/tick_line.h"
 #include "widgets/project/undoable_document.h"
 
 using namespace tiller;
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         auto* start = card.findChild<QPushButton*>("practice.start");
         auto* done = card.findChild<QPushButton*>("practice.done");
-        auto* check = card.findChild<TickLine*>("practice.check");
+        auto* check = card.findChild<ChecklistItem*>("practice.check");
         const auto place = [&](const QWidget* key) {
             return QRect(key->mapTo(&view, QPoint()), key->size());
         };

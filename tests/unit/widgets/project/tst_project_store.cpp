@@ -163,7 +163,7 @@ private Q_SLOTS:
         file.write(damaged);
         file.close();
 
-        QSignalSpy kept(store_.get(), &ProjectStore::keptAside);
+        QSignalSpy kept(store_.get(), &ProjectStore::copyKept);
         const auto recovered = store_->openRecovered(path_);
         QVERIFY(recovered.ok());
         QCOMPARE(recovered->lostWaypoints, 1);

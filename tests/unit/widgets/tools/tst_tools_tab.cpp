@@ -15,7 +15,7 @@
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/project/undoable_document.h"
@@ -375,7 +375,7 @@ private Q_SLOTS:
         const Eigen::Vector3d centre(0.01, -0.02, 0.07);
         for (int n = 0; n < 4; ++n) {
             // Moves to the proposed pose while the key is held.
-            auto* next = tab_->findChild<HoldButton*>("payload.estimator.next");
+            auto* next = tab_->findChild<HoldToRunButton*>("payload.estimator.next");
             QTest::mousePress(next, Qt::LeftButton);
             QVERIFY(next->isHolding());
             QTest::mouseRelease(next, Qt::LeftButton);
@@ -408,7 +408,7 @@ private Q_SLOTS:
         state.controlReason = "Take control first.";
         feed(state);
         click("payload.weigh");
-        auto* next = tab_->findChild<HoldButton*>("payload.estimator.next");
+        auto* next = tab_->findChild<HoldToRunButton*>("payload.estimator.next");
         QTest::mousePress(next, Qt::LeftButton);
         QTest::mouseRelease(next, Qt::LeftButton);
         QVERIFY(moves_.empty());

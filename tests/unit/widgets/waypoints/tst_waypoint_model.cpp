@@ -16,7 +16,7 @@
 
 using namespace tiller;
 using project::MoveKind;
-using project::Ruling;
+using project::TargetKind;
 using project::Waypoint;
 
 namespace {
@@ -67,7 +67,7 @@ private Q_SLOTS:
         }
         Waypoint linear = cell.waypoints.at(2);
         linear.move = MoveKind::Linear;
-        linear.ruling = Ruling::Pose;
+        linear.ruling = TargetKind::Pose;
         linear.blend = 0.005;
         cell.waypoints.replace(2, linear);
         document_->setProject(cell);
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-12);
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "—", Qt::EditRole));
-        QVERIFY(document_->waypoints().at(2).ruling == Ruling::Joints);
+        QVERIFY(document_->waypoints().at(2).ruling == TargetKind::Joints);
     }
 
     void draggedRowsLandWhereTheyAreDropped() {
@@ -278,7 +278,7 @@ private Q_SLOTS:
 
         Waypoint linear = at("l", kStart);
         linear.move = MoveKind::Linear;
-        linear.ruling = Ruling::Pose;
+        linear.ruling = TargetKind::Pose;
         linear.pose.position.z() += 0.05;
         linear.toolSpeed = 1.0;
         const auto moveL = moveRequestFor(robotModel(RobotModelId::UR5e), linear, {}, kStart, {}, limits);

@@ -14,7 +14,7 @@ using namespace tiller;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 QStringList saidIn(const recording::Recording& recording) {
     QStringList said;
@@ -29,7 +29,7 @@ QStringList saidIn(const recording::Recording& recording) {
 bool hasSeen(const IncidentWatch& watch, test::VirtualCell& cell, std::uint64_t packets) {
     QElapsedTimer patience;
     patience.start();
-    while (watch.packets() < packets && patience.elapsed() < kPatienceMs) {
+    while (watch.packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
         const std::uint64_t before = watch.packets();
         cell.advanceMs(100);
         // Waits for the sent packets; at first the thread may not be running yet.
@@ -68,7 +68,7 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
     // At the stop the box may have been half a second behind, so its 4000 packets began before the stop.
     QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);
     QVERIFY(told.front()[1].toString().contains("protective stop"));
     const QString path = told.front()[3].toString();
@@ -95,7 +95,7 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfTheOld() {
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 200));
     session.connectTo(session.address());
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QVERIFY(QFile::exists(told.front()[3].toString()));
     session.shutDown();
 }

@@ -157,8 +157,8 @@ private Q_SLOTS:
         SignalStore store;
         for (const bool unit : {false, true}) {
             const QString head = unit ? QStringLiteral("x[N]=actual_q_0") : QStringLiteral("x=actual_q_0");
-            for (qsizetype length = DerivedSignal::kLongestText - 6; length <= DerivedSignal::kLongestText;
-                 ++length) {
+            for (qsizetype length = DerivedSignal::kMaxTextLength - 6;
+                 length <= DerivedSignal::kMaxTextLength; ++length) {
                 QString text = head;
                 while (text.size() + 2 <= length) {
                     text += QStringLiteral("+1");

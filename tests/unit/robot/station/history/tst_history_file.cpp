@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY(history.minMax(column, 3 * kBlock, 3 * kBlock + 1) == extents[1]);
         QVERIFY(history.minMax(column, 5 * kBlock, kSamples) == extents[2]);
         QVERIFY(history.minMax(column, 0, kSamples) == extents[2]);
-        QCOMPARE(history.grainOf(column, 4), 2 * kBlock);
+        QCOMPARE(history.resolutionOf(column, 4), 2 * kBlock);
         const std::vector<MinMax> halves{{0, 0.5}, {-1, 0}};
         history.setExtents(column, kBlock, kBlock / 2, halves);
         QVERIFY(history.minMax(column, kBlock, kBlock + 1) == halves[0]);

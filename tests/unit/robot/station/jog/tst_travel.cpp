@@ -105,7 +105,7 @@ private Q_SLOTS:
     void theWayOutTakesTheJointAway() {
         JointPositions near = kMiddle;
         near[2] = -(kJointPositionLimit - 12 * kDeg);
-        const int key = wayOut(armAt(near), Eigen::Matrix3d::Identity(), 2);
+        const int key = escapeKey(armAt(near), Eigen::Matrix3d::Identity(), 2);
         QVERIFY(key >= 0);
         // After following the advice for 20 mm (or 6 deg), the joint is further from its limit than before.
         const int axis = key / 2;

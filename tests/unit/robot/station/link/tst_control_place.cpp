@@ -14,7 +14,7 @@ namespace {
 
 /// Session time within which the remote switch is queried; the reply itself takes real time.
 constexpr int kNoticedMs = 600;
-constexpr int kPatienceMs = 20'000;
+constexpr int kWaitTimeoutMs = 20'000;
 
 struct Bench {
     QStringList warnings;  // declared first: the session may send a message in its destructor
@@ -43,7 +43,7 @@ struct Bench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
         }
         return condition();
@@ -55,7 +55,7 @@ struct Bench {
                 session.refresh();
                 return condition();
             },
-            kPatienceMs);
+            kWaitTimeoutMs);
     }
     bool beginJog() {
         control::JogTarget up;

@@ -104,9 +104,9 @@ private Q_SLOTS:
     void noOtherStopIsMeant() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);
-            const bool byHand =
+            const bool byOperator =
                 which == StopCause::Escape || which == StopCause::Space || which == StopCause::StopButton;
-            QCOMPARE(ExternalProgramStopper::isMeant(which, live(RuntimeState::Playing)), byHand);
+            QCOMPARE(ExternalProgramStopper::isMeant(which, live(RuntimeState::Playing)), byOperator);
         }
     }
 };

@@ -134,7 +134,7 @@ private Q_SLOTS:
 
     // The connected() signal is emitted again, so clients need not compare it with the earlier state.
     void aRobotThatComesBackIsTheSameLink() {
-        constexpr int kPatienceMs = 20'000;
+        constexpr int kWaitTimeoutMs = 20'000;
         Bench bench;
         Listener listener(bench.session);
         int connections = 0;
@@ -145,7 +145,7 @@ private Q_SLOTS:
         bench.cell.robot.closeClients();
         QElapsedTimer patience;
         patience.start();
-        while (connections < 2 && patience.elapsed() < kPatienceMs) {
+        while (connections < 2 && patience.elapsed() < kWaitTimeoutMs) {
             bench.clock.advanceNs(2 * kNsPerMs);
             bench.cell.robot.step();
             bench.session.refresh();

@@ -105,7 +105,7 @@ private Q_SLOTS:
             RecordingChoice{.fields = {"actual_q", "no_such_field", "actual_q"}, .every = -3}.sane();
         QCOMPARE(choice.fields, QStringList("actual_q"));
         QCOMPARE(choice.every, 1);
-        QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMostSparse);
+        QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMaxDecimation);
         QVERIFY2(RecordingChoice{.fields = all}.sane().fields.isEmpty(), "all of them is no choice");
         QVERIFY(!recordingFolder().isEmpty());
     }

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QVERIFY(route.isDone());
         QCOMPARE(route.coming(), Place());
         QCOMPARE(route.before(), Place(1));
-        route.beginAnew();
+        route.restartRoute();
         QCOMPARE(route.coming(), Place(0));
         QVERIFY(!route.isDone());
     }

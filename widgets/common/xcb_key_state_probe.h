@@ -11,19 +11,19 @@
 #include <mutex>
 #include <thread>
 
-#include "widgets/common/hold_witness.h"
+#include "widgets/common/key_state_probe.h"
 
 namespace tiller {
 
 /// Threads  a separate thread with normal priority connects, sends queries and waits for replies. Results are
 /// passed to the GUI thread under a lock that is held only while copying.
-class XcbWitness final : public HoldWitness {
+class XcbKeyStateProbe final : public KeyStateProbe {
 public:
     /// Connects in the background to the display of the window.
-    XcbWitness();
-    ~XcbWitness() override;
-    XcbWitness(const XcbWitness&) = delete;
-    XcbWitness& operator=(const XcbWitness&) = delete;
+    XcbKeyStateProbe();
+    ~XcbKeyStateProbe() override;
+    XcbKeyStateProbe(const XcbKeyStateProbe&) = delete;
+    XcbKeyStateProbe& operator=(const XcbKeyStateProbe&) = delete;
 
     bool isThere() const override { return there_.load(); }
     void want(bool wanted) override;

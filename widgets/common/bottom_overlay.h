@@ -11,13 +11,13 @@ class QWidget;
 
 namespace tiller {
 
-class LowerEdge : public QObject {
+class BottomOverlay : public QObject {
     Q_OBJECT
 
 public:
     /// shown  becomes a child of `page`
     /// areas  of this page; the first visible one is used
-    LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
+    BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

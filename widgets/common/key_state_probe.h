@@ -6,7 +6,7 @@
 // connection), or one may be delivered elsewhere (a grab by another program). A new query always returns the
 // current state.
 //
-// X11: XcbWitness, tested on Xvfb. Not available on Wayland, Windows, macOS and without a screen: motions
+// X11: XcbKeyStateProbe, tested on Xvfb. Not available on Wayland, Windows, macOS and without a screen: motions
 // then depend on the other rules, and the window shows a note.
 
 #include <QString>
@@ -18,7 +18,7 @@
 namespace tiller {
 
 /// Threads  GUI, unless noted otherwise
-class HoldWitness {
+class KeyStateProbe {
 public:
     /// Reported state of one button or key. Times are those of the queries [ns, SteadyClock].
     struct Word {
@@ -26,7 +26,7 @@ public:
         std::int64_t downNs = 0;   ///< newest query answered with "pressed"; 0: none
     };
 
-    virtual ~HoldWitness() = default;
+    virtual ~KeyStateProbe() = default;
 
     /// False if no key-state check is available; then no queries are made. Never changes from true to false.
     virtual bool isThere() const = 0;
@@ -40,9 +40,9 @@ public:
     virtual QString description() const = 0;
 
     /// The implementation for this platform; its times are those of SteadyClock.
-    static std::unique_ptr<HoldWitness> ofThisPlatform();
+    static std::unique_ptr<KeyStateProbe> ofThisPlatform();
     /// No key-state check, for a demonstration that presses keys on the screen without a mouse.
-    static std::unique_ptr<HoldWitness> none();
+    static std::unique_ptr<KeyStateProbe> none();
 };
 
 }  // namespace tiller

@@ -30,19 +30,19 @@ class ProgramRunner;
 class ScriptHost;
 
 /// Threads  the simulator's.
-class Plant {
+class ControllerModel {
 public:
-    explicit Plant(const SimulatorOptions& options);
-    ~Plant();
-    Plant(const Plant&) = delete;
-    Plant& operator=(const Plant&) = delete;
+    explicit ControllerModel(const SimulatorOptions& options);
+    ~ControllerModel();
+    ControllerModel(const ControllerModel&) = delete;
+    ControllerModel& operator=(const ControllerModel&) = delete;
 
     /// Runs one control period.
     void step();
 
     const SimulatorOptions& options() const { return options_; }
-    Assumptions& assumptions() { return options_.assumptions; }
-    const Assumptions& assumptions() const { return options_.assumptions; }
+    BehaviourOptions& assumptions() { return options_.assumptions; }
+    const BehaviourOptions& assumptions() const { return options_.assumptions; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
     /// Time as reported to clients: starts again when the controller restarts [s].
@@ -114,7 +114,7 @@ public:
     int showPopup(const std::string& text, bool blocking);
     /// Messages of the pendant log that are relevant to the sender of the program: sent to primary clients as
     /// text messages and to the error output.
-    void tellLog(const std::string& text);
+    void appendToLog(const std::string& text);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
     std::vector<primary::Bytes> takeOutbox();

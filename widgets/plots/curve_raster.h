@@ -16,12 +16,12 @@
 
 namespace tiller {
 
-class CurveSheet : public QGraphicsItem {
+class CurveRaster : public QGraphicsItem {
 public:
     /// curves  drawn in this order; all sampled with the same grid before each setView(). Must outlive the
     /// object
     /// parent  the chart whose coordinates are used
-    CurveSheet(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
+    CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
 
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/control_box.h"
+#include "robot/simulator/controller_services.h"
 
 #include <QAbstractEventDispatcher>
 
@@ -9,11 +9,11 @@
 
 namespace tiller::simulator {
 
-ControlBox::ControlBox(const SimulatorOptions& options)
+ControllerServices::ControllerServices(const SimulatorOptions& options)
     : plant(options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
-void ControlBox::service() {
+void ControllerServices::service() {
     // Qt events are needed only to accept connections and for sockets of scripts; nothing else in this thread
     // uses them.
     const bool hasClient = services.link().poller().poll();
@@ -31,7 +31,7 @@ void ControlBox::service() {
     }
 }
 
-void ControlBox::tick() {
+void ControllerServices::tick() {
     services.rtde().beginPeriod();
     service();
     plant.step();
@@ -44,12 +44,12 @@ void ControlBox::tick() {
     }
 }
 
-void ControlBox::setRemoteControl(bool remote) {
+void ControllerServices::setRemoteControl(bool remote) {
     if (plant.isRemoteControl() == remote) {
         return;
     }
     plant.setRemoteControl(remote);
-    if (!remote && plant.assumptions().remoteToLocal == Assumptions::RemoteToLocal::Ends) {
+    if (!remote && plant.assumptions().remoteToLocal == BehaviourOptions::RemoteToLocal::Ends) {
         plant.programs().requestStop();
     }
     if (plant.options().gateLocalControl && !remote && !plant.options().software.isCb3()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/xcb_witness.h"
+#include "widgets/common/xcb_key_state_probe.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -40,7 +40,7 @@ bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
 }  // namespace
 
 /// The connection to the display server, with at most one pending query.
-class XcbWitness::Link {
+class XcbKeyStateProbe::Link {
 public:
     Link() : link_(xcb_connect(nullptr, nullptr)) {
         if (isAlive()) {
@@ -96,7 +96,7 @@ private:
     Owned<xcb_query_keymap_reply_t> keys_;
 };
 
-XcbWitness::XcbWitness() {
+XcbKeyStateProbe::XcbKeyStateProbe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
         return;  // without a thread the check is unavailable
@@ -106,7 +106,7 @@ XcbWitness::XcbWitness() {
     thread_ = std::thread([this] { run(); });
 }
 
-XcbWitness::~XcbWitness() {
+XcbKeyStateProbe::~XcbKeyStateProbe() {
     quit_ = true;
     wake();
     if (thread_.joinable()) {
@@ -118,43 +118,43 @@ XcbWitness::~XcbWitness() {
     }
 }
 
-void XcbWitness::wake() {
+void XcbKeyStateProbe::wake() {
     const char token = 0;
     [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: already waking up
 }
 
-void XcbWitness::want(bool wanted) {
+void XcbKeyStateProbe::want(bool wanted) {
     if (wanted_.exchange(wanted) != wanted) {
         wake();
     }
 }
 
-HoldWitness::Word XcbWitness::leftButton() const {
+KeyStateProbe::Word XcbKeyStateProbe::leftButton() const {
     const std::lock_guard lock(heard_);
     return {askedNs_, buttonNs_};
 }
 
-HoldWitness::Word XcbWitness::key(KeyCode code) const {
+KeyStateProbe::Word XcbKeyStateProbe::key(KeyCode code) const {
     const std::lock_guard lock(heard_);
     return {askedNs_, code < kKeys ? keyNs_.at(code) : 0};
 }
 
-std::int64_t XcbWitness::waitingNs() const {
+std::int64_t XcbKeyStateProbe::waitingNs() const {
     const std::int64_t since = waitingSinceNs_;
     return since == 0 ? 0 : SteadyClock::shared().nowNs() - since;
 }
 
-QString XcbWitness::description() const {
+QString XcbKeyStateProbe::description() const {
     return isThere()
-               ? QCoreApplication::translate("HoldWitness",
+               ? QCoreApplication::translate("KeyStateProbe",
                                              "Key-state check active: Tiller asks the display server every "
                                              "10 ms whether the button or key is still pressed.")
-               : QCoreApplication::translate("HoldWitness",
+               : QCoreApplication::translate("KeyStateProbe",
                                              "Key-state check unavailable: no second connection to the "
                                              "display server. Tiller relies on window events for held keys.");
 }
 
-void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
+void XcbKeyStateProbe::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
     const std::lock_guard lock(heard_);
     askedNs_ = askedNs;
     buttonNs_ = button ? askedNs : buttonNs_;
@@ -163,7 +163,7 @@ void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, 
     }
 }
 
-void XcbWitness::run() {
+void XcbKeyStateProbe::run() {
     const Clock& clock = SteadyClock::shared();
     Link link;
     if (!link.isAlive()) {

@@ -12,12 +12,12 @@
 
 namespace tiller {
 
-class HoldButton : public QAbstractButton {
+class HoldToRunButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    explicit HoldButton(const QString& text, QWidget* parent = nullptr);
-    ~HoldButton() override;
+    explicit HoldToRunButton(const QString& text, QWidget* parent = nullptr);
+    ~HoldToRunButton() override;
 
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }
     HoldGuard& guard() { return guard_; }
@@ -35,7 +35,7 @@ public:
     /// The displayed second line: "hold" for two seconds after a click.
     QString detail() const;
     /// True for two seconds after a click, because the key has to be held.
-    bool saysHold() const { return holdHint_.isActive(); }
+    bool showsHoldHint() const { return holdHint_.isActive(); }
     /// Disables the key and shows the reason in its tooltip; an empty reason enables it.
     void setUnavailable(const QString& reason);
 
@@ -59,7 +59,7 @@ protected:
 
 private:
     bool touchEvent(QEvent* event);
-    void sayHold();
+    void showHoldHint();
 
     HoldGuard guard_;
     QTimer holdHint_;

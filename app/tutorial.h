@@ -23,14 +23,14 @@ class ActionTable;
 class LocalSimulator;
 class Settings;
 
-class Lessons : public QObject {
+class Tutorial : public QObject {
     Q_OBJECT
 
 public:
     /// All arguments must outlive the object; the cards are shown above `view`.
-    Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
-            SceneView& view);
-    ~Lessons() override;
+    Tutorial(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
+             SceneView& view);
+    ~Tutorial() override;
 
     void addTo(ActionTable& table);
     /// Reloads the progress after an import of the settings.

@@ -10,11 +10,11 @@
 
 namespace tiller {
 
-class FigureBox : public QDoubleSpinBox {
+class DecimalSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 
 public:
-    explicit FigureBox(QWidget* parent = nullptr);
+    explicit DecimalSpinBox(QWidget* parent = nullptr);
 
     /// True if the text is not a valid value; value() is then the previous one.
     bool isRefused() const;

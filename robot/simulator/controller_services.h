@@ -3,15 +3,15 @@
 
 // Objects owned by the thread of the simulator: the robot, its services and their cycle.
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/services.h"
 #include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 
 /// Threads  the simulator's.
-struct ControlBox {
-    explicit ControlBox(const SimulatorOptions& options);
+struct ControllerServices {
+    explicit ControllerServices(const SimulatorOptions& options);
 
     /// Accepts connections, reads requests and answers; does not advance time.
     void service();
@@ -19,7 +19,7 @@ struct ControlBox {
     void tick();
     void setRemoteControl(bool remote);
 
-    Plant plant;
+    ControllerModel plant;
     Services services;
     bool silent = false;  ///< nothing is read or sent; connections stay open
 
