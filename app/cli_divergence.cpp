@@ -25,8 +25,8 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "  FILE                 recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the\n"
     "                       simulated controller follows the targets of the recording, and its motion is\n"
-    "                       compared with that of the real arm. The simulated arm touches nothing, carries\n"
-    "                       the payload that the controller was given, and has no friction\n"
+    "                       compared with that of the real arm. The simulated arm has no contact, carries\n"
+    "                       the payload that is set on the controller, and has no friction\n"
     "  --model MODEL        robot model, such as ur5e (default: the model named in the recording)\n"
     "  --joint DEGREES      largest permitted deviation of each joint (default 0.5); 0: not compared\n"
     "  --tcp MM             the same for the TCP (default 5)\n"
@@ -120,8 +120,8 @@ QJsonObject toJson(const divergence::Report& report) {
 
 void print(const divergence::Report& report) {
     out() << QStringLiteral(
-                 "%1 rows compared with the model of a %2, %3 left out (no power, led by hand, or "
-                 "behind a gap)\n")
+                 "%1 rows compared with the model of a %2, %3 skipped (no power, guided by hand, or after a "
+                 "gap)\n")
                  .arg(report.rows - report.leftOut)
                  .arg(QLatin1String(robotModel(report.model).name))
                  .arg(report.leftOut);
@@ -135,7 +135,7 @@ void print(const divergence::Report& report) {
             out() << "  " << spelling.name << ": not compared\n";
         } else if (!outcome.missing.empty()) {
             out() << "  " << spelling.name << ": not compared, the recording has no "
-                  << namesOf(outcome.missing).join(QStringLiteral(", ")) << "; one of all fields has them\n";
+                  << namesOf(outcome.missing).join(QStringLiteral(", ")) << "; record all fields\n";
         } else if (!outcome.greatest) {
             out() << "  " << limit << ": no values\n";
         } else {
@@ -160,9 +160,8 @@ void print(const divergence::Report& report) {
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out()
-            << "They differ from the first sample: check --model, the payload set on the robot, and whether "
-               "something touches the arm.\n";
+        out() << "Arm and model differ from the first sample on: check --model, the payload set on the "
+                 "robot, and contact with the arm.\n";
     }
 }
 

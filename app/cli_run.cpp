@@ -33,9 +33,9 @@ const QString kRunHelp = QStringLiteral(
     "       tiller-cli run FILE.tiller --robot ADDRESS [options]\n"
     "\n"
     "  --simulate           run the script in the simulated controller, faster than real time\n"
-    "  --robot ADDRESS      run it on a robot, after a simulated run from where the arm is\n"
+    "  --robot ADDRESS      run it on a robot, after a simulated run from its current position\n"
     "  --program NAME       the program; not needed if the project has only one\n"
-    "  --from STEP          begin at this step, by its number\n"
+    "  --from STEP          begin at the step with this number\n"
     "  --input CHANNEL=on|off[@SECONDS]\n"
     "                       a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
     "repeated\n"
@@ -49,7 +49,7 @@ const QString kRunHelp = QStringLiteral(
     "of this command and a lost connection stop it. It is refused if a simulated run of the first ten "
     "minutes\n"
     "finds a collision or a stop, or if the robot is another model than the project's.\n"
-    "Exit code: 0 the program came to its end without a finding, 1 it did not, 2 wrong arguments.\n");
+    "Exit code: 0 the program ended without findings, 1 it did not, 2 wrong arguments.\n");
 
 /// Parses an input change, e.g. "DI3=on@2.5".
 std::optional<program::InputChange> inputFrom(const QString& text) {
@@ -167,12 +167,12 @@ QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) 
     const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
     const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
     if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral("the robot is not a %1, which the project was taught with")
+        return QStringLiteral("the robot is not a %1, the model that the project was taught with")
             .arg(QLatin1String(model.name));
     }
     if (loaded.script.tcp &&
         !((loaded.script.tcp->position - state.tcpOffset().position).norm() < kSameTcp)) {
-        return QStringLiteral("the robot has another TCP than the waypoints of the program");
+        return QStringLiteral("the TCP of the robot differs from the TCP of the program's waypoints");
     }
     return {};
 }

@@ -62,11 +62,10 @@ public:
         constexpr qsizetype kMaxShown = 20;
         if (!origin.isEmpty() && shown_.size() < kMaxShown && !shown_.contains(origin)) {
             shown_ << origin;
-            QTextStream(stderr) << QStringLiteral(
-                                       "\nserve: refused a viewer with the origin %1; --allow-origin "
-                                       "admits it")
-                                       .arg(printable(origin))
-                                << Qt::endl;
+            QTextStream(stderr)
+                << QStringLiteral("\nserve: refused a viewer with the origin %1; --allow-origin permits it")
+                       .arg(printable(origin))
+                << Qt::endl;
         }
     }
 

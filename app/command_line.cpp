@@ -37,7 +37,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption monitorOnly(
         "monitor-only",
         CommandLineText::tr(
-            "Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings."));
+            "Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
     parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 

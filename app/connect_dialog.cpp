@@ -104,7 +104,7 @@ QWidget* ConnectDialog::simulatorPart() {
     auto* title = new QLabel(tr("Try the simulator"));
     title->setProperty("role", "strong");
     auto* text =
-        new QLabel(tr("A simulated UR5e in this program. All functions are available without risk."));
+        new QLabel(tr("A simulated UR5e that runs in Tiller. All functions are available without risk."));
     text->setProperty("role", "secondary");
     text->setWordWrap(true);
     simulator_->setObjectName("startSimulator");
@@ -149,7 +149,8 @@ QWidget* ConnectDialog::robotPart() {
                                                 : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
     }
     forget_->setObjectName("forgetRobot");
-    forget_->setToolTip(tr("Removes the selected robot from this list (Delete). The robot does not change."));
+    forget_->setToolTip(
+        tr("Removes the selected robot from this list (Delete). The robot itself is not affected."));
     auto* forgetKey = new QAction(list_);
     forgetKey->setShortcut(QKeySequence::Delete);
     forgetKey->setShortcutContext(Qt::WidgetShortcut);

@@ -166,7 +166,7 @@ void Demonstration::poll() {
     pressAgainIfStopped(step);
     if (elapsed_.elapsed() > step.timeoutMs) {
         const SessionState& state = window_.session().state();
-        fail(tr("%1: did not happen within %2 s (%3)")
+        fail(tr("%1: not completed within %2 s (%3)")
                  .arg(step.name)
                  .arg(step.timeoutMs / 1000)
                  .arg(state.controlReason.isEmpty() ? tr("the robot reported no reason")
@@ -233,7 +233,7 @@ QString Demonstration::summary() const {
 QWidget* Demonstration::find(const QString& key) {
     auto* widget = window_.findChild<QWidget*>(key);
     if (widget == nullptr) {
-        fail(tr("there is no key \"%1\" in the window").arg(key));
+        fail(tr("there is no key “%1” in the window").arg(key));
     }
     return widget;
 }

@@ -53,7 +53,7 @@ DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTun
     used_->setObjectName("settings.device");
     used_->setAccessibleName(tr("Device that moves the arm"));
     there_->setObjectName("settings.deviceNote");
-    auto* trainer = new QPushButton(tr("Try it out…"));
+    auto* trainer = new QPushButton(tr("Test device…"));
     trainer->setObjectName("settings.trainer");
     trainer->setAutoDefault(false);
     trainer->setToolTip(

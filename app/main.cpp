@@ -75,7 +75,7 @@ void showSizeHint(app::MainWindow& window) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
-                                        "This screen has a high resolution. Increase \"Interface size\" in "
+                                        "This screen has a high resolution. Increase “Interface size” in "
                                         "Settings to enlarge text, keys and plots."));
     }
 }

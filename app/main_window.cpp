@@ -171,8 +171,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         Q_EMIT session_->message(
             Severity::Info,
-            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they "
-                       "rotate, 1 to 6 with + and − move a joint. Space and Esc stop.")
+            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they "
+                       "rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
@@ -1097,13 +1097,14 @@ void MainWindow::askToTakeControl() {
     question->setWindowTitle(tr("Take control"));
     question->setText(name.isEmpty() && paused ? tr("A program is paused on the robot.")
                       : name.isEmpty()         ? tr("A program is running on the robot.")
-                      : paused                 ? tr("The program \"%1\" is paused on the robot.").arg(name)
-                                               : tr("The program \"%1\" is running on the robot.").arg(name));
-    question->setInformativeText(tr("Taking control stops it. It cannot be resumed, only started again."));
+                      : paused                 ? tr("The program “%1” is paused on the robot.").arg(name)
+                               : tr("The program “%1” is running on the robot.").arg(name));
+    question->setInformativeText(
+        tr("Taking control stops the program. It cannot be resumed, only restarted."));
     QPushButton* take = question->addButton(tr("Stop it and take control"), QMessageBox::DestructiveRole);
     take->setObjectName("takeControlQuestion.take");
     take->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep it running"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(tr("Keep the program"), QMessageBox::RejectRole);
     keep->setObjectName("takeControlQuestion.keep");
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);

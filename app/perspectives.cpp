@@ -141,7 +141,7 @@ void Perspectives::fallBack(const QString& why) {
 QString Perspectives::obstacle(const QString& name, const QString& except) const {
     const QString wanted = name.trimmed();
     if (wanted.isEmpty()) {
-        return tr("Type a name.");
+        return tr("Enter a name.");
     }
     if (wanted.size() > kMaxPerspectiveName) {
         return tr("The name is too long.");

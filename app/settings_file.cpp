@@ -37,7 +37,7 @@ Error tooLarge() {
 }
 
 Error badValue(const QString& key) {
-    return corrupt(SettingsFile::tr("Invalid value for the setting \"%1\".").arg(key));
+    return corrupt(SettingsFile::tr("Invalid value for the setting “%1”.").arg(key));
 }
 
 bool isKey(const QString& key) {
@@ -220,7 +220,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     const QJsonObject object = values.toObject();
     for (auto it = object.constBegin(); it != object.constEnd(); ++it) {
         if (!isKey(it.key())) {
-            return corrupt(SettingsFile::tr("\"%1\" is not a valid setting name.").arg(it.key().left(40)));
+            return corrupt(SettingsFile::tr("“%1” is not a valid setting name.").arg(it.key().left(40)));
         }
         const std::optional<QVariant> value = fromJson(it.value());
         if (!value) {

@@ -136,10 +136,9 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     languageNote_->setObjectName("settings.languageNote");
     lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
                       static_cast<int>(preferences_.notation.length));
-    rotations_ =
-        choice("settings.rotations", tr("Rotations"),
-               {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as scripts write it")},
-               static_cast<int>(preferences_.notation.rotation));
+    rotations_ = choice("settings.rotations", tr("Rotations"),
+                        {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as in scripts")},
+                        static_cast<int>(preferences_.notation.rotation));
     monitorOnly_ = new QCheckBox(tr("Monitor only"));
     monitorOnly_->setObjectName("settings.monitorOnly");
     monitorOnly_->setChecked(preferences_.monitorOnly);
@@ -245,7 +244,7 @@ QWidget* SettingsPage::buildLanguage() {
     anew_->setObjectName("settings.windowAnew");
     anew_->setAutoDefault(false);
     anew_->setToolTip(
-        tr("Stops the arm, gives control back and reconnects. The plots start again. The project is saved."));
+        tr("Stops the arm, gives control back and reconnects. The plots restart. The project is saved."));
     connect(language_, &QComboBox::activated, this, [this](int index) {
         preferences_.language = index == 0 ? QString() : languages()[index - 1].code;
         showLanguageNote();
@@ -277,11 +276,11 @@ void SettingsPage::refuseNewWindow(const QString& reason) {
 void SettingsPage::showSizeNote() {
     const int chosen = preferences_.interfaceSize;
     const int fitting = fittingInterfaceSize(chosen, availableAtNormalSize(*screen()));
-    sizeNote_->setText(chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
-                       : fitting < chosen        ? tr("Takes effect at the next start of Tiller. This screen "
-                                                             "supports at most %1 %, which will be used.")
-                                                .arg(fitting)
-                                          : tr("Takes effect at the next start of Tiller."));
+    sizeNote_->setText(
+        chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
+        : fitting < chosen
+            ? tr("Takes effect at the next start of Tiller, limited to %1 % on this screen.").arg(fitting)
+            : tr("Takes effect at the next start of Tiller."));
 }
 
 void SettingsPage::showCapValue() {
@@ -429,7 +428,7 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     for (const QAction* other : actions_.all()) {
         if (other != action && !keys.isEmpty() && other->shortcut() == keys &&
             ActionTable::share(*action, *other)) {
-            hint_->setText(tr("%1 is assigned to \"%2\". Remove it there first.")
+            hint_->setText(tr("%1 is assigned to “%2”. Remove it there first.")
                                .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
             return false;
         }

@@ -132,7 +132,7 @@ PracticeHooks Tutorial::hooks() {
                 [this](const project::Waypoint& point) {
                     steps_.setFollowing(false);  // this waypoint is not taught by the user
                     document_.insertWaypoints(document_.waypoints().size(), {point},
-                                              tr("Practice: place “%1”").arg(point.name));
+                                              tr("Practice: add “%1”").arg(point.name));
                 }};
 }
 

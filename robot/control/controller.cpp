@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kLastWords(160);
 
 Error stoppedBefore(const QString& context) {
-    return {ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+    return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
     if (!d_->link.isRunning()) {
         return d_->take(deadline, true);
     }
-    const QString context = QStringLiteral("go on with the control program");
+    const QString context = QStringLiteral("continue with the control program");
     const std::int32_t session = d_->program.session();
     if (d_->loop.status().runtimeState != RuntimeState::Playing || session == 0) {
-        return Error{ErrorCode::NotInControl, context, QStringLiteral("it does not run")};
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("it is not running")};
     }
     d_->loop.expectSession(session);
     return d_->program.awaitControl(deadline, context);
@@ -208,7 +208,7 @@ Result<void> Controller::Private::awaitPulses(std::uint64_t stops, const Deadlin
         return {};
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("digital output %1 still pulses, for %2 s")
+                 QStringLiteral("the pulse of digital output %1 lasts for another %2 s")
                      .arg(std::distance(pulseEndsNs.begin(), last()))
                      .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
 }
@@ -236,7 +236,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
         if (error.code == ErrorCode::ScriptError) {
             if (auto back = program.restart({}, {}, deadline); !back) {
                 error.controllerMessage +=
-                    QStringLiteral("; and control did not come back: ") + back.error().toString();
+                    QStringLiteral("; control could not be regained: ") + back.error().toString();
             }
         }
         return error;

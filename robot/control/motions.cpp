@@ -366,7 +366,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& sta
     }
     const QString context = QString::fromLatin1(kContext);
     if (twist.isZero()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("twist: it moves nothing")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("twist: all components are zero")};
     }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;

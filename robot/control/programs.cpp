@@ -30,7 +30,7 @@ script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch)
 }
 
 Error stopped(const QString& context) {
-    return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
+    return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop or another motion")};
 }
 
 /// Ends a running user script and takes control again. Needs `taking`.
@@ -57,7 +57,7 @@ Result<void> bringBack(Controller::Private& d) {
     if (!d.link.isRunning()) {
         return Error{
             ErrorCode::LinkLost, QStringLiteral("send the control program again"),
-            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may continue")};
     }
     return d.program.resend(deadline);
 }
@@ -104,7 +104,7 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
                 statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
-            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
+            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never observed running")};
         }
         return bad.code != ErrorCode::None;
     };
@@ -132,8 +132,9 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: it is empty")};
     }
     if (body.contains(QLatin1String("tiller_"))) {
-        return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("body: names beginning with tiller_ are the control program's own")};
+        return Error{
+            ErrorCode::InvalidArgument, context,
+            QStringLiteral("body: names beginning with tiller_ are reserved for the control program")};
     }
     if (const auto checked = checkBlocks(body, context); !checked) {
         return checked.error();
@@ -158,7 +159,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     const bool attended = supervision == Supervision::Heartbeat;
     if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("program: names beginning with %1 belong to the watchdog thread")
+                     QStringLiteral("program: names beginning with %1 are reserved for the watchdog thread")
                          .arg(QLatin1String(script::kHeartbeatPrefix))};
     }
     auto& d = ControllerAccess::of(*controller_);
@@ -203,7 +204,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         }
         Error error = outcome.error();
         error.controllerMessage +=
-            QStringLiteral("; and control did not come back: ") + back.error().toString();
+            QStringLiteral("; control could not be regained: ") + back.error().toString();
         return error;
     }
     return outcome;

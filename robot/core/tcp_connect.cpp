@@ -97,7 +97,7 @@ Error refusal(int error, const QString& context) {
 Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, const QString& context) {
     const Handle socket = ::socket(address.ai_family, address.ai_socktype, address.ai_protocol);
     if (static_cast<Descriptor>(socket) < 0) {
-        return Error{ErrorCode::Internal, context, QStringLiteral("no descriptor left for another socket")};
+        return Error{ErrorCode::Internal, context, QStringLiteral("no file descriptor is left for a socket")};
     }
     const auto descriptor = static_cast<Descriptor>(socket);
     makeNonBlocking(socket);
@@ -140,7 +140,8 @@ Result<Descriptor> connectTcp(const QString& host, int port, const Deadline& dea
                                     : QStringLiteral("port %1; ports are 1 to 65535").arg(port)};
     }
     if (!startUp()) {
-        return Error{ErrorCode::Internal, context, QStringLiteral("no sockets on this system")};
+        return Error{ErrorCode::Internal, context,
+                     QStringLiteral("sockets are not available on this system")};
     }
     int failure = 0;
     const AddressList addresses = resolve(name, port, failure);

@@ -232,7 +232,7 @@ Result<void> DashboardClient::addToLog(const Text& text, const Deadline& deadlin
 Result<QString> DashboardClient::command(const Text& line, const Deadline& deadline) {
     const QString context = contextOf(line);
     if (line.contains(QLatin1Char('\n')) || line.contains(QLatin1Char('\r'))) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("a command is one line")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("a command must be a single line")};
     }
     if (!socket_) {
         return Error{ErrorCode::NotConnected, context, {}};
@@ -273,7 +273,7 @@ Result<QString> DashboardClient::readLine(const Deadline& deadline, const QStrin
             line.append(static_cast<char>(byte));
             if (line.size() > kMaxReplyLength) {
                 close();
-                return Error{ErrorCode::ProtocolError, context, QStringLiteral("a reply without an end")};
+                return Error{ErrorCode::ProtocolError, context, QStringLiteral("the reply has no line end")};
             }
         } else if (got.status != native_socket::Status::WouldBlock) {
             close();

@@ -115,7 +115,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
         const RecoveryStep next = nextRecoveryStep(*safety, *mode);
         if (next == RecoveryStep::AskPerson) {
             return Error{ErrorCode::Rejected, context(),
-                         QStringLiteral("%1: it takes a person at the robot to end this")
+                         QStringLiteral("%1: only a person at the robot can end this state")
                              .arg(safetyModeName(*safety))};
         }
         if (next == RecoveryStep::Done) {
@@ -128,7 +128,8 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             switch (next) {
                 case RecoveryStep::Unlock:
                     if (!consent.causeInspected) {
-                        return missing("protective stop: it is only unlocked once its cause was inspected");
+                        return missing(
+                            "protective stop: it is unlocked only after its cause has been inspected");
                     }
                     report(RecoveryStep::CloseSafetyPopup);
                     closePopup(client, deadline);
@@ -144,14 +145,14 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
-                        return missing("the arm is off; to power it on needs your consent");
+                        return missing("the arm is off; powering it on needs your consent");
                     }
                     report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
-                        return missing("the brakes are on; to release them needs your consent");
+                        return missing("the brakes are on; releasing them needs your consent");
                     }
                     report(next);
                     done = client.brakeRelease(deadline);
@@ -168,8 +169,8 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
         pause(deadline, milliseconds(50));
     }
     return overdue(deadline, outage.code == ErrorCode::None
-                                 ? QStringLiteral("the robot has not come to RUNNING")
-                                 : QStringLiteral("the robot has not come to RUNNING; ") + outage.toString());
+                                 ? QStringLiteral("the robot did not reach RUNNING")
+                                 : QStringLiteral("the robot did not reach RUNNING; ") + outage.toString());
 }
 
 }  // namespace

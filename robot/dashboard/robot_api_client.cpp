@@ -161,7 +161,7 @@ Result<QString> RobotApiClient::apiVersion(const Deadline& deadline) const {
     const QString version = (*description)["info"].toObject()["version"].toString();
     if (version.isEmpty()) {
         return Error{ErrorCode::ProtocolError, QStringLiteral("GET %1 at %2:%3").arg(path, host_).arg(port_),
-                     QStringLiteral("the reply describes no Robot API")};
+                     QStringLiteral("the reply does not describe a Robot API")};
     }
     return version;
 }
@@ -196,7 +196,7 @@ Result<QString> RobotApiClient::modeAt(const QString& path, const Deadline& dead
     const QString mode = (*reply)["mode"].toString();
     if (mode.isEmpty()) {
         return Error{ErrorCode::ProtocolError, QStringLiteral("GET %1 at %2:%3").arg(path, host_).arg(port_),
-                     QStringLiteral("the reply names no mode")};
+                     QStringLiteral("the reply contains no mode")};
     }
     return mode;
 }

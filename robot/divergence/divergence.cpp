@@ -411,7 +411,7 @@ private:
 };
 
 Error refuse(const recording::Recording& recording, ErrorCode code, const QString& why) {
-    return {code, QStringLiteral("compare %1 with the model of its arm").arg(recording.path()), why};
+    return {code, QStringLiteral("compare %1 with the arm model").arg(recording.path()), why};
 }
 
 Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice& choice) {
@@ -423,11 +423,10 @@ Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice
     if (const auto model = robotModelByName(said)) {
         return *model;
     }
-    return refuse(
-        recording, ErrorCode::InvalidArgument,
-        said.isEmpty()
-            ? QStringLiteral("the recording does not say which arm it is of: choose the model")
-            : QStringLiteral("no model of an arm \"%1\" is known: choose one that is like it").arg(said));
+    return refuse(recording, ErrorCode::InvalidArgument,
+                  said.isEmpty()
+                      ? QStringLiteral("the recording does not state the robot model: select it")
+                      : QStringLiteral("unknown robot model \"%1\": select a similar one").arg(said));
 }
 
 }  // namespace
@@ -461,7 +460,7 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
                                choice.limits.force, choice.limits.lasting}) {
         if (!std::isfinite(limit) || limit < 0) {
             return refuse(recording, ErrorCode::InvalidArgument,
-                          QStringLiteral("a limit has to be a number of 0 or more"));
+                          QStringLiteral("a limit must be a number of 0 or more"));
         }
     }
     Rows rows(recording);
@@ -481,8 +480,8 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
     if (recording.period() > kMaxRowStep) {
         return refuse(
             recording, ErrorCode::InvalidArgument,
-            QStringLiteral("its rows are %1 s apart, and how the arm moved between them is not known: "
-                           "record every packet")
+            QStringLiteral(
+                "its rows are %1 s apart, so the motion between them is not known: record every packet")
                 .arg(recording.period()));
     }
     recording::ExportChoice part;

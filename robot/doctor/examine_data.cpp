@@ -130,7 +130,7 @@ void examineRegisters(Examiner& examiner) {
             mute
                 ? DoctorText::tr("the RTDE port accepts connections but does not answer")
                 : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr("Too many RTDE clients, or the controller hangs: close other programs, "
+            mute ? DoctorText::tr("Too many RTDE clients, or the controller has hung: close other programs, "
                                   "then restart the controller.")
                  : DoctorText::tr(
                        "Check the address: this is another device, or another program uses the port."));
@@ -156,7 +156,7 @@ void examineRegisters(Examiner& examiner) {
     } else if (!recipes[0].isValid()) {
         examiner.found(Condition::UpperRegisters, Verdict::Attention,
                        QStringLiteral("registers.upper.absent"),
-                       DoctorText::tr("this software has no registers 24 to 47"),
+                       DoctorText::tr("this software version has no registers 24 to 47"),
                        DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
     } else {
         examiner.good(Condition::UpperRegisters, DoctorText::tr("registers 24 to 47 are free"));
@@ -226,11 +226,10 @@ void examineData(Examiner& examiner) {
     // Only relevant with the priority privilege, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency,
-                      DoctorText::tr("permitted, and requested by real-time loops"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("CPUs may enter deep sleep states, which delays loops"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

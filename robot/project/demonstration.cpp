@@ -215,15 +215,15 @@ Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
             q[joint] = row < column.size() ? column[row] : std::nan("");
         }
         if (!std::isfinite(times[row]) || !q.values.allFinite()) {
-            return inRow(row, QStringLiteral("a cell is no number"));
+            return inRow(row, QStringLiteral("a cell is not a number"));
         }
         if (row > 0 && times[row] <= shown.times.back()) {
-            return inRow(row, QStringLiteral("its time is not after the one before"));
+            return inRow(row, QStringLiteral("its time is not later than the previous one"));
         }
         if (q.values.cwiseAbs().maxCoeff() > kMaxJointTurn + 1e-6) {
-            return inRow(row, QStringLiteral(
-                                  "a joint is turned by more than 360 degrees; are these degrees? They have "
-                                  "to be radians"));
+            return inRow(
+                row, QStringLiteral(
+                         "a joint position exceeds 360 degrees; positions must be in radians, not degrees"));
         }
         shown.append(times[row], q);
     }

@@ -35,7 +35,7 @@ void refuseInCallback() {
 
 void refuseOfParent(const ProcessOwned& object) {
     if (!object.isOwn()) {
-        raise({ErrorCode::NotConnected, QStringLiteral("use an object made before fork()"),
+        raise({ErrorCode::NotConnected, QStringLiteral("use an object created before fork()"),
                QStringLiteral("connect again in the child process")});
     }
 }

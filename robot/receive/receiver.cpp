@@ -73,7 +73,7 @@ std::vector<std::string> withTimestamp(std::vector<std::string> fields) {
 
 Error noHost() {
     return {ErrorCode::InvalidArgument, QStringLiteral("start a receiver"),
-            QStringLiteral("no host is given")};
+            QStringLiteral("no host is specified")};
 }
 
 Error unknownFields(const std::vector<std::string>& fields) {
@@ -103,7 +103,7 @@ struct Subscription::Stream {
         }
         const std::lock_guard lock(factsMutex);
         return {ErrorCode::Timeout, what,
-                lastError.code == ErrorCode::None ? QStringLiteral("no data came in time")
+                lastError.code == ErrorCode::None ? QStringLiteral("no data arrived in time")
                                                   : lastError.toString()};
     }
 };
@@ -121,7 +121,7 @@ Result<void> Subscription::next(Sample& sample, const Deadline& deadline) {
     const auto what = [] { return QStringLiteral("wait for the next sample"); };
     while (!next(sample)) {
         if (!stream_ || stream_->ended) {
-            return Error{ErrorCode::NotConnected, what(), QStringLiteral("the receiver does not run")};
+            return Error{ErrorCode::NotConnected, what(), QStringLiteral("the receiver is not running")};
         }
         if (deadline.hasExpired()) {
             return stream_->failure(deadline, what());

@@ -166,10 +166,10 @@ public:
             return failure(QStringLiteral("this is not a table of numbers"));
         }
         if (table_.columns.empty()) {
-            return failure(QStringLiteral("there is no heading"));
+            return failure(QStringLiteral("there is no header"));
         }
         if (rows_ == 0 && number_ > (isHeaded_ ? 2u : 1u)) {
-            return failure(QStringLiteral("there are no numbers under the heading"));
+            return failure(QStringLiteral("there are no numbers below the header"));
         }
         finish();
         return std::unique_ptr<Recording>(std::make_unique<TableRecording>(std::move(table_)));
@@ -231,11 +231,11 @@ private:
             return;
         }
         if (numbers == 0 && !wrong_.empty()) {
-            problem(QStringLiteral("Line %1 is left out: there is no number in it.").arg(number_));
+            problem(QStringLiteral("Line %1 is skipped: it contains no number.").arg(number_));
             return;
         }
         if (row_.size() != table_.columns.size()) {
-            problem(QStringLiteral("Line %1 is left out: it has %2 cells, the heading has %3.")
+            problem(QStringLiteral("Line %1 is skipped: it has %2 cells, the header has %3.")
                         .arg(number_)
                         .arg(row_.size())
                         .arg(table_.columns.size()));

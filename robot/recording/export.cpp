@@ -106,9 +106,8 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         std::string_view(".,").find(style.decimal) == std::string_view::npos ||
         style.separator == style.decimal) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                     QStringLiteral(
-                         "cells are separated by , ; or a tab, decimals by a point or a comma, and not both "
-                         "by a comma")};
+                     QStringLiteral("use , ; or a tab as separator and a point or a comma as decimal sign, "
+                                    "but not a comma for both")};
     }
     const auto columns = chooseColumns(recording, choice.columns);
     if (!columns) {

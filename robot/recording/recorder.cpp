@@ -44,7 +44,7 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     for (const std::string& field : fields) {
         if (layout.find(field) == nullptr && receive::unknownOutputs({field}).isEmpty()) {
             sentences
-                << QStringLiteral("the receiver does not follow \"%1\"").arg(QString::fromStdString(field));
+                << QStringLiteral("the receiver does not receive \"%1\"").arg(QString::fromStdString(field));
         }
     }
     return sentences;
@@ -313,7 +313,7 @@ struct Recorder::Worker {
         return Error{
             ErrorCode::DiskFull, QStringLiteral("record to %1").arg(QDir::toNativeSeparators(path)),
             QStringLiteral(
-                "the recording was ended, and is whole, because less than %1 MB are free on the disk")
+                "the recording was stopped and completed because less than %1 MB are free on the disk")
                 .arg(options.keepFree / kMega)};
     }
 
@@ -345,15 +345,16 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
                              std::shared_ptr<const receive::SampleLayout> layout) {
     if (const RecorderState now = worker()->state;
         now == RecorderState::Recording || now == RecorderState::Waiting) {
-        return Error{
-            ErrorCode::InvalidArgument, QStringLiteral("a recording is under way to %1").arg(path()), {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("a recording to %1 is already running").arg(path()),
+                     {}};
     }
     stop();  // closes the file of a failed recording
     auto next = std::make_shared<Worker>();
     next->path = options.path;
     if (options.every < 1) {
         return Error{ErrorCode::InvalidArgument,
-                     QStringLiteral("a row every %1 packages; 1 or more").arg(options.every),
+                     QStringLiteral("one row every %1 packages; the minimum is 1").arg(options.every),
                      {}};
     }
     next->every = static_cast<std::uint64_t>(options.every);

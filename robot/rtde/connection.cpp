@@ -273,7 +273,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost,
                            QStringLiteral("the controller ended the connection"));
                 return Read::Closed;
             case Status::Failed:
-                d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke"));
+                d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection was lost"));
                 return Read::Failed;
         }
     }
@@ -305,7 +305,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
         return Send::Busy;
     }
     if (status != Status::Ok) {
-        d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke while sending"));
+        d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection was lost while sending"));
         return Send::Failed;
     }
     return Send::Sent;

@@ -61,7 +61,7 @@ public:
         return {};
     }
     QString complaint() {
-        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is too much").arg(words_[next_])
+        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is unexpected").arg(words_[next_])
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
@@ -120,7 +120,7 @@ QString holdRegisters(ControllerServices& controlBox, Words& words) {
         names = given.split(',', Qt::SkipEmptyParts);
     }
     if (!controlBox.services.rtde().holdInputs(names)) {
-        words.complain(QStringLiteral("not all of these inputs exist here and are free"));
+        words.complain(QStringLiteral("some of these inputs do not exist or are in use"));
     }
     return {};
 }
@@ -450,7 +450,7 @@ const Verb kVerbs[] = {
          if (w.good()) {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
          return QString(); }},
-    {"status", "", "shows the present modes and faults", &status},
+    {"status", "", "shows the current modes and faults", &status},
     {"clear", "", "ends silence, link conditions, held registers and calibration errors", &clear},
 };
 // clang-format on

@@ -305,9 +305,9 @@ bool RTDEControlInterface::enableExternalFtSensor(bool enable, double sensor_mas
 namespace {
 
 [[noreturn]] void throwUnanswered(const char* what) {
-    throw std::runtime_error(
-        std::string(what) +
-        ": the robot did not answer. Does the control program run, and is there no stop?");
+    throw std::runtime_error(std::string(what) +
+                             ": the robot did not answer. Check that the control program is running and the "
+                             "robot is not stopped.");
 }
 
 List answered(const char* what, const List& answer) {

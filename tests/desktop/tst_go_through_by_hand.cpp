@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Go through" held with a real mouse button: everything except a steady hold ends the motion, and only a new
+// "Run route" held with a real mouse button: everything except a steady hold ends the motion, and only a new
 // press continues it.
 
 #include "tests/desktop/interrupted_hold.h"

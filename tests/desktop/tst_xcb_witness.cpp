@@ -27,7 +27,7 @@ private:
             return code == 0 ? witness.leftButton() : witness.key(static_cast<KeyCode>(code));
         };
         if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kWaitTimeoutMs)) {
-            qFatal("the witness says nothing");
+            qFatal("the key-state check does not respond");
         }
         return word();
     }

@@ -95,7 +95,7 @@ class TestReceive(VirtualCase):
         self.assertEqual(sample.safety_mode, "NORMAL")
         self.assertIsInstance(sample["timestamp"], float)
         self.assertIs(sample.digital_input(3), False)
-        with self.assertRaisesRegex(KeyError, "is not followed"):
+        with self.assertRaisesRegex(KeyError, "is not received"):
             sample["no_such_field"]
         q, pose = self.robot.snapshot("actual_q", "actual_TCP_pose")
         self.assertEqual((len(q), len(pose)), (6, 6))

@@ -38,7 +38,7 @@ private:
             DeviceShape shape;
             static_cast<DeviceTuning&>(shape) = kGamepadTuning;
             shape.kind = kGamepadKind;
-            shape.deadManName = QStringLiteral("left shoulder");
+            shape.deadManName = QStringLiteral("left bumper");
             shape.directions = directions_;
             return shape;
         }

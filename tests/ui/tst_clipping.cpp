@@ -71,7 +71,7 @@ std::unique_ptr<TestPad> longPad() {
     pushed.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
     return std::make_unique<TestPad>(QStringLiteral("8BitDo Ultimate Wireless Controller"),
                                      QStringLiteral("Left stick: X and Y. Right stick: Z and rotation. Hold "
-                                                    "the right shoulder to rotate with both sticks."),
+                                                    "the right bumper to rotate with both sticks."),
                                      pushed);
 }
 

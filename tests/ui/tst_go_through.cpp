@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Go through" in the real window: the waypoints one after the other while the button is held, pause, step
+// "Run route" in the real window: the waypoints one after the other while the button is held, pause, step
 // forward and back, and all events that must end the motion, in every stage: during a motion without a blend,
 // during a blended path, and while the path is being sent.
 

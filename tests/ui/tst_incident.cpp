@@ -177,7 +177,7 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QCOMPARE(before, 1.0);
     // A stop without a cause: arm and model agree.
     auto& comparison = bench.find<ComparisonBand>("plots.comparison");
-    QVERIFY(bench.within([&] { return comparison.words().contains("The arm moved as"); }));
+    QVERIFY(bench.within([&] { return comparison.words().contains("The motion matches"); }));
     QVERIFY2(comparison.details().contains("at all times"), qPrintable(comparison.details()));
     // The recording is placed at its original time: the live data have the same values there.
     QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);

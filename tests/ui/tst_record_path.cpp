@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
-    // Back reverses the motion of "Go through", including the blended path, to its start.
+    // Back reverses the motion of "Run route", including the blended path, to its start.
     void backGoesOverTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();

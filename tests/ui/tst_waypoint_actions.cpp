@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Actions at a waypoint, in the real window with the simulated robot: edited by keyboard and undone, shown in the
-// list, and executed by "Go through" only while its button is held.
+// list, and executed by "Run route" only while its button is held.
 
 #include <QComboBox>
 #include <QDialog>
@@ -494,7 +494,7 @@ private Q_SLOTS:
             auto* list = dialog.findChild<QListWidget*>("waypoint.actions.list");
             QCOMPARE(list->count(), 2);
             QCOMPARE(list->item(0)->text(), QString("DO 1 on"));
-            QCOMPARE(list->item(1)->text(), QString("Wait until DI 1 is on, 10 s at most"));
+            QCOMPARE(list->item(1)->text(), QString("Wait until DI 1 is on (max. 10 s)"));
             QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.up"), Qt::Key_Return);
             QCOMPARE(list->currentRow(), 0);
             auto* seconds = dialog.findChild<QDoubleSpinBox*>("waypoint.actions.seconds");

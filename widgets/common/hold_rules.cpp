@@ -266,7 +266,7 @@ struct HoldRules::HoldRuleTable {
 // One line, one rule: tests/support/without_rules.py takes each away in turn and looks which test notices.
 // clang-format off
 const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
-    {"let go", &HoldRuleTable::letGo},
+    {"the key is released", &HoldRuleTable::letGo},
     {"pointer leaves the key", &HoldRuleTable::pointerLeft},
     {"the key is pressed again", &HoldRuleTable::pressedAgain},
     {"another key of the keyboard", &HoldRuleTable::otherKey},
@@ -279,9 +279,9 @@ const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
     {"a touch anywhere", &HoldRuleTable::touched},
     {"a pen anywhere", &HoldRuleTable::penPressed},
     {"the touch is cancelled", &HoldRuleTable::touchCancelled},
-    {"the key is greyed", &HoldRuleTable::keyDisabled},
+    {"the key is disabled", &HoldRuleTable::keyDisabled},
     {"the key is hidden", &HoldRuleTable::keyHidden},
-    {"the key is moved elsewhere", &HoldRuleTable::keyMoved},
+    {"the key is moved", &HoldRuleTable::keyMoved},
     {"the key loses the focus", &HoldRuleTable::focusLost},
     {"an editor gets the focus", &HoldRuleTable::editorEntered},
     {"the window is left", &HoldRuleTable::windowDeactivated},
@@ -294,18 +294,18 @@ const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
     {"the application is left", &HoldRuleTable::applicationLeft},
     {"the application is inactive", &HoldRuleTable::applicationInactive},
     {"the application quits", &HoldRuleTable::applicationQuits},
-    {"the event loop stood still", &HoldRuleTable::stalled},
+    {"the event loop is stalled", &HoldRuleTable::stalled},
     {"the device is not read", &HoldRuleTable::deviceTimeout},
-    {"the finger says nothing", &HoldRuleTable::fingerTimeout},
-    {"the witness says it is up", &HoldRuleTable::seenUp},
-    {"the witness says nothing", &HoldRuleTable::unseen},
+    {"the touch is not refreshed", &HoldRuleTable::fingerTimeout},
+    {"the key-state check reports a release", &HoldRuleTable::seenUp},
+    {"the key-state check does not respond", &HoldRuleTable::unseen},
     {"held for too long", &HoldRuleTable::tooLong},
 };
 const HoldRules::HoldRuleTable::BeginRow HoldRules::HoldRuleTable::beginRows[] = {
     {"no press in an inactive window", &HoldRuleTable::inactiveWindow},
     {"no device while a dialog is open", &HoldRuleTable::openDialog},
-    {"no second hand", &HoldRuleTable::anotherInput},
-    {"no press while the witness is mute", &HoldRuleTable::probeNotResponding},
+    {"no second input", &HoldRuleTable::anotherInput},
+    {"no press while the key-state check does not respond", &HoldRuleTable::probeNotResponding},
 };
 // clang-format on
 

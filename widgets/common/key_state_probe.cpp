@@ -22,8 +22,8 @@ public:
     std::int64_t waitingNs() const override { return 0; }
     QString description() const override {
         return QCoreApplication::translate("KeyStateProbe",
-                                           "Key-state check unavailable on this platform (%1): held keys are "
-                                           "known from window events only.")
+                                           "Key-state check unavailable on this platform (%1): Tiller relies "
+                                           "on window events for held keys.")
             .arg(QGuiApplication::platformName());
     }
 };

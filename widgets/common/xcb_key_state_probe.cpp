@@ -151,7 +151,7 @@ QString XcbKeyStateProbe::description() const {
                                              "10 ms whether the button or key is still pressed.")
                : QCoreApplication::translate("KeyStateProbe",
                                              "Key-state check unavailable: no second connection to the "
-                                             "display server. Held keys are known from window events only.");
+                                             "display server. Tiller relies on window events for held keys.");
 }
 
 void XcbKeyStateProbe::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {

@@ -159,7 +159,7 @@ void AnalogRow::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
     setAccessibleDescription(valueLabel_->text());
     setToolTip(
-        tr("%1: %2\nRight click or F2 to rename and scale.").arg(accessibleName(), valueLabel_->text()));
+        tr("%1: %2\nRight-click or F2 to rename and scale.").arg(accessibleName(), valueLabel_->text()));
 }
 
 void AnalogRow::contextMenuEvent(QContextMenuEvent* event) {

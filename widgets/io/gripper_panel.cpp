@@ -161,12 +161,12 @@ void GripperPanel::build() {
         choice.model = model;
         kind_->addItem(tr("Robotiq %1").arg(QLatin1String(robotiqRange(model).name)), kindOf(choice));
     }
-    kind_->addItem(tr("One output: on closes"), QStringLiteral("output"));
+    kind_->addItem(tr("One output: on = closed"), QStringLiteral("output"));
     kind_->addItem(tr("Two outputs: open, close"), QStringLiteral("outputs"));
     closeOutput_->setObjectName(QStringLiteral("gripper.closeOutput"));
-    closeOutput_->setAccessibleName(tr("Output that closes"));
+    closeOutput_->setAccessibleName(tr("Closing output"));
     openOutput_->setObjectName(QStringLiteral("gripper.openOutput"));
-    openOutput_->setAccessibleName(tr("Output that opens"));
+    openOutput_->setAccessibleName(tr("Opening output"));
     for (QComboBox* box : {kind_, closeOutput_, openOutput_}) {
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setMinimumContentsLength(8);

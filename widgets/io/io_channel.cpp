@@ -89,7 +89,7 @@ void IoChannel::describe() {
     if (output_) {
         tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
                : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
-                                      : tr("\nClick to switch it %1. P: pulse. Right click: pulse, rename.")
+                                      : tr("\nClick to switch it %1. P: pulse. Right-click: pulse, rename.")
                                             .arg(state_ == State::On ? tr("off") : tr("on"));
     }
     setToolTip(tip);

@@ -159,9 +159,9 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     boxes->addWidget(use_);
     layout->addLayout(boxes);
     auto* keyboard =
-        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 "
-                      "to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, "
-                      "Shift faster. Space and Esc stop."));
+        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 "
+                      "to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; "
+                      "Ctrl: slower; Shift: faster. Space and Esc stop."));
     keyboard->setWordWrap(true);
     keyboard->setProperty("role", "secondary");
     layout->addWidget(keyboard);

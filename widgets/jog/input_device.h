@@ -30,7 +30,7 @@ struct DeviceTuning {
 
 struct DeviceShape : DeviceTuning {
     QString kind;         ///< the settings apply to all devices of a type: "gamepad"
-    QString deadManName;  ///< name of the enabling button, e.g. "left shoulder"
+    QString deadManName;  ///< name of the enabling button, e.g. "left bumper"
     QString directions;   ///< axes and their motions, in a sentence
     /// A hand is never perfectly still. If a deflected device does not report for this time, the device or
     /// its driver hangs and its last value is invalid. Values above 100 ms are limited by

@@ -49,7 +49,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));
     setAccessibleName(tr("Log"));
-    severity_->setNames(QStringLiteral("log.severity"), tr("Show from severity"));
+    severity_->setNames(QStringLiteral("log.severity"), tr("Minimum severity"));
     search_->setObjectName(QStringLiteral("log.search"));
     search_->setAccessibleName(tr("Filter the log by text"));
     search_->setPlaceholderText(tr("Filter"));
@@ -69,7 +69,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
         button(QStringLiteral("log.export"), tr("Export…"), tr("Write the visible entries to a file"));
 
     open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
-                   tr("Open the recording of the selected entry (incidents have a recording)"));
+                   tr("Open the recording of the selected entry (incidents only)"));
     open_->hide();
 
     auto* tools = new QHBoxLayout;

@@ -21,7 +21,7 @@ constexpr int kFlagRoom = 28;  // space on the left side [px]
 ComparisonBand::ComparisonBand(QWidget* parent)
     : QFrame(parent), words_(new ElidedLabel({}, this)), key_(new QToolButton), compare_(new QToolButton) {
     setObjectName(QStringLiteral("plots.comparison"));
-    setAccessibleName(tr("Comparison with the model of the arm"));
+    setAccessibleName(tr("Comparison with the arm model"));
     words_->setObjectName(QStringLiteral("plots.comparison.words"));
     words_->setFont(textFont(14));
     words_->setElideMode(Qt::ElideRight);

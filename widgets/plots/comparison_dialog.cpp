@@ -25,14 +25,14 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
                                    QWidget* parent)
     : QDialog(parent), model_(new ChoiceBox) {
     setObjectName(QStringLiteral("plots.comparison.dialog"));
-    setWindowTitle(tr("Compare with the model of the arm"));
+    setWindowTitle(tr("Compare with the arm model"));
     auto* words =
         new QLabel(tr("The simulated arm follows the recorded joint targets, and its motion is compared with "
                       "the recorded motion. The model has no contact and no friction."));
     words->setWordWrap(true);
     words->setMinimumWidth(kWidth);
     model_->setObjectName(QStringLiteral("plots.comparison.model"));
-    model_->setAccessibleName(tr("Model of the arm"));
+    model_->setAccessibleName(tr("Arm model"));
     model_->setPlaceholderText(tr("Choose…"));
     for (const RobotModel& each : robotModels()) {
         model_->addItem(QString::fromLatin1(each.name), static_cast<int>(each.id));

@@ -38,7 +38,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     , kind_(new SegmentedControl({tr("Spectrum"), tr("XY")}))
     , x_(new ChoiceBox)
     , y_(new ChoiceBox)
-    , over_(new QLabel(tr("over")))
+    , over_(new QLabel(tr("vs.")))
     , title_(new QLabel)
     , canvas_(new AnalysisCanvas) {
     setObjectName(QStringLiteral("plots.analysis"));
@@ -209,8 +209,9 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     task.end = std::min(task.end, task.begin + kMaxAnalysisSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
-        explainMissingResult(tr(
-            "Samples are missing in this range: place the cursors A and B so that no gap is between them."));
+        explainMissingResult(
+            tr("Samples are missing in this range: place the cursors A and B so that there is no gap between "
+               "them."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /
@@ -376,7 +377,7 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1
                                     ? tr("%n sample(s)", nullptr, count)
-                                    : tr("%n sample(s), every %1th shown", nullptr, count).arg(task.every);
+                                    : tr("%n sample(s), 1 of %1 shown", nullptr, count).arg(task.every);
         title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
         canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
         return;

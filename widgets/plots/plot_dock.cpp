@@ -418,7 +418,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
-    add(menu, "plots.layout.compare", tr("Compare with the model of the arm…"), [this] {
+    add(menu, "plots.layout.compare", tr("Compare with the arm model…"), [this] {
         compareWithModel();
     })->setEnabled(!comparison_->recordingInFront().isEmpty());
     menu->addSeparator();
@@ -1009,7 +1009,7 @@ bool PlotDock::exportTo(const QString& path) {
 
 void PlotDock::askExport() {
     const QList<QPair<QString, QString>> kinds = {
-        {tr("Picture (*.png)"), QStringLiteral(".png")},
+        {tr("Image (*.png)"), QStringLiteral(".png")},
         {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
         {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
         {tr("Values (*.csv)"), QStringLiteral(".csv")},

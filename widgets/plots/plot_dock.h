@@ -104,7 +104,7 @@ public Q_SLOTS:
     void addPage();
     /// Shows the table of values at and between the cursors.
     void setValuesShown(bool shown);
-    /// Shows the spectrum of a signal, or one signal over another.
+    /// Shows the spectrum of a signal, or one signal versus another.
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
     /// Asks for the text of a note at this time.

@@ -82,7 +82,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
     addAction(menu, "plots.menu.read", tr("Read %1 at the cursors").arg(name),
               [view, signal] { view->setReadoutSignal(signal); });
     addAction(
-        menu, "plots.menu.move", tr("Move %1 to a plot of its own").arg(name),
+        menu, "plots.menu.move", tr("Move %1 to a separate plot").arg(name),
         [view, at, key = store_.info(signal).key] {
             PageLayout page = view->page();
             page.panes[at].shown.removeAll(key);
@@ -151,7 +151,7 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
     constexpr qsizetype kMaxValue = 6;
     if (keys.size() > 1 && keys.size() <= kMaxValue) {
         const QString name = QStringLiteral("|%1|").arg(store_.info(first).longLabel);
-        add("plots.menu.norm", tr("Norm of the curves of this plot"),
+        add("plots.menu.norm", tr("Norm of the curves in this plot"),
             derivationText(name, pane.unit(),
                            QStringLiteral("norm(%1)").arg(keys.join(QStringLiteral(", ")))),
             PlotView::Place::Into);
@@ -179,7 +179,7 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
     menu.addSeparator();
-    addAction(menu, "plots.menu.release", tr("Scale to the curves"), [view, at] {
+    addAction(menu, "plots.menu.release", tr("Scale to curves"), [view, at] {
         view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
     })->setEnabled(pane.isZoomed());
     addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });

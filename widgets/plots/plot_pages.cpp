@@ -23,7 +23,7 @@ PlotPages::PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks
     , tabs_(new QTabBar)
     , stack_(new QStackedWidget) {
     tabs_->setObjectName(QStringLiteral("plots.pages"));
-    tabs_->setAccessibleName(tr("Pages of plots"));
+    tabs_->setAccessibleName(tr("Plot pages"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setTabsClosable(true);

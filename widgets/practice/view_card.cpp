@@ -177,7 +177,7 @@ void ViewCard::place() {
     fold_->setChecked(folded);
     fold_->setEnabled(!noRoom_);
     fold_->setIcon(themedIcon(folded ? QStringLiteral("up") : QStringLiteral("down")));
-    const QString what = noRoom_  ? tr("The view is too small to expand this")
+    const QString what = noRoom_  ? tr("The view is too small to expand this card")
                          : folded ? tr("Expand")
                                   : tr("Collapse");
     fold_->setAccessibleName(what);

@@ -37,15 +37,14 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("%1 is saved again").arg(store_.name()));
+        Q_EMIT message(Severity::Info, tr("Saving of %1 resumed").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
     connect(&store_, &ProjectStore::freeAgain, this, [this] {
         Q_EMIT noticeResolved(QLatin1String(kElsewhere));
-        Q_EMIT message(
-            Severity::Info,
-            tr("The other window closed %1. Changes in this window are saved again.").arg(store_.name()));
+        Q_EMIT message(Severity::Info,
+                       tr("The other window closed %1. This window saves changes again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
     connect(&store_, &ProjectStore::externalChangeResolved, this,
@@ -72,8 +71,7 @@ void ProjectFiles::onOpenElsewhere() {
     const QString title = tr("%1 is open in another window").arg(store_.name());
     const QString who = store_.otherOwner() ? store_.otherOwner()->toString() : QString();
     const QString text =
-        tr("Opened by %1. Changes in this window are not saved to the file until you take the "
-           "project over.")
+        tr("Opened by %1. Changes in this window are not saved to the file until you take over the project.")
             .arg(who);
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
@@ -89,10 +87,10 @@ void ProjectFiles::onOpenElsewhere() {
 void ProjectFiles::onChangedByOther() {
     const QString title = tr("Another window or program has changed %1").arg(store_.name());
     const QString text = store_.isModified()
-                             ? tr("This window has unsaved changes. Reload discards them. Keep both saves "
-                                  "the project of this window to a second file.")
-                             : tr("Reload shows the new content. Keep both saves the project of this window "
-                                  "to a second file. Changes are not saved until you decide.");
+                             ? tr("This window has unsaved changes. “Reload” discards them. “Keep both” "
+                                  "saves the project of this window to a second file.")
+                             : tr("“Reload” shows the new content. “Keep both” saves the project of this "
+                                  "window to a second file. Changes are not saved until you decide.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
                          .text = text,

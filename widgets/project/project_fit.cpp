@@ -105,7 +105,7 @@ QString ProjectFit::tcpText(const project::Tool& tool) const {
 QString ProjectFit::obstacle() const {
     const SessionState& state = session_.state();
     if (state.hasData() && !state.modelKnown && document_.project().robot) {
-        return tr("The model of the robot is not known yet. Wait until the robot has reported it.");
+        return tr("The robot model is not known yet. Wait until the robot reports it.");
     }
     if (isOfOtherModel()) {
         return modelText();
@@ -163,9 +163,9 @@ void ProjectFit::askAboutModel() {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep "
-           "joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, "
-           "moves to positions of the project are blocked."));
+        tr("“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” "
+           "keeps the arm configuration; the tool reaches different poses. Until you decide, moves to "
+           "positions of the project are blocked."));
     QPushButton* poses = question->addButton(tr("Keep poses"), QMessageBox::AcceptRole);
     poses->setObjectName(QStringLiteral("projectFit.poses"));
     QPushButton* joints = question->addButton(tr("Keep joints"), QMessageBox::AcceptRole);
@@ -194,12 +194,12 @@ void ProjectFit::askAboutTcp(const project::Tool& tool) {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to "
-           "positions of the project are blocked."));
+        tr("With the robot's TCP, the flange reaches the taught poses but the TCP does not. Until you "
+           "decide, moves to positions of the project are blocked."));
     QPushButton* set =
         question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
     set->setObjectName(QStringLiteral("projectFit.setTcp"));
-    QPushButton* keep = question->addButton(tr("Keep the robot’s TCP"), QMessageBox::AcceptRole);
+    QPushButton* keep = question->addButton(tr("Keep the robot's TCP"), QMessageBox::AcceptRole);
     keep->setObjectName(QStringLiteral("projectFit.keepTcp"));
     QPushButton* cancel = question->addButton(QMessageBox::Cancel);
     cancel->setObjectName(QStringLiteral("projectFit.cancel"));

@@ -321,12 +321,13 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::Connect:
             return ModeLookText::tr("Select the simulator or enter the address of a robot");
         case NextStep::PowerOn:
-            return ModeLookText::tr("Powers the arm. Brakes stay engaged.");
+            return ModeLookText::tr("Powers the arm on. Brakes stay engaged.");
         case NextStep::ReleaseBrakes:
             return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:
             return ModeLookText::tr(
-                "Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.");
+                "Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not "
+                "move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
                 "Starts the control program on the robot. Asks before it stops another program.");

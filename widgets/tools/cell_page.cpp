@@ -200,16 +200,16 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, it is not drawn and not checked."));
+    enabled_->setToolTip(CellPage::tr("When off, it is neither drawn nor checked."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
     floor_->setAccessibleName(CellPage::tr("Height of the floor"));
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
-    distance_->setToolTip(CellPage::tr(
-        "Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are "
-        "refused."));
+    distance_->setToolTip(
+        CellPage::tr("Jogging stops at this distance from the cell and between parts of the arm. Moves that "
+                     "come closer are refused."));
     auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));

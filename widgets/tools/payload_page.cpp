@@ -290,7 +290,7 @@ void PayloadPage::followCheck() {
             const Wrench left = mean_.remaining();
             const double force = left.force.norm();
             const double torque = left.torque.norm();
-            const QString felt = tr("With %1 kg, the arm measures %2 and %3 at standstill.")
+            const QString felt = tr("With a payload of %1 kg, the arm measures %2 and %3.")
                                      .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
                                           format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {

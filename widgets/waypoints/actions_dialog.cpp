@@ -54,14 +54,14 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
     auto* what = new QLabel(
-        tr("Runs in this order when “Go through” reaches the waypoint, and only while its key is held."));
+        tr("Actions run in this order when “Run route” reaches the waypoint, while its key is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
         std::any_of(waypoints.begin(), waypoints.end(),
                     [this](const project::Waypoint& point) { return point.actions != actions_; });
     auto* warning = new QLabel(
-        tr("These waypoints have different actions. “Change” replaces them all with the actions below."));
+        tr("These waypoints have different actions. “Apply” replaces them all with the actions below."));
     warning->setObjectName(QStringLiteral("waypoint.actions.differ"));
     warning->setProperty("role", "warning");
     warning->setWordWrap(true);
@@ -75,7 +75,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     upper->addWidget(buildKeys());
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("waypoint.actions.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &ActionsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -27,12 +27,12 @@ GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDoc
     , scope_(new ChoiceBox)
     , loop_(new QCheckBox(tr("Loop"))) {
     setObjectName(QStringLiteral("waypoint.route"));
-    setAccessibleName(tr("Go through the waypoints"));
+    setAccessibleName(tr("Run the route"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 0, 12, 8);
     layout->setSpacing(8);
     layout->addWidget(
-        addKey(tr("Go through (hold)"), QStringLiteral("waypoint.goThrough"), tr("Go through, hold"),
+        addKey(tr("Run route (hold)"), QStringLiteral("waypoint.goThrough"), tr("Run route, hold"),
                tr("Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and "
                   "runs the actions of each waypoint. Release to pause; the next press continues to the next "
                   "waypoint."),

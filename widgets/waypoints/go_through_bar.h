@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons for "Go through": hold to run, one waypoint back, one forward, selection of waypoints, once or
+// The buttons for "Run route": hold to run, one waypoint back, one forward, selection of waypoints, once or
 // in a loop, and display of the next waypoint. The rules are those of HoldRules.
 
 #include <QWidget>

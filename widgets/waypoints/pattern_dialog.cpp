@@ -123,7 +123,7 @@ void PatternDialog::build(bool isNew) {
     feedback_->setMinimumHeight(3 * fontMetrics().height());
     feedback_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Create pattern") : tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Create pattern") : tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("pattern.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &PatternDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -78,9 +78,9 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     place_->hide();
     // Describes the effect of a press.
     const auto name = [this](bool keysShown) {
-        place_->setText(keysShown ? tr("Values") : tr("Go through"));
-        place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
-                                     : tr("Shows the Go through controls instead of the values."));
+        place_->setText(keysShown ? tr("Values") : tr("Run route"));
+        place_->setToolTip(keysShown ? tr("Shows the values instead of the route controls.")
+                                     : tr("Shows the route controls instead of the values."));
     };
     // Measure the longer text, so that the button keeps its size when it is pressed.
     name(true);

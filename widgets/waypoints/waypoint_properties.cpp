@@ -97,7 +97,7 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     connect(move_, &QComboBox::currentIndexChanged, this, [this] { moveTick_->setChecked(true); });
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("waypoint.properties.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &WaypointProperties::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -141,8 +141,8 @@ void WaypointShift::refresh() {
     }
     feedback_->setText(far > 0
                            ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
-                       : kind == kMirror ? tr("Mirrored at the plane through the origin perpendicular to the "
-                                              "axis. The tool approaches from the mirrored side.")
+                       : kind == kMirror ? tr("Mirrored across the plane through the origin perpendicular to "
+                                              "the axis. The tool approaches from the mirrored side.")
                                          : tr("All remain within reach."));
 }
 

@@ -272,7 +272,7 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // This also applies while Go through replaces the values, so that the panel does not change.
+    // This also applies while Run route replaces the values, so that the panel does not change.
     const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
     least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {

@@ -63,7 +63,7 @@ public:
     void setPathLimitText(const QString& text);
     /// Sets the source of the speed limit for "Go to", evaluated at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
-    /// Sets the gripper used by "Go through"; initially none.
+    /// Sets the gripper used by "Run route"; initially none.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
@@ -88,7 +88,7 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// Ends a motion of "Go through" and updates the displayed speeds after a change of the speed limit.
+    /// Ends a motion of "Run route" and updates the displayed speeds after a change of the speed limit.
     void followSpeed();
     void showNotice(const Notice& notice);
     /// Removes the notice with this cause.

@@ -136,7 +136,8 @@ Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
     const Echo& echo = data->echo;
     if (data->runtimeState != RuntimeState::Playing || echo.sequence <= kBeforeFirstSequence ||
         echo.session <= 0 || echo.epoch <= 0) {
-        return Error{ErrorCode::NotInControl, context, QStringLiteral("no control program of ours runs")};
+        return Error{ErrorCode::NotInControl, context,
+                     QStringLiteral("no control program of this library is running")};
     }
     return echo;
 }

@@ -190,7 +190,7 @@ Result<void> ControlProgram::end(ControlLoss loss, const Deadline& deadline) {
     });
     if (!ended) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                     QStringLiteral("it goes on")};
+                     QStringLiteral("it is still running")};
     }
     return link_.isRunning() ? Result<void>() : Error{ErrorCode::LinkLost, context, {}};
 }

@@ -35,7 +35,7 @@ QString isNoneOf(const QString& text, std::initializer_list<const char*> words) 
     }
     return quoted.size() == 2
                ? QStringLiteral("\"%1\" is neither %2 nor %3").arg(text, quoted[0], quoted[1])
-               : QStringLiteral("\"%1\" is none of %2").arg(text, quoted.join(QLatin1String(", ")));
+               : QStringLiteral("\"%1\" is not one of %2").arg(text, quoted.join(QLatin1String(", ")));
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
     if (const qint64 places = qint64(pattern.columns) * pattern.rows * pattern.layers;
         places > kMaxPatternPositions) {
         fields_.addProblem(
-            where, QStringLiteral("has %1 places, more than %2").arg(places).arg(kMaxPatternPositions));
+            where, QStringLiteral("has %1 cells, more than %2").arg(places).arg(kMaxPatternPositions));
     }
     pattern.layerStep = fields_.number(where, object, "layerStep", -FieldReader::kMaxCoordinate,
                                        FieldReader::kMaxCoordinate, "m");
@@ -95,8 +95,9 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
     for (int i = 0; i < corners.size(); ++i) {
         const QUuid corner(corners[i].toString());
         if (i >= 3 || (corner.isNull() && !corners[i].isNull())) {
-            fields_.addProblem(fieldAt(fieldAt(where, "corners"), i),
-                               i >= 3 ? QStringLiteral("is one too many") : QStringLiteral("is not an id"));
+            fields_.addProblem(
+                fieldAt(fieldAt(where, "corners"), i),
+                i >= 3 ? QStringLiteral("is a surplus corner") : QStringLiteral("is not an id"));
             break;
         }
         pattern.corners[static_cast<std::size_t>(i)] = corner;

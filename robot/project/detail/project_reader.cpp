@@ -91,7 +91,7 @@ void ProjectReader::readRobot(const QJsonValue& value) {
     result_.document.robot = robotModelByName(value.toString());
     if (!result_.document.robot) {
         addProblem(QStringLiteral("robot"),
-                   QStringLiteral("\"%1\" is not a robot this program knows").arg(value.toString()));
+                   QStringLiteral("\"%1\" is not a known robot model").arg(value.toString()));
     }
 }
 

@@ -52,7 +52,7 @@ class Sample:
     def __getitem__(self, field: str) -> Any:
         place = self._layout.get(field)
         if place is None:
-            raise KeyError(f"{field} is not followed: name it in Robot(..., fields=[...])")
+            raise KeyError(f"{field} is not received: name it in Robot(..., fields=[...])")
         first, count = place
         if count == 1:
             return float(self.values[first])

@@ -54,7 +54,7 @@ def _in_forked_child() -> None:
     _native.forget_parent()
     for robot in list(_open):
         robot._links = None
-        robot._why_closed = "this Robot was made before fork(): make another one in the child process"
+        robot._why_closed = "this Robot was created before fork(): create another one in the child process"
     _open.clear()
     _recordings.clear()
     simulators.forget_all()
@@ -143,7 +143,7 @@ class Robot:
         self.address = address
         self._port_offset = port_offset
         self._upper_registers = upper_registers
-        self._why_closed = "the robot was closed: make another Robot"
+        self._why_closed = "the robot was closed: create another Robot"
         # Not a bound method: a reference cycle would keep connection and registers alive.
         self._waiting: Callable[[], AbstractContextManager[Any]] = contextlib.nullcontext
         if simulator is not None:

@@ -87,7 +87,7 @@ class Simulator:
     def step(self, seconds: float) -> None:
         """Advances virtual time [s] by whole control periods; all clients of robot() process each of them."""
         if not self.virtual:
-            raise ValueError("step() is for Simulator(virtual=True): here time goes on by itself")
+            raise ValueError("step() requires Simulator(virtual=True): this simulator runs in real time")
         self._native.step(seconds)
 
     @contextlib.contextmanager

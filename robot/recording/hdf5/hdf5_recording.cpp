@@ -79,7 +79,7 @@ public:
         file_ = Handle(H5Fopen(QFile::encodeName(path_).constData(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
         if (!file_) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
-                         QStringLiteral("this is not a whole HDF5 file")};
+                         QStringLiteral("this is not a complete HDF5 file")};
         }
         std::vector<std::string> names;
         H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName, &names);
@@ -88,13 +88,14 @@ public:
             if (auto set = openSet(file_.get(), name)) {
                 sets.push_back(std::move(*set));
             } else {
-                problems_ << QStringLiteral("\"%1\" is left out: it is no table of numbers.").arg(Text(name));
+                problems_
+                    << QStringLiteral("\"%1\" is skipped: it is not a table of numbers.").arg(Text(name));
             }
         }
         chooseSets(std::move(sets));
         if (columns_.empty()) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
-                         QStringLiteral("there are no tables of numbers at its top")};
+                         QStringLiteral("its top level contains no tables of numbers")};
         }
         readAttributes();
         return readAxis();
@@ -185,7 +186,7 @@ private:
             if (set.name == "gaps" && set.numbers == 3) {
                 readGaps(set);
             } else if (set.rows != rows_) {
-                problems_ << QStringLiteral("\"%1\" is left out: it has %2 rows, the others %3.")
+                problems_ << QStringLiteral("\"%1\" is skipped: it has %2 rows, the others have %3.")
                                  .arg(Text(set.name))
                                  .arg(set.rows)
                                  .arg(rows_);

@@ -193,7 +193,7 @@ struct BlackBox::Worker {
         if (!QDir().mkpath(options.folder)) {
             return Error{ErrorCode::FileNotWritable,
                          QStringLiteral("write an incident to %1").arg(options.folder),
-                         QStringLiteral("the folder cannot be made")};
+                         QStringLiteral("the folder cannot be created")};
         }
         incident.path = freePath(incident);
         McapFormatOptions format;
@@ -282,7 +282,7 @@ Result<void> BlackBox::start(const BlackBoxOptions& options, const receive::Rece
     stop();
     if (options.folder.isEmpty()) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("start the black box"),
-                     QStringLiteral("no folder is given")};
+                     QStringLiteral("no folder is specified")};
     }
     auto next = std::make_shared<Worker>();
     next->options = options;

@@ -70,7 +70,7 @@ public:
         findChannels();
         if (states_.empty()) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path()),
-                         QStringLiteral("there are no robot states in it: it was not recorded by Tiller")};
+                         QStringLiteral("it contains no robot states: it was not recorded by Tiller")};
         }
         findRows();
         findTimes();

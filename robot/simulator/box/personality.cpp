@@ -118,10 +118,11 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     }
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {
-        return wrongOption(QStringLiteral("a %1 does not run software %2: the first that knows it is %3.%4")
-                               .arg(name, version)
-                               .arg(first.major)
-                               .arg(first.minor));
+        return wrongOption(
+            QStringLiteral("a %1 does not run software %2: the first version that supports it is %3.%4")
+                .arg(name, version)
+                .arg(first.major)
+                .arg(first.minor));
     }
     return {};
 }

@@ -839,12 +839,12 @@ void ProgramTranslator::writePopup(const XmlElement& node) {
 void ProgramTranslator::writeCall(const XmlElement& node) {
     const XmlElement* const named = node.child("subprogram");
     if (named == nullptr) {
-        t_.unfinished(node, QStringLiteral("the sub program is missing"));
+        t_.unfinished(node, QStringLiteral("the subprogram is missing"));
         return;
     }
     const XmlElement* const sub = named->resolved();
     if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
-        t_.refuse(node, QStringLiteral("it leads to no sub program"));
+        t_.refuse(node, QStringLiteral("it refers to no subprogram"));
         return;
     }
     const std::optional<std::size_t> place = addSubProgram(*sub);

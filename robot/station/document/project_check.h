@@ -35,7 +35,7 @@ struct ProjectFinding {
 };
 
 /// Findings in the order of the waypoints, then of the recorded paths. Paths between waypoints are those of
-/// Go through: in the order of the list, each with its own kind of move, speed and TCP. Paths from and to a
+/// Run route: in the order of the list, each with its own kind of move, speed and TCP. Paths from and to a
 /// waypoint that cannot be reached are not checked.
 /// robot    the model that all positions of the project are for
 /// Threads  any. Blocks: never. Takes some milliseconds per waypoint

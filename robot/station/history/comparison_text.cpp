@@ -111,7 +111,7 @@ QString reportText(const divergence::Report& report) {
         return deviationText(*first);
     }
     const QString model = QString::fromLatin1(robotModel(report.model).name);
-    return report.firstCompared ? ComparisonText::tr("The arm moved as the model of a %1 does").arg(model)
+    return report.firstCompared ? ComparisonText::tr("The motion matches the model of a %1").arg(model)
                                 : ComparisonText::tr(
                                       "Nothing to compare: the arm was powered off or guided by hand for the "
                                       "whole recording.");
@@ -121,12 +121,12 @@ QString reportDetails(const divergence::Report& report) {
     QStringList lines;
     if (report.partedFromStart()) {
         lines << ComparisonText::tr(
-            "They differ from the first sample on: check the configured payload, the robot model, and "
-            "contact with the arm.");
+            "Arm and model differ from the first sample on: check the payload, the robot model and contact "
+            "with the arm.");
     } else if (report.first()) {
         lines << ComparisonText::tr(
-            "From there on, the arm was pushed or held, its payload differed, or a joint did not follow its "
-            "target.");
+            "From this time on, the arm was pushed or held, its payload differed, or a joint did not follow "
+            "its target.");
     }
     for (const divergence::Outcome& outcome : report.outcomes) {
         lines << outcomeLine(outcome);
@@ -145,7 +145,7 @@ QString comparisonError(const Error& error) {
                 "This recording cannot be compared with a model: its sampling interval is too long. Record "
                 "every packet.");
         case ErrorCode::Cancelled:
-            return ComparisonText::tr("Not compared with the model of the arm.");
+            return ComparisonText::tr("Not compared with the arm model.");
         default:
             return texts::errorText(error);
     }

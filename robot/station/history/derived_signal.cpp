@@ -225,7 +225,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
-        return wrong(DerivationText::tr("There is one equals sign too many. For a comparison, use =="));
+        return wrong(DerivationText::tr("Too many equals signs. For a comparison, use =="));
     }
     std::shared_ptr<DerivedSignal> made;
     if (const QRegularExpressionMatch stretch = kStretch.match(plain.expression); stretch.hasMatch()) {

@@ -149,7 +149,7 @@ Result<void> RecordedStretch::readAll(
     const QString context = QStringLiteral("read %1").arg(path);
     if ((*file)->rows() < rows.first + rows.count || (*file)->startUtcNs() != startUtcNs ||
         (*file)->columns().size() != columns) {
-        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has taken its place")};
+        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has replaced it")};
     }
     const qsizetype before = (*file)->problems().size();
     auto read = RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);

@@ -50,7 +50,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const std::unique_ptr<kiss_fftr_state, FreePlan> plan(
         kiss_fftr_alloc(static_cast<int>(length), 0, nullptr, nullptr));
     if (!plan) {
-        return refuse(SpectrumText::tr("Not enough memory."));
+        return refuse(SpectrumText::tr("Not enough memory: select a shorter range."));
     }
     double mean = 0;
     for (const double value : values) {

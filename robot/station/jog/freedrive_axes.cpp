@@ -25,9 +25,9 @@ QString freedriveAxesText(FreedriveAxes axes) {
         case FreedriveAxes::Orientation:
             return FreedriveText::tr("Orientation only");
         case FreedriveAxes::Plane:
-            return FreedriveText::tr("Plane X Y");
+            return FreedriveText::tr("XY plane");
         case FreedriveAxes::Line:
-            return FreedriveText::tr("Line Z");
+            return FreedriveText::tr("Z only");
     }
     return {};
 }
@@ -59,7 +59,7 @@ control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base
 
 QString payloadDoubt(const SessionState& state) {
     if (state.moving) {
-        return FreedriveText::tr("Wait until the arm is at standstill before Freedrive.");
+        return FreedriveText::tr("Wait for standstill before you start Freedrive.");
     }
     const double force = state.tcpForce.force.norm();
     const double torque = state.tcpForce.torque.norm();

@@ -42,16 +42,16 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
     const Kind kinds[] = {
         {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees,
          LimiterAdviceText::tr("Elbow almost straight"),
-         LimiterAdviceText::tr("Elbow almost straight: %1 of the speed"),
-         LimiterAdviceText::tr("bend the elbow"), LimiterAdviceText::tr("jog %1 or bend the elbow")},
+         LimiterAdviceText::tr("Elbow almost straight: %1 speed"), LimiterAdviceText::tr("bend the elbow"),
+         LimiterAdviceText::tr("jog %1 or bend the elbow")},
         {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
          LimiterAdviceText::tr("Wrist above the base axis"),
-         LimiterAdviceText::tr("Wrist above the base axis: %1 of the speed"),
-         LimiterAdviceText::tr("move outwards"), LimiterAdviceText::tr("jog %1 or rotate the base")},
+         LimiterAdviceText::tr("Wrist above the base axis: %1 speed"), LimiterAdviceText::tr("move outwards"),
+         LimiterAdviceText::tr("jog %1 or rotate the base")},
         {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
-         LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
-         LimiterAdviceText::tr("rotate wrist 2"), LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
+         LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 speed"), LimiterAdviceText::tr("rotate wrist 2"),
+         LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
     // The limit that slows the jog down has priority; the controller still reports it after the jog has ended
     // there.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
@@ -89,7 +89,7 @@ LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d&
     const QString advice = key < 0 ? LimiterAdviceText::tr("move away from it")
                                    : LimiterAdviceText::tr("jog %1").arg(travelKeyName(key));
     if (slowed) {
-        return {LimiterAdviceText::tr("%1 is %2 from %3: %4 of the speed")
+        return {LimiterAdviceText::tr("%1 is %2 from %3: %4 speed")
                     .arg(linkText(limiter.link), format::length(limiter.distance, 0),
                          limiterText(limiter, around), format::percent(limiter.scale)),
                 advice};

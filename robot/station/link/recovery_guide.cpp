@@ -68,7 +68,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     switch (next) {
         case RecoveryStep::Unlock: {
             guide.checks = {
-                RecoveryGuideText::tr("I inspected the arm: no one touches it and nothing is trapped."),
+                RecoveryGuideText::tr("I inspected the arm: no one is touching it and nothing is trapped."),
                 RecoveryGuideText::tr("The cause of the stop is known and removed."),
                 RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
             const double left = dashboard::kUnlockAfter - sinceStop;

@@ -68,7 +68,7 @@ Expression parseExpression(const QString& text) {
         return failed(ProgramText::tr("The expression is empty."));
     }
     if (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'))) {
-        return failed(ProgramText::tr("An expression is a single line."));
+        return failed(ProgramText::tr("An expression must be a single line."));
     }
     Expression result;
     QString open;

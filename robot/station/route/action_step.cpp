@@ -65,7 +65,7 @@ std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uin
     if (action_.kind == ActionKind::PulseOutput) {
         asked.pulse = {action_.seconds, [order] { return order->holds.load(); }};
     }
-    port_.setOutputs(mask, values, tr("Go through"), asked);
+    port_.setOutputs(mask, values, tr("Run route"), asked);
     return order;
 }
 
@@ -122,8 +122,9 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
     return sentence(
-        (action_.value ? tr("%1 did not switch on within %2 s. Check what it depends on, then press again.")
-                       : tr("%1 did not switch off within %2 s. Check what it depends on, then press again."))
+        (action_.value
+             ? tr("%1 did not switch on within %2 s. Check the connected device, then press again.")
+             : tr("%1 did not switch off within %2 s. Check the connected device, then press again."))
             .arg(ActionWords::terminal(action_), seconds));
 }
 

@@ -155,7 +155,7 @@ std::optional<int> RouteRunner::firstPlace(Way way) const {
 
 QString RouteRunner::obstacle(Way way) const {
     if (route_.size() == 0) {
-        return tr("There are no waypoints to go through. Teach or select waypoints first.");
+        return tr("The route has no waypoints. Teach or select waypoints first.");
     }
     const std::optional<int> first = firstPlace(way);
     if (!first) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Go through": moves through the waypoints of a route while a button is held, each with its move type, its speed
+// "Run route": moves through the waypoints of a route while a button is held, each with its move type, its speed
 // (limited by the selected one), and its blend. Releasing the button pauses: the next press continues to the next
 // waypoint, and two more buttons move one waypoint forward or back. Waypoints with a blend are combined into one
 // path of the controller; where the arm stops anyway or an action is executed, each segment is a separate move.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints of "Go through" in their order, and the progress along them: the next waypoint forward and
+// The waypoints of "Run route" in their order, and the progress along them: the next waypoint forward and
 // the next one back. Indices count from 0. This class only keeps the state; it moves nothing.
 
 #include <QUuid>

@@ -50,8 +50,9 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::Running, QT_TRANSLATE_NOOP("ModeWords", "Running"),
      QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm is at standstill.")},
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The joints' firmware is being updated. Keep the power on until it is done.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "The joints' firmware is being updated. Keep the power on until the update is complete.")},
 });
 
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({

@@ -37,7 +37,7 @@ QString advice(ErrorCode code) {
                 "No more data received. Check the cable. Tiller reconnects automatically; motion does not "
                 "resume.");
         case ErrorCode::ProtocolError:
-            return TextsText::tr("The answer violates the RTDE protocol. Check address and port.");
+            return TextsText::tr("The response violates the RTDE protocol. Check address and port.");
         case ErrorCode::VersionUnsupported:
             return TextsText::tr("The robot's software is too old for this.");
         case ErrorCode::FieldUnknown:
@@ -234,8 +234,7 @@ QString safetyModeObstacle(SafetyMode mode) {
 
 QString monitorOnlyObstacle() {
     return TextsText::tr(
-        "Monitor only: this window changes nothing on the robot. It is set in Settings or with "
-        "--monitor-only.");
+        "Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.");
 }
 
 QString remoteObstacle() {

@@ -219,8 +219,7 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
         }
     }
     if (!tool.removeUnsupportedFunctions(text) || !tool.scanAndInjectAdditionalScriptCode(text)) {
-        throw std::runtime_error("The script " + scriptFile_ +
-                                 " has a version mark that cannot be understood");
+        throw std::runtime_error("The script " + scriptFile_ + " contains an invalid version mark");
     }
     if (!link.beginHeartbeat()) {
         throw std::runtime_error("Another client owns input_int_register_" +
@@ -512,7 +511,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         };
         const bool ready = !isSilent(robot.state()) && isReady(robot, isSilent);
         if (hopeless(robot.state())) {
-            say("no program runs that could be stopped");
+            say("no program is running that could be stopped");
             clearUnlessStopping(robot);
             return false;
         }

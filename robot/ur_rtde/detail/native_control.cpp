@@ -243,8 +243,8 @@ NativeControl::TurnLock NativeControl::takeTurn() {
     }
     if (stops != stopsMade_) {
         turn.unlock();
-        failed({ErrorCode::Stopped, QStringLiteral("wait for the motion before"),
-                QStringLiteral("a stop came first")});
+        failed({ErrorCode::Stopped, QStringLiteral("wait for the previous motion"),
+                QStringLiteral("interrupted by a stop")});
     }
     return turn;
 }

@@ -95,7 +95,7 @@ struct ContractEvent {
 const std::vector<ContractEvent>& contractEvents();
 /// The robot leaves remote control, and no client can react any more.
 const ContractEvent& lostInLocal();
-/// Short pauses at the end of which the process no longer exists.
+/// Short pauses during which the process ends.
 const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {

@@ -85,7 +85,9 @@ private Q_SLOTS:
         const auto late =
             cell.during([&] { return cell.motions().movePath({entry}, Deadline::after(milliseconds(200))); });
         QCOMPARE(late.error().code, ErrorCode::Timeout);
-        QVERIFY2(late.error().controllerMessage.startsWith("digital output 1 still pulses, for "), why(late));
+        QVERIFY2(
+            late.error().controllerMessage.startsWith("the pulse of digital output 1 lasts for another "),
+            why(late));
         QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
         // A pulse that has ended blocks nothing.
         const auto ended = cell.during([&] { return pulses.end(2, limit); });

@@ -95,7 +95,7 @@ private Q_SLOTS:
         const Answer answer =
             run({"run", path(), "--simulate", "--program", "to and fro", "--time-limit", "5"});
         QCOMPARE(answer.code, 1);
-        QVERIFY2(answer.out.contains("has not ended after 5 s"), qPrintable(answer.out));
+        QVERIFY2(answer.out.contains("did not end within 5 s"), qPrintable(answer.out));
     }
 
     void programsWithErrorsAreRefused() {

@@ -482,7 +482,7 @@ private Q_SLOTS:
         row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
-            "no sub program");
+            "no subprogram");
         row("sub program that cannot be told",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),

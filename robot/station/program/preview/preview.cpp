@@ -143,7 +143,7 @@ private:
     bool isOver() {
         if (run_.time() > options_.timeLimit) {
             find(Finding::Kind::TimeLimit, step_,
-                 ProgramText::tr("The program has not ended after %1 s.").arg(options_.timeLimit));
+                 ProgramText::tr("The program did not end within %1 s.").arg(options_.timeLimit));
             return true;
         }
         if (options_.isCancelled && ++steps_ % kCancelEvery == 0 && options_.isCancelled()) {

@@ -29,8 +29,7 @@ bool mayTakeTime(const std::vector<project::ProgramStep>& steps) {
 void writeLoopBody(StepWriter& writer, bool mayNotEnd) {
     const std::vector<project::ProgramStep>& steps = writer.step().steps;
     if (mayNotEnd && !mayTakeTime(steps)) {
-        writer.error("",
-                     ProgramText::tr("This loop may never end, and nothing in it takes time. Add a Wait."));
+        writer.error("", ProgramText::tr("This loop may never end and contains no delay. Add a Wait step."));
     }
     writer.inScope([&] {
         ++writer.scope().loops;
@@ -48,7 +47,7 @@ void writeLoopBody(StepWriter& writer, bool mayNotEnd) {
 
 void writePlaceLoop(StepWriter& writer, const std::vector<project::Waypoint>& places, const char* key) {
     if (places.empty() || places.size() > kMaxPlaces) {
-        writer.error(key, ProgramText::tr("A loop can have 1 to %1 places; this one has %2.")
+        writer.error(key, ProgramText::tr("A loop can have 1 to %1 positions; this loop has %2.")
                               .arg(kMaxPlaces)
                               .arg(places.size()));
         return;

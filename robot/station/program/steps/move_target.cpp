@@ -42,10 +42,10 @@ void writeActions(StepWriter& writer, const project::Waypoint& waypoint) {
                 break;
             case Kind::OpenGripper:
             case Kind::CloseGripper:
-                writer.error("actions", ProgramText::tr(
-                                            "The waypoint “%1” moves the gripper. In a program, use the step "
-                                            "Gripper and turn the actions of the waypoint off.")
-                                            .arg(waypoint.name));
+                writer.error("actions",
+                             ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use the "
+                                             "Gripper step and turn off the actions of the waypoint.")
+                                 .arg(waypoint.name));
                 break;
         }
     }
@@ -76,7 +76,7 @@ std::vector<StepField> moveFields(MoveCommand command) {
     return {
         optionalField("waypoint", ProgramText::tr("Waypoint"), FieldType::Waypoint),
         optionalField("pose", ProgramText::tr("Pose"), FieldType::Expression),
-        numberField("before", ProgramText::tr("Distance before it"), Unit::Length, -kMaxDistanceBefore,
+        numberField("before", ProgramText::tr("Approach distance"), Unit::Length, -kMaxDistanceBefore,
                     kMaxDistanceBefore, 0),
         joint ? optionalNumber("speed", speed, Unit::AngularSpeed, 0.001, kMaxJointSpeed)
               : optionalNumber("speed", speed, Unit::Speed, 0.0001, kMaxToolSpeed),

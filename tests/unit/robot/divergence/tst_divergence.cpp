@@ -301,7 +301,7 @@ void TestDivergence::whichArmItIsOfHasToBeKnown() {
     robot.run(100);
     robot.model = "";
     QCOMPARE(compare(robot.recording()).error().code, ErrorCode::InvalidArgument);
-    QVERIFY(compare(robot.recording()).error().toString().contains("choose the model"));
+    QVERIFY(compare(robot.recording()).error().toString().contains("does not state the robot model"));
     robot.model = "KR6";
     QVERIFY(compare(robot.recording()).error().toString().contains("KR6"));
     Choice choice;

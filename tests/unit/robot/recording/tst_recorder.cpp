@@ -306,7 +306,7 @@ void TestRecorder::fieldsThatDoNotComeAreRefused() {
             .error();
     QCOMPARE(error.code, ErrorCode::FieldUnknown);
     QVERIFY(error.toString().contains("\"actual_qq\": did you mean \"actual_q\"?"));
-    QVERIFY(error.toString().contains("does not follow \"input_int_register_3\""));
+    QVERIFY(error.toString().contains("does not receive \"input_int_register_3\""));
     QVERIFY(!error.toString().contains("tool_mode"));
     QCOMPARE(QFileInfo(bench.path()).size(), qint64(8));
     QCOMPARE(recorder.progress().state, RecorderState::Idle);

@@ -82,7 +82,7 @@ struct Bench : WrittenPort {
         if (!QTest::qWaitForWindowActive(&window)) {
             qFatal("the window did not become active");
         }
-        stick.shape.deadManName = QStringLiteral("left shoulder");
+        stick.shape.deadManName = QStringLiteral("left bumper");
         stick.shape.exponent = 2.2;
         stick.shape.kind = kGamepadKind;
         devices.addSource(std::make_unique<FakeSource>(stick));

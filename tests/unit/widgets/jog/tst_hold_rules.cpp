@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every hold rule for every kind of input: pad, joint keys, Go to, Go through, Back, Align, Home and
+// Every hold rule for every kind of input: pad, joint keys, Go to, Run route, Back, Align, Home and
 // Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
 #include <QDialog>
 #include <QMenu>
@@ -31,9 +31,9 @@ const Way kWays[] = {
     {"pad", By::Mouse, "jog.X+"},
     {"joint key", By::Mouse, "joint.2.minus"},
     {"Go to", By::Mouse, "waypoint.goTo", 0, 0, 0},
-    {"Go through", By::Mouse, "waypoint.goThrough", 0, 0, 0},
+    {"Run route", By::Mouse, "waypoint.goThrough", 0, 0, 0},
     {"Step on", By::Mouse, "waypoint.stepOn", 0, 0, 0},
-    {"Go through by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
+    {"Run route by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
     {"Back", By::Mouse, "backKey", 0, 0, 0},
     {"Align", By::Mouse, "alignKey", 0, 0, 0},
     {"Home", By::Mouse, "homeKey", 0, 0, 0},
@@ -73,7 +73,7 @@ struct Trial {
     StopCause cause;
 };
 const Trial kTrials[] = {
-    {"let go", isAny, StopCause::Released},
+    {"the key is released", isAny, StopCause::Released},
     {"pointer leaves the key", [](By by) { return by == By::Mouse || by == By::Finger; },
      StopCause::PointerLeft},
     {"the key is pressed again", [](By by) { return by == By::Finger || by == By::Stick; },
@@ -88,9 +88,9 @@ const Trial kTrials[] = {
     {"a touch anywhere", isAny, StopCause::SecondButton},
     {"a pen anywhere", isAny, StopCause::SecondButton},
     {"the touch is cancelled", [](By by) { return by == By::Finger; }, StopCause::DeviceLost},
-    {"the key is greyed", isKeyOfTheScreen, StopCause::ControlLost},
+    {"the key is disabled", isKeyOfTheScreen, StopCause::ControlLost},
     {"the key is hidden", isKeyOfTheScreen, StopCause::SelectionChanged},
-    {"the key is moved elsewhere", isKeyOfTheScreen, StopCause::WindowClosed},
+    {"the key is moved", isKeyOfTheScreen, StopCause::WindowClosed},
     {"the key loses the focus", isKeyOfTheScreen, StopCause::FocusLost},
     {"an editor gets the focus", isAny, StopCause::FocusLost},
     {"the window is left", isAny, StopCause::WindowDeactivated},
@@ -103,16 +103,17 @@ const Trial kTrials[] = {
     {"the application is left", isAny, StopCause::WindowDeactivated},
     {"the application is inactive", isAny, StopCause::WindowDeactivated},
     {"the application quits", isAny, StopCause::WindowClosed},
-    {"the event loop stood still", isAny, StopCause::EventLoopStalled},
+    {"the event loop is stalled", isAny, StopCause::EventLoopStalled},
     {"the device is not read", [](By by) { return by == By::Stick; }, StopCause::DeviceLost},
-    {"the finger says nothing", [](By by) { return by == By::Finger; }, StopCause::HoldUnproven},
-    {"the witness says it is up", [](By by) { return by == By::Mouse || isByKeys(by); }, StopCause::Released},
-    {"the witness says nothing", [](By by) { return by == By::Mouse || isByKeys(by); },
+    {"the touch is not refreshed", [](By by) { return by == By::Finger; }, StopCause::HoldUnproven},
+    {"the key-state check reports a release", [](By by) { return by == By::Mouse || isByKeys(by); },
+     StopCause::Released},
+    {"the key-state check does not respond", [](By by) { return by == By::Mouse || isByKeys(by); },
      StopCause::HoldUnproven},
     {"held for too long", isAny, StopCause::HeldTooLong},
 };
 const char* const kBeginRules[] = {"no press in an inactive window", "no device while a dialog is open",
-                                   "no second hand", "no press while the witness is mute"};
+                                   "no second input", "no press while the key-state check does not respond"};
 
 /// Sends an event of this type only, so that no other rule sees it.
 void send(QObject& to, QEvent::Type type) {
@@ -192,7 +193,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     Hands& h = holder.h;
     const Way& way = holder.way_;
     QWidget& elsewhere = *h.edit;
-    if (rule == "let go") {
+    if (rule == "the key is released") {
         holder.letGo();
     } else if (rule == "pointer leaves the key" && way.by == By::Mouse) {
         const QPointF at(-31, 5);
@@ -237,7 +238,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "the touch is cancelled") {
         // The key also receives this as the end of the touch; the event filter receives it first.
         send(holder.key(), QEvent::TouchCancel);
-    } else if (rule == "the key is greyed") {
+    } else if (rule == "the key is disabled") {
         QEvent event(QEvent::EnabledChange);
         holder.key().blockSignals(true);
         holder.key().setAttribute(Qt::WA_Disabled, true);
@@ -246,7 +247,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         holder.key().blockSignals(false);
     } else if (rule == "the key is hidden") {
         send(holder.key(), QEvent::Hide);
-    } else if (rule == "the key is moved elsewhere") {
+    } else if (rule == "the key is moved") {
         send(holder.key(), QEvent::ParentChange);
     } else if (rule == "the key loses the focus") {
         QFocusEvent event(QEvent::FocusOut, Qt::OtherFocusReason);
@@ -285,7 +286,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         // To an object that does not handle the event.
         QObject other;
         send(other, QEvent::Quit);
-    } else if (rule == "the event loop stood still") {
+    } else if (rule == "the event loop is stalled") {
         h.clock.advanceNs(101 * kNsPerMs);
         // Refreshes the motion of the arm, which would otherwise expire first.
         h.arm.refreshedNs = h.clock.nowNs();
@@ -293,13 +294,13 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "the device is not read") {
         h.devicesRead = false;
         h.advance(140);
-    } else if (rule == "the finger says nothing") {
+    } else if (rule == "the touch is not refreshed") {
         h.advance(2100);
-    } else if (rule == "the witness says it is up") {
+    } else if (rule == "the key-state check reports a release") {
         h.witness.leftDown = false;
         h.witness.keysDown.clear();
         h.advance(20);
-    } else if (rule == "the witness says nothing") {
+    } else if (rule == "the key-state check does not respond") {
         h.witness.freeze(true);
         h.advance(120);
     } else if (rule == "held for too long") {

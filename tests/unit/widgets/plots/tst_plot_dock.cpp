@@ -1372,7 +1372,7 @@ private Q_SLOTS:
         answer(2, "UR5e");
         action->trigger();
         QCOMPARE(asked, 1);
-        QTRY_COMPARE(band->words(), QString("The arm moved as the model of a UR5e does"));
+        QTRY_COMPARE(band->words(), QString("The motion matches the model of a UR5e"));
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
@@ -1399,7 +1399,7 @@ private Q_SLOTS:
         QVERIFY(key->isVisible());
         QCOMPARE(key->text(), QString("Cancel"));
         QTest::mouseClick(key, Qt::LeftButton);
-        QTRY_COMPARE(band->words(), QString("Not compared with the model of the arm."));
+        QTRY_COMPARE(band->words(), QString("Not compared with the arm model."));
         QCOMPARE(parted.count(), 1);
 
         // The result belongs to that page only.

@@ -162,7 +162,7 @@ private Q_SLOTS:
         state.limiter.distance = 0.015;
         state.limiter.scale = 0.4;
         limiter = nearestLimiter(state);
-        QCOMPARE(limiter.what, QStringLiteral("Wrist 3 is 15 mm from the floor: 40 % of the speed"));
+        QCOMPARE(limiter.what, QStringLiteral("Wrist 3 is 15 mm from the floor: 40 % speed"));
         QVERIFY(nearestLimiter(armAt(q, {}, height - 0.05)).what.isEmpty());
     }
 
