@@ -908,21 +908,6 @@
     </message>
 </context>
 <context>
-    <name>KeyStateProbe</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
-    </message>
-</context>
-<context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
@@ -1064,6 +1049,21 @@
     <message>
         <source>Wrist 3</source>
         <translation>Handgelenk 3</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
     </message>
 </context>
 <context>
@@ -4781,6 +4781,17 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>noch nicht erledigt</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
         <source>Comparison with the arm model</source>
@@ -4863,6 +4874,13 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4918,10 +4936,20 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
-    <name>tiller::DecimalSpinBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nichts gefunden mit diesen Filtern.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nichts gefunden für „%1“.
+Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -5861,17 +5889,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
-    <name>tiller::HoldToRunButton</name>
-    <message>
-        <source>hold</source>
-        <translation>halten</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Der Display-Server antwortet nicht: Das Loslassen der Taste könnte nicht erkannt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
 <context>
@@ -6573,23 +6601,6 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>“%1”</source>
         <translation>„%1“</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::EmptyState</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nichts gefunden</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Nichts gefunden mit diesen Filtern.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Nichts gefunden für „%1“.
-Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -9577,17 +9588,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
 </context>
 <context>
-    <name>tiller::ChecklistItem</name>
-    <message>
-        <source>done</source>
-        <translation>erledigt</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>noch nicht erledigt</translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -11006,33 +11006,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
 </context>
 <context>
-    <name>tiller::app::Tutorial</name>
-    <message>
-        <source>First steps</source>
-        <translation>Erste Schritte</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Übungsaufgaben</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
-    </message>
-    <message>
-        <source>Practice: add “%1”</source>
-        <translation>Übung: „%1“ hinzufügen</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -11963,6 +11936,33 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Einstellungen aus %1 importiert. Die vorherigen Einstellungen wurden in %2 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Übungsaufgaben</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Übung: „%1“ hinzufügen</translation>
     </message>
 </context>
 </TS>

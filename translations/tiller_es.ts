@@ -908,21 +908,6 @@
     </message>
 </context>
 <context>
-    <name>KeyStateProbe</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
-    </message>
-</context>
-<context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
@@ -1064,6 +1049,21 @@
     <message>
         <source>Wrist 3</source>
         <translation>Muñeca 3</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
     </message>
 </context>
 <context>
@@ -4781,6 +4781,17 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>aún no hecho</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
         <source>Comparison with the arm model</source>
@@ -4863,6 +4874,13 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4918,10 +4936,20 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::DecimalSpinBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
+        <source>Nothing found</source>
+        <translation>Nada encontrado</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nada encontrado con estos filtros.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nada encontrado para «%1».
+Vacíe la búsqueda para verlo todo.</translation>
     </message>
 </context>
 <context>
@@ -5861,17 +5889,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
-    <name>tiller::HoldToRunButton</name>
-    <message>
-        <source>hold</source>
-        <translation>mantener</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>El servidor gráfico no responde: no se podría detectar cuándo se suelta la tecla.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>mantener</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
     </message>
 </context>
 <context>
@@ -6573,23 +6601,6 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>“%1”</source>
         <translation>«%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::EmptyState</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nada encontrado</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Nada encontrado con estos filtros.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Nada encontrado para «%1».
-Vacíe la búsqueda para verlo todo.</translation>
     </message>
 </context>
 <context>
@@ -9577,17 +9588,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
 </context>
 <context>
-    <name>tiller::ChecklistItem</name>
-    <message>
-        <source>done</source>
-        <translation>hecho</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>aún no hecho</translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -11006,33 +11006,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
 </context>
 <context>
-    <name>tiller::app::Tutorial</name>
-    <message>
-        <source>First steps</source>
-        <translation>Primeros pasos</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Ejercicios</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
-    </message>
-    <message>
-        <source>Practice: add “%1”</source>
-        <translation>Ejercicio: añadir «%1»</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -11963,6 +11936,33 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Ajustes importados de %1. Los ajustes anteriores se guardaron en %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Ejercicio: añadir «%1»</translation>
     </message>
 </context>
 </TS>

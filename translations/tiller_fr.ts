@@ -908,21 +908,6 @@
     </message>
 </context>
 <context>
-    <name>KeyStateProbe</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
-    </message>
-</context>
-<context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
@@ -1064,6 +1049,21 @@
     <message>
         <source>Wrist 3</source>
         <translation>Poignet 3</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
     </message>
 </context>
 <context>
@@ -4781,6 +4781,17 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>pas encore fait</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
         <source>Comparison with the arm model</source>
@@ -4863,6 +4874,13 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4918,10 +4936,20 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::DecimalSpinBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
+        <source>Nothing found</source>
+        <translation>Rien trouvé</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Rien trouvé avec ces filtres.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Rien trouvé pour « %1 ».
+Videz la recherche pour tout voir.</translation>
     </message>
 </context>
 <context>
@@ -5861,17 +5889,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
-    <name>tiller::HoldToRunButton</name>
-    <message>
-        <source>hold</source>
-        <translation>tenir</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Le serveur d’affichage ne répond pas : le relâchement de la touche ne pourrait pas être détecté.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>tenir</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
     </message>
 </context>
 <context>
@@ -6573,23 +6601,6 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>“%1”</source>
         <translation>« %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::EmptyState</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Rien trouvé</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Rien trouvé avec ces filtres.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Rien trouvé pour « %1 ».
-Videz la recherche pour tout voir.</translation>
     </message>
 </context>
 <context>
@@ -9577,17 +9588,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
 </context>
 <context>
-    <name>tiller::ChecklistItem</name>
-    <message>
-        <source>done</source>
-        <translation>fait</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>pas encore fait</translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -11006,33 +11006,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
 </context>
 <context>
-    <name>tiller::app::Tutorial</name>
-    <message>
-        <source>First steps</source>
-        <translation>Premiers pas</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Exercices</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
-    </message>
-    <message>
-        <source>Practice: add “%1”</source>
-        <translation>Exercice : ajouter « %1 »</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -11963,6 +11936,33 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Réglages importés de %1. Les réglages précédents ont été enregistrés dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Exercices</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Exercice : ajouter « %1 »</translation>
     </message>
 </context>
 </TS>

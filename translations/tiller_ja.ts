@@ -908,21 +908,6 @@
     </message>
 </context>
 <context>
-    <name>KeyStateProbe</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーに問い合わせます。</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。押されているキーはウィンドウのイベントで判断します。</translation>
-    </message>
-</context>
-<context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
@@ -1064,6 +1049,21 @@
     <message>
         <source>Wrist 3</source>
         <translation>手首3</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーに問い合わせます。</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。押されているキーはウィンドウのイベントで判断します。</translation>
     </message>
 </context>
 <context>
@@ -4779,6 +4779,17 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>まだ</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
         <source>Comparison with the arm model</source>
@@ -4861,6 +4872,13 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4916,10 +4934,20 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
-    <name>tiller::DecimalSpinBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
+        <source>Nothing found</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>この条件では見つかりません。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>「%1」は見つかりません。
+検索を空にするとすべて表示します。</translation>
     </message>
 </context>
 <context>
@@ -5853,17 +5881,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::HoldToRunButton</name>
-    <message>
-        <source>hold</source>
-        <translation>押す</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5884,6 +5901,17 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>押す</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
 <context>
@@ -6565,23 +6593,6 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     <message>
         <source>“%1”</source>
         <translation>「%1」</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::EmptyState</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>見つかりません</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>この条件では見つかりません。</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>「%1」は見つかりません。
-検索を空にするとすべて表示します。</translation>
     </message>
 </context>
 <context>
@@ -9552,17 +9563,6 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
 </context>
 <context>
-    <name>tiller::ChecklistItem</name>
-    <message>
-        <source>done</source>
-        <translation>済み</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>まだ</translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -10968,33 +10968,6 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
 </context>
 <context>
-    <name>tiller::app::Tutorial</name>
-    <message>
-        <source>First steps</source>
-        <translation>最初のステップ</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>ビューに電源オンから記録までのチェックリストを表示します。</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>練習課題</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>シミュレートされたロボットでの五つの課題。それぞれに確認があります。</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。</translation>
-    </message>
-    <message>
-        <source>Practice: add “%1”</source>
-        <translation>練習：「%1」を追加</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -11923,6 +11896,33 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>%1 から設定を取り込みました。以前の設定は %2 にあります</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>最初のステップ</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>ビューに電源オンから記録までのチェックリストを表示します。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>練習課題</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>シミュレートされたロボットでの五つの課題。それぞれに確認があります。</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>練習：「%1」を追加</translation>
     </message>
 </context>
 </TS>

@@ -908,21 +908,6 @@
     </message>
 </context>
 <context>
-    <name>KeyStateProbe</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件判断按键是否被按住。</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器查询按钮或按键是否仍被按下。</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件判断按键是否被按住。</translation>
-    </message>
-</context>
-<context>
     <name>InterfaceSize</name>
     <message>
         <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
@@ -1064,6 +1049,21 @@
     <message>
         <source>Wrist 3</source>
         <translation>手腕 3</translation>
+    </message>
+</context>
+<context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件判断按键是否被按住。</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器查询按钮或按键是否仍被按下。</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件判断按键是否被按住。</translation>
     </message>
 </context>
 <context>
@@ -4779,6 +4779,17 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>未完成</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
         <source>Comparison with the arm model</source>
@@ -4861,6 +4872,13 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>“%1”超出范围（%2 至 %3）。没有任何更改。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4916,10 +4934,20 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
-    <name>tiller::DecimalSpinBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>“%1”超出范围（%2 至 %3）。没有任何更改。</translation>
+        <source>Nothing found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>以这些过滤条件未找到。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>未找到“%1”。
+清空搜索以查看全部。</translation>
     </message>
 </context>
 <context>
@@ -5853,17 +5881,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::HoldToRunButton</name>
-    <message>
-        <source>hold</source>
-        <translation>按住</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>请按住此键：仅在按住时移动机械臂。</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5884,6 +5901,17 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>显示服务器不响应：无法检测按键是否松开。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>请按住此键：仅在按住时移动机械臂。</translation>
     </message>
 </context>
 <context>
@@ -6565,23 +6593,6 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     <message>
         <source>“%1”</source>
         <translation>“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::EmptyState</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>以这些过滤条件未找到。</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>未找到“%1”。
-清空搜索以查看全部。</translation>
     </message>
 </context>
 <context>
@@ -9552,17 +9563,6 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
 </context>
 <context>
-    <name>tiller::ChecklistItem</name>
-    <message>
-        <source>done</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>未完成</translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -10968,33 +10968,6 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
 </context>
 <context>
-    <name>tiller::app::Tutorial</name>
-    <message>
-        <source>First steps</source>
-        <translation>第一步</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>在视图中显示从上电到录制的清单。</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>练习任务</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>模拟机器人上的五个任务，每个任务都有检查。</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>练习仅适用于内置的模拟机器人。当前机器人是“%1”。</translation>
-    </message>
-    <message>
-        <source>Practice: add “%1”</source>
-        <translation>练习：添加“%1”</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
@@ -11923,6 +11896,33 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>已从 %1 导入设置。先前的设置已保存到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>在视图中显示从上电到录制的清单。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>练习任务</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>模拟机器人上的五个任务，每个任务都有检查。</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>练习仅适用于内置的模拟机器人。当前机器人是“%1”。</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>练习：添加“%1”</translation>
     </message>
 </context>
 </TS>

@@ -173,7 +173,7 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"RTDEIOInterface.setStandardDigitalOut", "Sets standard digital output 0 ... 7."},
 {"RTDEIOInterface.setConfigurableDigitalOut", "Sets configurable digital output 0 ... 7."},
 {"RTDEIOInterface.setToolDigitalOut", "Sets tool digital output 0 or 1."},
-{"RTDEIOInterface.setSpeedSlider", "Sets the speed slider, 0 ... 1; values below 0.02 are raised to 0.02, because zero has caused protective stops."},
+{"RTDEIOInterface.setSpeedSlider", "Sets the speed slider, 0.02 ... 1. A smaller value is refused: the arm would move unnoticeably slowly. Use the pause of the program to halt it."},
 {"RTDEIOInterface.setAnalogOutputVoltage", "Sets analog output 0 or 1 to a ratio, 0 ... 1, of 10 V."},
 {"RTDEIOInterface.setAnalogOutputCurrent", "Sets analog output 0 or 1 to a ratio, 0 ... 1, of 4-20 mA."},
 {"RTDEIOInterface.setInputIntRegister", "Writes input integer register 18-22, with the upper range 42-46."},
