@@ -337,6 +337,7 @@ void MainWindow::connectParts() {
     connect(session_.get(), &RobotSession::message, this,
             [](Severity, const QString& text) { rememberForCrash(text); });
     connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
+    connect(session_.get(), &RobotSession::powerOffQuestion, this, &MainWindow::askToPowerOff);
     connectFrames();
     connectTools();
     followCell(scene_->view(), *session_, *document_);
@@ -790,6 +791,13 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
+    // The project is complete only when a path that is being recorded has become waypoints.
+    if (waypoints_->storePath()) {
+        connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        event->ignore();
+        return;
+    }
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -1080,37 +1088,51 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
-void MainWindow::askToTakeControl() {
-    if (findChild<QMessageBox*>("takeControlQuestion") != nullptr) {
+void MainWindow::askToEndProgram(const QString& name, const QString& title, const QString& effect,
+                                 const QString& accept, const std::function<void()>& accepted) {
+    if (findChild<QMessageBox*>(name) != nullptr) {
         return;
     }
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
     // PolyScope's name for a program without a file, e.g. one sent by another client.
-    const QString name = state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
+    const QString program =
+        state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
     auto* question = new QMessageBox(front != nullptr ? front : this);
-    question->setObjectName("takeControlQuestion");
+    question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setIcon(QMessageBox::Warning);
-    question->setWindowTitle(tr("Take control"));
-    question->setText(name.isEmpty() && paused ? tr("A program is paused on the robot.")
-                      : name.isEmpty()         ? tr("A program is running on the robot.")
-                      : paused                 ? tr("The program “%1” is paused on the robot.").arg(name)
-                               : tr("The program “%1” is running on the robot.").arg(name));
-    question->setInformativeText(
-        tr("Taking control stops the program. It cannot be resumed, only restarted."));
-    QPushButton* take = question->addButton(tr("Stop it and take control"), QMessageBox::DestructiveRole);
-    take->setObjectName("takeControlQuestion.take");
-    take->setAutoDefault(false);
+    question->setWindowTitle(title);
+    question->setText(program.isEmpty() && paused ? tr("A program is paused on the robot.")
+                      : program.isEmpty()         ? tr("A program is running on the robot.")
+                      : paused ? tr("The program “%1” is paused on the robot.").arg(program)
+                               : tr("The program “%1” is running on the robot.").arg(program));
+    question->setInformativeText(effect);
+    QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
+    end->setObjectName(name + QStringLiteral(".take"));
+    end->setAutoDefault(false);
     QPushButton* keep = question->addButton(tr("Keep the program"), QMessageBox::RejectRole);
-    keep->setObjectName("takeControlQuestion.keep");
+    keep->setObjectName(name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
-    connect(take, &QPushButton::clicked, session_.get(),
-            [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+    connect(end, &QPushButton::clicked, session_.get(), accepted);
     question->open();
+}
+
+void MainWindow::askToTakeControl() {
+    askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
+                    tr("Taking control stops the program. It cannot be resumed, only restarted."),
+                    tr("Stop it and take control"),
+                    [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+}
+
+void MainWindow::askToPowerOff() {
+    askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
+                    tr("Powering off stops the program. It cannot be resumed, only restarted."),
+                    tr("Stop it and power off"),
+                    [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 
 void MainWindow::showSettings(bool atRecording) {

@@ -143,7 +143,12 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
+    /// A question before `accepted` ends a program of another client; the default answer keeps it.
+    /// name  of the dialog object
+    void askToEndProgram(const QString& name, const QString& title, const QString& effect,
+                         const QString& accept, const std::function<void()>& accepted);
     void askToTakeControl();
+    void askToPowerOff();
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();

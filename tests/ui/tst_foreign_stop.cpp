@@ -255,6 +255,25 @@ private Q_SLOTS:
         question()->findChild<QPushButton*>("takeControlQuestion.take")->click();
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
+    void poweringOffAsksWhileAnotherProgramRuns() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Playing; }));
+        const auto question = [&] { return bench.window.findChild<QMessageBox*>("powerOffQuestion"); };
+        bench.window.actions().find("power.off")->trigger();
+        QVERIFY2(question() != nullptr, "the arm is powered off without a question");
+        QVERIFY(QTest::qWaitForWindowActive(question()));
+        QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
+        QTRY_VERIFY(question() == nullptr);
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
+        QCOMPARE(bench.cell.truth().robotMode, RobotMode::Running);
+        bench.window.actions().find("power.off")->trigger();
+        QVERIFY(question() != nullptr);
+        question()->findChild<QPushButton*>("powerOffQuestion.take")->click();
+        QVERIFY(bench.within([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
+    }
     void takingControlOfAnIdleRobotDoesNotAsk() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

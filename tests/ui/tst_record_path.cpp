@@ -6,9 +6,11 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/project/project_file.h"
 #include "robot/recording/csv_reader.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/notice_bar.h"
@@ -151,6 +153,20 @@ private Q_SLOTS:
         QTRY_VERIFY(notice().isVisible());
         QVERIFY2(notice().title().contains("did not move"), qPrintable(notice().title()));
         QCOMPARE(document().waypoints().size(), 0);
+    }
+
+    void closingTheWindowStoresThePath() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("path.tiller");
+        window().openProject(file);
+        QTest::mouseClick(&record(), Qt::LeftButton);
+        cell().advanceMs(40);
+        (void)lead();
+        QVERIFY(!window().close());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 60'000);
+        const auto saved = project::loadProject(file);
+        QVERIFY(saved.ok());
+        QVERIFY(saved->waypoints.size() >= 2);
     }
 
     void lostDataEndAndKeepTheRecording() {

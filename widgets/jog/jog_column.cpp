@@ -252,7 +252,7 @@ void JogColumn::applyState(const SessionState& state) {
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
     pose_->setTcp(state.tcpOffset);
-    pose_->setSpeed(state.moving ? state.tcpSpeed : Twist());
+    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());  // late: the last known one
     lightKeys();
     if (shownJog_) {
         showJog();  // in the tool frame the direction rotates with the tool

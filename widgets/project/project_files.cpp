@@ -86,18 +86,17 @@ void ProjectFiles::onOpenElsewhere() {
 
 void ProjectFiles::onChangedByOther() {
     const QString title = tr("Another window or program has changed %1").arg(store_.name());
-    const QString text = store_.isModified()
-                             ? tr("This window has unsaved changes. “Reload” discards them. “Keep both” "
-                                  "saves the project of this window to a second file.")
-                             : tr("“Reload” shows the new content. “Keep both” saves the project of this "
-                                  "window to a second file. Changes are not saved until you decide.");
+    const QString text =
+        tr("“Keep both” saves the project of this window to a second file. “Reload” shows the "
+           "new content. Unsaved changes of this window are then offered at the next start.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    // This notice may replace another one under the pointer: the first button must not discard work.
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
-                         .accept = tr("Reload"),
-                         .accepted = [this] { reload(); },
-                         .other = tr("Keep both"),
-                         .otherAccepted = [this] { keepBoth(); },
+                         .accept = tr("Keep both"),
+                         .accepted = [this] { keepBoth(); },
+                         .other = tr("Reload"),
+                         .otherAccepted = [this] { reload(); },
                          .dismiss = tr("Decide later"),
                          .cause = QLatin1String(kForeign)});
 }

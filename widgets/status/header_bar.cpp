@@ -281,6 +281,9 @@ void HeaderBar::showStep() {
     }
     const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
+    if (isAnother) {
+        stepButton_->clearFocus();  // a key press intended for the previous step
+    }
     const QString obstacle = nextStepObstacle(state_);
     offerStep(step_ != NextStep::None, obstacle.isEmpty());
     if (isAnother) {
@@ -363,6 +366,20 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
                 break;
         }
         return QWidget::eventFilter(watched, event);
+    }
+    if (watched == stepButton_ &&
+        (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (key.key() == Qt::Key_Space) {
+            return true;  // who presses Space wants to stop the arm, not to power it on
+        }
+        if (event->type() == QEvent::KeyPress &&
+            (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
+            if (!key.isAutoRepeat()) {
+                stepButton_->click();
+            }
+            return true;
+        }
     }
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
         event->type() == QEvent::TouchBegin) {

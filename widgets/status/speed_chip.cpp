@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/speed_chip.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -25,7 +26,7 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus);  // after a click, keys have no effect on the speed
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     settle_.setSingleShot(true);
     settle_.setInterval(kSettleMs);
@@ -121,6 +122,19 @@ void SpeedChip::mouseMoveEvent(QMouseEvent* event) {
 void SpeedChip::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
         setSliderDown(false);
+    }
+}
+
+void SpeedChip::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Home:
+        case Qt::Key_End:
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+            event->ignore();  // one key must not make the arm many times faster
+            break;
+        default:
+            QAbstractSlider::keyPressEvent(event);
     }
 }
 

@@ -174,6 +174,11 @@ void WaypointsTab::buildLayout(MotionPort port) {
         notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
         Q_EMIT message(Severity::Info, summary);
     });
+    connect(&paths_->recorder(), &PathRecorder::changed, this, [this] {
+        if (!paths_->recorder().isRecording() && !paths_->recorder().isBusy()) {
+            Q_EMIT pathStored();
+        }
+    });
     connect(paths_, &PathControls::exported, this,
             [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
     connect(details_, &WaypointDetails::placeWanted, this, &WaypointsTab::fitRoutes);
@@ -320,6 +325,12 @@ void WaypointsTab::onSelection() {
 int WaypointsTab::currentRow() const {
     const QModelIndex current = table_->currentIndex();
     return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
+}
+
+bool WaypointsTab::storePath() {
+    PathRecorder& recorder = paths_->recorder();
+    recorder.stop(currentRow());
+    return recorder.isBusy();
 }
 
 void WaypointsTab::selectWaypoint(const QUuid& id) {

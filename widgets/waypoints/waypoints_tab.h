@@ -90,6 +90,8 @@ public Q_SLOTS:
     void selectRow(int row);
     /// Ends a motion of "Run route" and updates the displayed speeds after a change of the speed limit.
     void followSpeed();
+    /// Ends the recording of a path. Returns true if a path is still to be stored: pathStored() follows.
+    bool storePath();
     void showNotice(const Notice& notice);
     /// Removes the notice with this cause.
     void resolveNotice(const QString& cause);
@@ -103,6 +105,8 @@ Q_SIGNALS:
     void marksChanged();
     /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
+    /// A recorded path has become waypoints, or contained no motion.
+    void pathStored();
 
 private:
     void buildActions();

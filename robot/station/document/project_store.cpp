@@ -376,6 +376,13 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
+    // Reloading cannot be undone: unsaved changes become a copy that the next start offers.
+    if (modified_ && !copyFolder_.isEmpty()) {
+        if (const Result<void> kept = keepCopy(); !kept) {
+            return kept;
+        }
+        return readAgain();
+    }
     // readAgain() replaces keeper_.
     const auto keeper = keeper_;
     const std::uint64_t replaced = revision_;

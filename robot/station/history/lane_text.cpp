@@ -68,6 +68,9 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.hasData()) {
         return noDataEntry();
     }
+    if (!state.isFresh()) {
+        return {LaneKind::NoData, StateLaneText::tr("Late data")};  // the arm may move
+    }
     if (!allowsMotion(state.safetyMode) && state.safetyMode != SafetyMode::Undefined) {
         return {LaneKind::Stopped, safetyWord(state.safetyMode)};
     }

@@ -72,13 +72,18 @@ QString commandText(RobotCommand command) {
     return {};
 }
 
-void RobotServices::perform(RobotCommand command) {
+void RobotServices::perform(RobotCommand command, bool confirmed) {
     if (session_.refusesCommand(commandText(command))) {
         Q_EMIT session_.commandDone(command, false);
         return;
     }
     if (const QString why = serviceObstacle(d_.state, command); !why.isEmpty()) {
         Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        Q_EMIT session_.commandDone(command, false);
+        return;
+    }
+    if (command == RobotCommand::PowerOff && !confirmed && d_.state.foreignProgramRuns()) {
+        Q_EMIT session_.powerOffQuestion();
         Q_EMIT session_.commandDone(command, false);
         return;
     }

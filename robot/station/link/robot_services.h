@@ -29,7 +29,9 @@ class RobotServices {
 public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    void perform(RobotCommand command);
+    /// confirmed  the operator knows that the command ends a program of another client: without it, PowerOff while such
+    ///            a program runs emits RobotSession::powerOffQuestion() and does nothing else
+    void perform(RobotCommand command, bool confirmed = false);
     /// Only on the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);
     /// name  relative to the controller's programs folder

@@ -196,6 +196,8 @@ Q_SIGNALS:
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
     void takeControlQuestion();
+    /// RobotServices::perform(PowerOff) would end a program of another client. Repeat it confirmed if the operator agrees.
+    void powerOffQuestion();
     /// A message of the controller, complete; it is also emitted as message.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

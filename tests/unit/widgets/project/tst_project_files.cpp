@@ -240,6 +240,19 @@ private Q_SLOTS:
         QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
     }
 
+    // The notice may appear under the pointer of someone who is about to click another one.
+    void theFirstAnswerToAForeignChangeKeepsBothVersions() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QVERIFY(project::saveProject(path_, project::Project()).ok());
+        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QVERIFY(notice_ && notice_->accepted);
+        notice_->accepted();
+        QCOMPARE(files_->store().path(), directory_->filePath("cell-7-2.tiller"));
+        QCOMPARE(document_->waypoints().size(), 1);
+    }
+
     void aForeignChangeThatIsTakenBackResolvesItsNotice() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");

@@ -303,6 +303,32 @@ private Q_SLOTS:
         QVERIFY(store_->isSaved());
     }
 
+    void reloadingKeepsUnsavedChangesAsACopy() {
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        project::Project foreign;
+        foreign.waypoints.append(named("theirs"));
+        QVERIFY(project::saveProject(path_, foreign).ok());
+        QTRY_COMPARE(changed.count(), 1);
+        document_->insertWaypoints(1, {named("more")}, "Teach");
+        QVERIFY(store_->reload().ok());
+        QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
+        // Later changes are saved to the file, and do not remove the copy.
+        document_->insertWaypoints(1, {named("later")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        store_.reset();
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+        const auto kept = project::loadKeptCopy(copies[0]);
+        QVERIFY(kept.ok());
+        QCOMPARE(kept->waypoints.size(), 2);
+        QCOMPARE(kept->waypoints.at(1).name, QString("more"));
+    }
+
     // Another window is about to save to the first free name.
     void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
         QVERIFY(store_->openOrStart(path_).ok());
