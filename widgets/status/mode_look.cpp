@@ -158,7 +158,7 @@ ModeLook controlLook(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
-    if (state.hasData() && state.runtimeState != RuntimeState::Stopped) {
+    if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
         // A program other than Tiller's: it moves the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =

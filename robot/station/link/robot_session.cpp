@@ -146,6 +146,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
+    d_->abandoned.reset();
     d_->followExtraFields();
     Q_EMIT linkBegan();
     Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
