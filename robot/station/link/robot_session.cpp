@@ -9,6 +9,7 @@
 #include "robot/receive/field_info.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
+#include "robot/station/text/move_words.h"
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
 
@@ -311,7 +312,13 @@ void RobotSession::releaseControl() {
 }
 
 void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
+    const bool isNew = cell.unplaced != d_->guard.surroundings().unplaced;
     d_->guard.setSurroundings(cell);
+    if (isNew) {
+        for (const collision::UnplacedObject& object : cell.unplaced) {
+            Q_EMIT message(Severity::Warning, tr("Moves are refused. %1.").arg(unplacedText(object)));
+        }
+    }
     refresh();
 }
 

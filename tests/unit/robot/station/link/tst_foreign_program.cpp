@@ -156,6 +156,46 @@ private Q_SLOTS:
             QVERIFY(bench.runs() && bench.isInControl());
         }
     }
+
+    // Nothing can be checked against an object whose position is unknown.
+    void movesAreRefusedWhileAnObjectHasNoPosition() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QStringList warnings;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity severity, const QString& text) {
+                             if (severity == Severity::Warning) {
+                                 warnings << text;
+                             }
+                         });
+        collision::CellSurroundings surroundings;
+        surroundings.unplaced.push_back({QStringLiteral("crate"), QStringLiteral("0f0e0d0c")});
+        bench.session.setSurroundings(surroundings);
+        bench.session.setSurroundings(surroundings);
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY2(warnings[0].contains("crate") && warnings[0].contains("0f0e0d0c"), qPrintable(warnings[0]));
+
+        JointPositions target = bench.state().q;
+        target[0] += 0.1;
+        MoveRequest request;
+        request.kind = MoveRequest::Kind::MoveJ;
+        request.q = target;
+        const auto move = bench.session.beginMove(request);
+        QVERIFY(!move.ok());
+        QVERIFY2(move.error().context.contains("crate"), qPrintable(move.error().context));
+        QVERIFY(!bench.session.permits({&request, 1}).ok());
+        QVERIFY(!bench.session.permitsPath({&target, 1}).ok());
+        // A jog is watched by the operator, and may be needed to teach the position again.
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        const auto jog = bench.session.beginJog(up);
+        QVERIFY(jog.ok());
+        bench.session.stop(StopCause::Released);
+
+        bench.session.setSurroundings({});
+        QVERIFY(bench.session.permits({&request, 1}).ok());
+        QVERIFY(bench.session.permitsPath({&target, 1}).ok());
+    }
 };
 
 QTEST_MAIN(TestForeignProgram)
