@@ -3,11 +3,12 @@
 // client that has ended.
 #include <QElapsedTimer>
 #include <QTest>
+#include <chrono>
 
 #include "robot/control/programs.h"
+#include "robot/core/deadline.h"
 #include "robot/script/script_client.h"
 #include "tests/support/virtual_cell.h"
-#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -48,7 +49,8 @@ struct ProgramBench {
     bool send(const QString& program) {
         other = std::make_unique<script::ScriptClient>(
             cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
-        return other->connect(patience()).ok() && other->send(program, patience()).ok();
+        const Deadline deadline = Deadline::after(std::chrono::milliseconds(kTimeoutMs));
+        return other->connect(deadline).ok() && other->send(program, deadline).ok();
     }
     /// The base rotates back and forth.
     bool sendMovingProgram() {
