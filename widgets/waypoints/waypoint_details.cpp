@@ -45,6 +45,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     setAccessibleName(tr("Selected waypoint"));
     name_->setObjectName(QStringLiteral("waypoint.details.name"));
     name_->setProperty("role", "strong");
+    name_->setTextFormat(Qt::PlainText);  // names may contain < and &
     name_->setFont(textFont(15, QFont::Bold));
     facts_->setObjectName(QStringLiteral("waypoint.details.facts"));
     facts_->setProperty("role", "secondary");
