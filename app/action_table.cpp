@@ -86,7 +86,7 @@ void ActionTable::remove(QAction* action) {
     actions_.removeOne(action);
     std::erase_if(rules_, [action](const Rule& rule) { return rule.action == action; });
     owner_.removeAction(action);
-    // It may be the action that is currently running.
+    // Deleted later: it may be the action that is currently running.
     action->deleteLater();
 }
 

@@ -28,7 +28,7 @@ struct ActionSpec {
 /// The text of the action without its mnemonic.
 QString plain(const QAction& action);
 
-/// Id and title of the menus in order.
+/// Id and title of the menus, in order.
 QList<QPair<QString, QString>> actionMenus();
 
 class ActionTable : public QObject {
@@ -54,7 +54,7 @@ public:
     /// True if the actions would conflict with the same shortcut; false if their shortcuts are limited to different
     /// tabs.
     static bool share(const QAction& a, const QAction& b);
-    /// The default shortcut.
+    /// The built-in default shortcut.
     static QKeySequence builtInShortcut(const QAction& action);
     /// Assigns every action its default shortcut, or the one in the map.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);

@@ -39,10 +39,10 @@ int exportRecording(const QStringList& arguments);
 int serve(const QStringList& arguments);
 /// Exports recordings as demonstrations for machine learning.
 int episodes(const QStringList& arguments);
-/// A project: its content, its errors, or a conversion.
-/// Returns  kFailed when a check finds an error
+/// Shows the content of a project, checks it, or converts it.
+/// Returns  kFailed if a check finds an error
 int projectCommand(const QStringList& arguments);
-/// When the arm of a recording parted from its model.
+/// Finds the time at which the arm of a recording deviates from its model.
 int divergence(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -25,8 +25,8 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "  FILE                 recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the\n"
     "                       simulated controller follows the targets of the recording, and its motion is\n"
-    "                       compared with that of the real arm. The simulated arm touches nothing, carries\n"
-    "                       the payload that the controller was given, and has no friction\n"
+    "                       compared with that of the real arm. The simulated arm has no contact, carries\n"
+    "                       the payload that is set on the controller, and has no friction\n"
     "  --model MODEL        robot model, such as ur5e (default: the model named in the recording)\n"
     "  --joint DEGREES      largest permitted deviation of each joint (default 0.5); 0: not compared\n"
     "  --tcp MM             the same for the TCP (default 5)\n"
@@ -40,7 +40,7 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
 
-/// Output format of a quantity: name, and unit with its factor from SI.
+/// Output format of a quantity: its name, and its unit with the factor from SI.
 struct Spelling {
     const char* key;
     const char* name;
@@ -120,8 +120,8 @@ QJsonObject toJson(const divergence::Report& report) {
 
 void print(const divergence::Report& report) {
     out() << QStringLiteral(
-                 "%1 rows compared with the model of a %2, %3 left out (no power, led by hand, or "
-                 "behind a gap)\n")
+                 "%1 rows compared with the model of a %2, %3 skipped (no power, guided by hand, or after a "
+                 "gap)\n")
                  .arg(report.rows - report.leftOut)
                  .arg(QLatin1String(robotModel(report.model).name))
                  .arg(report.leftOut);
@@ -135,7 +135,7 @@ void print(const divergence::Report& report) {
             out() << "  " << spelling.name << ": not compared\n";
         } else if (!outcome.missing.empty()) {
             out() << "  " << spelling.name << ": not compared, the recording has no "
-                  << namesOf(outcome.missing).join(QStringLiteral(", ")) << "; one of all fields has them\n";
+                  << namesOf(outcome.missing).join(QStringLiteral(", ")) << "; record all fields\n";
         } else if (!outcome.greatest) {
             out() << "  " << limit << ": no values\n";
         } else {
@@ -160,20 +160,19 @@ void print(const divergence::Report& report) {
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out()
-            << "They differ from the first sample: check --model, the payload set on the robot, and whether "
-               "something touches the arm.\n";
+        out() << "Arm and model differ from the first sample on: check --model, the payload set on the "
+                 "robot, and contact with the arm.\n";
     }
 }
 
-/// Reads an optional argument.
+/// Reads the value of an optional command line option.
 bool readLimit(const QCommandLineParser& parser, const QCommandLineOption& option, double factor,
                double& limit) {
-    constexpr double kMost = 1e6;
+    constexpr double kMaxValue = 1e6;
     if (!parser.isSet(option)) {
         return true;
     }
-    const auto value = numberIn(parser, option, 0, kMost);
+    const auto value = numberIn(parser, option, 0, kMaxValue);
     limit = value ? *value * factor : limit;
     return value.has_value();
 }

@@ -10,7 +10,7 @@ namespace tiller::app {
 
 namespace {
 
-constexpr int kPatienceMs = 5000;
+constexpr int kWaitTimeoutMs = 5000;
 
 const QString kFaultHelp = QStringLiteral(
     "tiller-cli fault: triggers a fault on a simulated controller\n"
@@ -48,7 +48,7 @@ int fault(const QStringList& arguments) {
     }
     QTcpSocket socket;
     socket.connectToHost(address[0], port);
-    if (!socket.waitForConnected(kPatienceMs)) {
+    if (!socket.waitForConnected(kWaitTimeoutMs)) {
         return complain(QStringLiteral("no simulated controller answers at %1 port %2 (%3)")
                             .arg(address[0])
                             .arg(port)
@@ -56,7 +56,7 @@ int fault(const QStringList& arguments) {
                         kFailed);
     }
     socket.write(arguments.mid(2).join(' ').replace('\n', ' ').toUtf8() + '\n');
-    while (!socket.canReadLine() && socket.waitForReadyRead(kPatienceMs)) {
+    while (!socket.canReadLine() && socket.waitForReadyRead(kWaitTimeoutMs)) {
     }
     // Only the answer to `help` has several lines.
     QByteArray answer = socket.readAll();

@@ -96,8 +96,8 @@ void print(const recording::Recording& file) {
         missing += gap.packets;
     }
     out() << QStringLiteral("%1 gaps, %2 packages missing\n").arg(file.gaps().size()).arg(missing);
-    constexpr std::size_t kMostGaps = 10;
-    for (std::size_t i = 0; i < file.gaps().size() && i < kMostGaps; ++i) {
+    constexpr std::size_t kMaxGaps = 10;
+    for (std::size_t i = 0; i < file.gaps().size() && i < kMaxGaps; ++i) {
         const recording::RecordedGap& gap = file.gaps()[i];
         out() << QStringLiteral("  before row %1: %2 packages, %3 s\n")
                      .arg(gap.row)

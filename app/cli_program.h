@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the commands about programs share.
+// Functions shared by the commands for programs.
 
 #include <QStringList>
 
@@ -11,7 +11,7 @@
 
 namespace tiller::app {
 
-/// A program of a project, and its script.
+/// A program of a project, with the generated script.
 struct LoadedProgram {
     project::Project project;
     QUuid program;
@@ -19,18 +19,20 @@ struct LoadedProgram {
     program::ProgramScript script;  ///< see ProgramScript::ok()
 };
 
-/// name  of the program; empty: the only one of the project.  fromStep  number of the step to begin at; 0: the first
-/// Errors   as project::loadProject(); InvalidArgument: no such program or step, with those there are
+/// name      name of the program; empty: the only one of the project
+/// fromStep  number of the step to begin at; 0: the first
+/// Errors    as project::loadProject(); InvalidArgument if there is no such program or step, with the
+/// existing ones
 Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep);
 
-/// "step 3 (MoveL): The arm cannot reach ...".
+/// Formats a problem of a step, e.g. "step 3 (MoveL): The arm cannot reach ...".
 QString problemText(const LoadedProgram& loaded, int step, const QString& text);
-/// The name of the step's kind; empty: none has that number.
+/// The type of this step; empty if no step has this number.
 QString stepName(const LoadedProgram& loaded, int number);
 
-/// Runs a program: simulated, or on a robot.
+/// Runs a program, simulated or on a robot.
 int run(const QStringList& arguments);
-/// A program as URScript.
+/// Prints a program as URScript.
 int script(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -44,7 +44,7 @@ const QString kProjectHelp = QStringLiteral(
     "\n"
     "Exit code: 0 done, and for check: no error found; 1 the file cannot be read or written, or check found "
     "an\n"
-    "error; 2 wrong arguments. What only slows the arm down is a warning.\n");
+    "error; 2 wrong arguments. A finding that only slows the arm down is a warning.\n");
 
 QString named(const QString& name) {
     return QStringLiteral("“%1”").arg(name);

@@ -28,7 +28,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kLookEvery{100};
-constexpr std::chrono::seconds kIdentityPatience{2};
+constexpr std::chrono::seconds kIdentityTimeout{2};
 
 const QString kRecordHelp = QStringLiteral(
     "tiller-cli record: records every package that a robot sends\n"
@@ -74,9 +74,9 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-/// An unused file name in the folder.
+/// Returns an unused file name in the folder.
 QString newFileIn(const QString& folder, QString address) {
-    // Not allowed in file names on every system.
+    // These characters are not allowed in file names on all systems.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
@@ -87,7 +87,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Empty if an error was printed.
+/// Returns the options; empty if an error was printed.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});
@@ -185,8 +185,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     }
     options.mcap.ros = !parser.isSet(noRos);
     if (parser.isSet(attach)) {
-        constexpr qint64 kMost = 64 << 20;
-        const Result<QByteArray> attached = readWholeFile(parser.value(attach), kMost);
+        constexpr qint64 kMaxValue = 64 << 20;
+        const Result<QByteArray> attached = readWholeFile(parser.value(attach), kMaxValue);
         if (!attached) {
             wrongArguments(QStringLiteral("--attach: '%1' cannot be read, or is larger than 64 MB")
                                .arg(parser.value(attach)));
@@ -239,7 +239,7 @@ int record(const QStringList& arguments) {
     options->mcap.facts["software"] = toString(version);
     if (options->isMcap) {
         const auto identity = dashboard::askIdentity(options->receiver.host, options->portOffset,
-                                                     version.isCb3(), Deadline::after(kIdentityPatience));
+                                                     version.isCb3(), Deadline::after(kIdentityTimeout));
         options->mcap.facts["model"] = identity.model.toStdString();
         options->mcap.facts["serial_number"] = identity.serialNumber.toStdString();
     }

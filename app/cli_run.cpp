@@ -33,9 +33,9 @@ const QString kRunHelp = QStringLiteral(
     "       tiller-cli run FILE.tiller --robot ADDRESS [options]\n"
     "\n"
     "  --simulate           run the script in the simulated controller, faster than real time\n"
-    "  --robot ADDRESS      run it on a robot, after a simulated run from where the arm is\n"
+    "  --robot ADDRESS      run it on a robot, after a simulated run from its current position\n"
     "  --program NAME       the program; not needed if the project has only one\n"
-    "  --from STEP          begin at this step, by its number\n"
+    "  --from STEP          begin at the step with this number\n"
     "  --input CHANNEL=on|off[@SECONDS]\n"
     "                       a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
     "repeated\n"
@@ -49,9 +49,9 @@ const QString kRunHelp = QStringLiteral(
     "of this command and a lost connection stop it. It is refused if a simulated run of the first ten "
     "minutes\n"
     "finds a collision or a stop, or if the robot is another model than the project's.\n"
-    "Exit code: 0 the program came to its end without a finding, 1 it did not, 2 wrong arguments.\n");
+    "Exit code: 0 the program ended without findings, 1 it did not, 2 wrong arguments.\n");
 
-/// "DI3=on@2.5"
+/// Parses an input change, e.g. "DI3=on@2.5".
 std::optional<program::InputChange> inputFrom(const QString& text) {
     static const QRegularExpression form(QStringLiteral("^([DCT])I([0-7])=(on|off)(?:@([0-9.]+))?\\z"));
     const QRegularExpressionMatch match = form.match(text);
@@ -149,29 +149,30 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-/// What makes a run on the robot unsafe. Unset inputs can end a simulated run early, which does not.
+/// True for findings that make a run on the robot unsafe. Inputs that are not set can end a simulated run
+/// early, which is not dangerous.
 bool isDangerous(const program::Finding& finding) {
     using Kind = program::Finding::Kind;
     return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
            finding.kind == Kind::Collision;
 }
 
-/// How much of a program is simulated before it runs on a robot [s].
+/// Maximum simulated time of a program before it runs on a robot [s].
 constexpr double kCheckedTime = 600;
 
-/// Empty, or why the program must not run on the robot that sends this.
+/// The reason why the program must not run on the robot that sends this state; empty if it may.
 QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) {
     constexpr double kSameTcp = 1e-4;    // [m]
-    constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs by a few millimetres from its model
+    constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs from its model by a few millimetres
     const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
     const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
     if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral("the robot is not a %1, which the project was taught with")
+        return QStringLiteral("the robot is not a %1, the model that the project was taught with")
             .arg(QLatin1String(model.name));
     }
     if (loaded.script.tcp &&
         !((loaded.script.tcp->position - state.tcpOffset().position).norm() < kSameTcp)) {
-        return QStringLiteral("the robot has another TCP than the waypoints of the program");
+        return QStringLiteral("the TCP of the robot differs from the TCP of the program's waypoints");
     }
     return {};
 }
@@ -219,7 +220,8 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address;
     controllerOptions.portOffset = portOffset;
-    // Without a heartbeat for 100 ms the robot stops by itself. A pause of this PC that the robot did not notice ends nothing.
+    // Without a heartbeat for 100 ms the robot stops. A shorter pause of this PC, which the robot did not
+    // detect, must not end the run.
     controllerOptions.dataTimeout = 2s;
     controllerOptions.connectionTimeout = 2s;
     control::Controller controller(controllerOptions);

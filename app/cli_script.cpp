@@ -17,7 +17,7 @@ const QString kScriptHelp = QStringLiteral(
     "Usage: tiller-cli script FILE.tiller [options]\n"
     "\n"
     "  --program NAME       the program; not needed if the project has only one\n"
-    "  --from STEP          begin at this step, by its number\n"
+    "  --from STEP          begin at the step with this number\n"
     "  --out FILE           write to this file instead of standard output\n"
     "  --help               this text\n"
     "\n"
@@ -47,8 +47,7 @@ int script(const QStringList& arguments) {
     bool isNumber = false;
     const int first = parser.value(from).toInt(&isNumber);
     if (!isNumber || first < 0) {
-        return wrongArguments(
-            QStringLiteral("--from takes the number of a step, not '%1'").arg(parser.value(from)));
+        return wrongArguments(QStringLiteral("--from takes a step number, not '%1'").arg(parser.value(from)));
     }
     const auto loaded = loadProgram(parser.positionalArguments().constFirst(), parser.value(name), first);
     if (!loaded) {

@@ -55,23 +55,22 @@ const QString kServeHelp = QStringLiteral(
     "robot\n"
     "is lost. Exit code: 0; 1: no data or port not available; 2: wrong arguments.\n");
 
-/// Prints each refused origin once, so that many refused pages do not fill the terminal.
+/// Prints each refused origin only once, so that many refused pages do not fill the terminal.
 class RefusedOrigins {
 public:
     void show(const QString& origin) {
         constexpr qsizetype kMaxShown = 20;
         if (!origin.isEmpty() && shown_.size() < kMaxShown && !shown_.contains(origin)) {
             shown_ << origin;
-            QTextStream(stderr) << QStringLiteral(
-                                       "\nserve: refused a viewer with the origin %1; --allow-origin "
-                                       "admits it")
-                                       .arg(printable(origin))
-                                << Qt::endl;
+            QTextStream(stderr)
+                << QStringLiteral("\nserve: refused a viewer with the origin %1; --allow-origin permits it")
+                       .arg(printable(origin))
+                << Qt::endl;
         }
     }
 
 private:
-    /// The origin is chosen by the peer: remove control characters.
+    /// The origin is chosen by the peer, so control characters are removed.
     static QString printable(QString text) {
         std::replace_if(
             text.begin(), text.end(), [](QChar c) { return !c.isPrint(); }, QChar(u'?'));

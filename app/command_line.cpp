@@ -37,7 +37,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption monitorOnly(
         "monitor-only",
         CommandLineText::tr(
-            "Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings."));
+            "Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
     parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 
@@ -47,7 +47,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // As passed by a file manager.
+    // The file manager passes project files as positional arguments.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
@@ -77,7 +77,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
-        // The demonstration moves the arm automatically and is not allowed on a real one.
+        // The demonstration moves the arm automatically and is not allowed on a real robot.
         return wrong(CommandLineText::tr(
             "--demo works on the simulated robot only and cannot be combined with --robot"));
     }

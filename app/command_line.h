@@ -16,8 +16,8 @@ struct CommandLine {
     QString robotHost;
     QString
         demoDirectory;    ///< not empty: run the scripted demonstration, write its files to this folder, exit
-    QString projectFile;  ///< to open; empty: the last project
-    QString theme;        ///< "light", "dark" or empty: last setting
+    QString projectFile;  ///< project to open; empty: the last project
+    QString theme;        ///< "light", "dark", or empty for the last setting
     bool monitorOnly = false;  ///< block all changes on the robot, independent of the settings
     bool showHelp = false;
     bool showVersion = false;

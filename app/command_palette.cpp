@@ -11,12 +11,12 @@
 #include <algorithm>
 
 #include "app/action_table.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 
 namespace tiller::app {
 namespace {
 
-/// All words must occur; matches at the beginning come first.
+/// All words must occur; actions that match at the beginning come first.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
     const QString all =
@@ -43,7 +43,8 @@ int rank(const QAction& action, const QStringList& words) {
 constexpr int kPaletteWidth = 640;     // [px]
 constexpr int kAroundPaletteRow = 72;  // margins, and a scroll bar
 
-/// Of a reason, as much as fits in a row: "Monitor only", "Not in control". The rest is in the tool tip.
+/// The first part of a reason that fits in a row: "Monitor only", "Not in control". The complete reason is in
+/// the tooltip.
 QString firstClause(const QString& reason) {
     static const QRegularExpression kEnd(QStringLiteral("[:.](\\s|$)"));
     return reason.left(reason.indexOf(kEnd));
@@ -66,7 +67,7 @@ CommandPalette::CommandPalette(const ActionTable& actions, QWidget* parent)
     list_ = new QListWidget(this);
     list_->setObjectName("paletteList");
     list_->setAccessibleName(tr("Commands found"));
-    nothing_ = new NothingFound(*list_);
+    nothing_ = new EmptyState(*list_);
     layout->addWidget(words_);
     layout->addWidget(list_);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::list);

@@ -11,7 +11,7 @@ class QLineEdit;
 class QListWidget;
 
 namespace tiller {
-class NothingFound;
+class EmptyState;
 }
 
 namespace tiller::app {
@@ -37,7 +37,7 @@ private:
     const ActionTable& actions_;
     QLineEdit* words_;
     QListWidget* list_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
     QList<QAction*> listed_;
 };
 

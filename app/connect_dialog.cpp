@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 
 namespace tiller::app {
 
@@ -52,7 +52,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // Users with a remembered robot see it first; new users have none.
+    // Users with a remembered robot see this part first; new users have no remembered robot.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();
     layout->addWidget(remembered.isEmpty() ? simulator : robot);
@@ -104,7 +104,7 @@ QWidget* ConnectDialog::simulatorPart() {
     auto* title = new QLabel(tr("Try the simulator"));
     title->setProperty("role", "strong");
     auto* text =
-        new QLabel(tr("A simulated UR5e in this program. All functions are available without risk."));
+        new QLabel(tr("A simulated UR5e that runs in Tiller. All functions are available without risk."));
     text->setProperty("role", "secondary");
     text->setWordWrap(true);
     simulator_->setObjectName("startSimulator");
@@ -149,7 +149,8 @@ QWidget* ConnectDialog::robotPart() {
                                                 : QStringLiteral("%1 · %2").arg(robot.name, robot.host));
     }
     forget_->setObjectName("forgetRobot");
-    forget_->setToolTip(tr("Removes the selected robot from this list (Delete). The robot does not change."));
+    forget_->setToolTip(
+        tr("Removes the selected robot from this list (Delete). The robot itself is not affected."));
     auto* forgetKey = new QAction(list_);
     forgetKey->setShortcut(QKeySequence::Delete);
     forgetKey->setShortcutContext(Qt::WidgetShortcut);
@@ -175,7 +176,7 @@ QWidget* ConnectDialog::robotPart() {
 
 void ConnectDialog::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 void ConnectDialog::choose(Choice choice) {
@@ -233,7 +234,7 @@ void ConnectDialog::updateButtons() {
     makeDefault(connect_, problem.isEmpty());
     makeDefault(simulator_, nothing);
     if (isVisible()) {
-        makeRoom(*this);
+        fitToContents(*this);
     }
 }
 

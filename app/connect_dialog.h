@@ -43,7 +43,7 @@ private:
     void updateButtons();
     void showRobot(int row);
     void forgetRobot();
-    /// Until it is edited, the name follows the address it was remembered with.
+    /// Until it is edited, the name is the one remembered for the address.
     void followAddress();
 
     QVector<RobotAddress> remembered_;
@@ -59,7 +59,7 @@ private:
     Choice choice_ = Choice::Robot;
 };
 
-/// The reason why this cannot be a host name or an address; empty if it can.
+/// The reason why the text cannot be a host name or an address; empty if it can.
 QString hostProblem(const QString& host);
 
 }  // namespace tiller::app

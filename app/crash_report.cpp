@@ -72,15 +72,15 @@ void put(int file, const char* text) {
 const char* nameOf(int signal) {
     switch (signal) {
         case SIGSEGV:
-            return "SIGSEGV (memory that is not there)";
+            return "SIGSEGV (invalid memory access)";
         case SIGBUS:
-            return "SIGBUS (memory that cannot be read)";
+            return "SIGBUS (memory bus error)";
         case SIGFPE:
-            return "SIGFPE (a division by zero)";
+            return "SIGFPE (arithmetic error)";
         case SIGILL:
-            return "SIGILL (an instruction this processor does not know)";
+            return "SIGILL (illegal instruction)";
         case SIGABRT:
-            return "SIGABRT (ended by the program itself)";
+            return "SIGABRT (aborted by the program)";
         default:
             return "a signal";
     }
@@ -89,9 +89,9 @@ const char* nameOf(int signal) {
 extern "C" void writeCrashReport(int signal) {
     const int file = ::open(crashNotes.path.data(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (file >= 0) {
-        put(file, "Tiller " TILLER_VERSION " was ended by ");
+        put(file, "Tiller " TILLER_VERSION " was terminated by ");
         put(file, nameOf(signal));
-        put(file, "\n\nCalls, the last first:\n");
+        put(file, "\n\nCall stack, most recent call first:\n");
         std::array<void*, kCalls> calls{};
         ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), kCalls), file);
         put(file, "\nLast lines of the log:\n");
@@ -102,7 +102,7 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has restored the default action: the process terminates as without the handler.
+    // SA_RESETHAND has restored the default action, so the process terminates as without the handler.
     ::raise(signal);
 }
 
@@ -115,7 +115,7 @@ void keepCrashReports(const QString& path) {
         return;
     }
     std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
-    // The first call loads a library, which is not allowed in the handler.
+    // The first call loads a library, which is not allowed in the signal handler.
     std::array<void*, 1> once{};
     ::backtrace(once.data(), 1);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int kPollMs = 10;
 constexpr double kJogMm = 50.0;
 constexpr int kStandingMs = 1500;
-constexpr int kPressesAnew = 10;
+constexpr int kMaxPressRepeats = 10;
 constexpr int kShortJogMs = 300;
 constexpr QSize kPictureSize{1920, 1080};
 
@@ -60,7 +60,7 @@ void Demonstration::start() {
         return;
     }
     // The demonstration generates mouse events only: no button is physically pressed.
-    window_.setHoldWitness(HoldWitness::none());
+    window_.setKeyStateProbe(KeyStateProbe::none());
     timer_.start();
 }
 
@@ -84,7 +84,7 @@ void Demonstration::addSteps() {
          [=] { return state().recording.active && state().recording.rows > 0; }});
     steps_.push_back({tr("teach the first waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
                       [this] { return window_.waypointCount() == 1; }});
-    const auto pressAnew = [this](const QString& key) {
+    const auto pressAgain = [this](const QString& key) {
         return [this, key] {
             release(key);
             press(key);
@@ -97,7 +97,7 @@ void Demonstration::addSteps() {
                           press(jogKey);
                       },
                       [this, state] { return distanceMm(state().tcpPose, jogStart_) >= kJogMm; }, 10'000,
-                      pressAnew(jogKey)});
+                      pressAgain(jogKey)});
     steps_.push_back({tr("release"), [this, jogKey] { release(jogKey); },
                       [this, state] {
                           if (jogStop_.count == 0 || state().moving) {
@@ -120,7 +120,7 @@ void Demonstration::addSteps() {
              press(goKey);
          },
          [this, state] { return distanceMm(state().tcpPose, jogStart_) < 0.5 && !state().moving; }, 20'000,
-         pressAnew(goKey)});
+         pressAgain(goKey)});
     steps_.push_back(
         {tr("release Go to"), [this, goKey] { release(goKey); }, [=] { return !state().moving; }});
     steps_.push_back({tr("digital output 0 on"),
@@ -163,10 +163,10 @@ void Demonstration::poll() {
         begun_ = false;
         return;
     }
-    pressAnewIfStanding(step);
+    pressAgainIfStopped(step);
     if (elapsed_.elapsed() > step.timeoutMs) {
         const SessionState& state = window_.session().state();
-        fail(tr("%1: did not happen within %2 s (%3)")
+        fail(tr("%1: not completed within %2 s (%3)")
                  .arg(step.name)
                  .arg(step.timeoutMs / 1000)
                  .arg(state.controlReason.isEmpty() ? tr("the robot reported no reason")
@@ -174,13 +174,13 @@ void Demonstration::poll() {
     }
 }
 
-void Demonstration::pressAnewIfStanding(const Step& step) {
+void Demonstration::pressAgainIfStopped(const Step& step) {
     if (!step.anew || window_.session().state().moving) {
         standing_.start();
         return;
     }
-    if (standing_.elapsed() > kStandingMs && pressedAnew_ < kPressesAnew) {
-        ++pressedAnew_;
+    if (standing_.elapsed() > kStandingMs && repeatedPresses_ < kMaxPressRepeats) {
+        ++repeatedPresses_;
         step.anew();
         standing_.start();
         elapsed_.start();
@@ -210,9 +210,9 @@ QString Demonstration::summary() const {
     for (const QString& trouble : troubles_) {
         out << "log     " << trouble << '\n';
     }
-    if (pressedAnew_ > 0) {
+    if (repeatedPresses_ > 0) {
         out << tr("pressed again        %1 times: the motion had stopped before the key was released")
-                   .arg(pressedAnew_)
+                   .arg(repeatedPresses_)
             << '\n';
     }
     out.setRealNumberNotation(QTextStream::FixedNotation);
@@ -233,7 +233,7 @@ QString Demonstration::summary() const {
 QWidget* Demonstration::find(const QString& key) {
     auto* widget = window_.findChild<QWidget*>(key);
     if (widget == nullptr) {
-        fail(tr("there is no key \"%1\" in the window").arg(key));
+        fail(tr("there is no key “%1” in the window").arg(key));
     }
     return widget;
 }

@@ -31,7 +31,7 @@ public:
 
     void start();
     bool succeeded() const { return failed_.isEmpty(); }
-    /// The results line by line, as printed.
+    /// The results as printed, one per line.
     QString summary() const;
 
 Q_SIGNALS:
@@ -43,14 +43,15 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// For a step that moves the arm: the retry if the arm stops before the step is complete. On a busy machine
-        /// a jog may end early (blocked event loop, old data), and has to be started again.
+        /// Only for a step that moves the arm: repeats the motion if the arm stops before the step is
+        /// complete. On a busy machine a jog may end early (blocked event loop, old data) and has to be
+        /// started again.
         std::function<void()> anew = {};
     };
 
     void addSteps();
     void poll();
-    void pressAnewIfStanding(const Step& step);
+    void pressAgainIfStopped(const Step& step);
     void finish();
     void press(const QString& key);
     void release(const QString& key);
@@ -67,13 +68,13 @@ private:
     QTimer timer_;
     QElapsedTimer elapsed_;
     QElapsedTimer standing_;  ///< time since the last motion or key press
-    int pressedAnew_ = 0;
+    int repeatedPresses_ = 0;
     QStringList done_;
     QString failed_;
-    QStringList troubles_;  ///< warnings and errors of the session
+    QStringList troubles_;  ///< warnings and errors reported by the session
 
     Pose jogStart_;
-    std::optional<Pose> jogEnd_;  ///< after it came to rest
+    std::optional<Pose> jogEnd_;  ///< pose after the jog came to rest
     control::StopMeasurement jogStop_;
 };
 

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -33,9 +33,9 @@ QLabel* fieldName(const QString& text) {
     return label;
 }
 
-FigureBox* numberField(const QString& name, const QString& accessible, double least, double most, double step,
-                       int digits, const QString& suffix) {
-    auto* box = new FigureBox;
+DecimalSpinBox* numberField(const QString& name, const QString& accessible, double least, double most,
+                            double step, int digits, const QString& suffix) {
+    auto* box = new DecimalSpinBox;
     box->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
     box->setObjectName(name);
     box->setAccessibleName(accessible);
@@ -53,7 +53,7 @@ DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTun
     used_->setObjectName("settings.device");
     used_->setAccessibleName(tr("Device that moves the arm"));
     there_->setObjectName("settings.deviceNote");
-    auto* trainer = new QPushButton(tr("Try it out…"));
+    auto* trainer = new QPushButton(tr("Test device…"));
     trainer->setObjectName("settings.trainer");
     trainer->setAutoDefault(false);
     trainer->setToolTip(
@@ -90,10 +90,10 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     const DeviceTuning now = chosen_.value(kind, first);
     auto* zone =
         numberField("settings." + kind + ".deadZone", tr("Dead zone of the %1").arg(title),
-                    DeviceTuning::kLeastDeadZone * 100, DeviceTuning::kMostDeadZone * 100, 1, 0, tr(" %"));
+                    DeviceTuning::kMinDeadZone * 100, DeviceTuning::kMaxDeadZone * 100, 1, 0, tr(" %"));
     zone->setToolTip(tr("Deflection below which the device does not move the arm."));
     auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
-                              DeviceTuning::kMostExponent, 0.1, 1, {});
+                              DeviceTuning::kMaxExponent, 0.1, 1, {});
     curve->setPrefix(tr("exponent "));
     curve->setToolTip(tr("1: linear. Higher: finer near the centre, faster at full deflection."));
     auto* dominant = new QCheckBox(tr("Dominant axis only"));
@@ -115,7 +115,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     connect(zone, &QDoubleSpinBox::valueChanged, this, choose);
     connect(curve, &QDoubleSpinBox::valueChanged, this, choose);
     connect(dominant, &QCheckBox::clicked, this, choose);
-    // The device test page also changes it.
+    // The device test page can also change the settings.
     connect(&devices_, &DeviceJog::tuned, this,
             [this, kind, show](const QString& of, const DeviceTuning& tuning) {
                 if (of == kind) {

@@ -37,7 +37,7 @@ void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
     dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the area that contains all panels
     docks_.append(&dock);
-    connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByHand);
+    connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByUser);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
     // Switching between tabbed panels changes the visibility without a rearrangement. During arrange() this signal
     // is ignored.
@@ -48,7 +48,7 @@ void DockStage::add(PanelDock& dock) {
     });
 }
 
-void DockStage::changeByHand() {
+void DockStage::changeByUser() {
     if (!arranging_) {
         plan_.reset();
         Q_EMIT rearranged();
@@ -81,7 +81,7 @@ void DockStage::arrange(const StagePlan& plan) {
         }
     }
     below->show();
-    // Hidden panels also have a position, to which they return.
+    // Hidden panels have a position as well, to which they return.
     for (const StagePlan::Place& place : plan.row) {
         find(place.dock)->setVisible(place.shown);
     }
@@ -161,7 +161,7 @@ void DockStage::move(PanelDock& dock, StageSide side) {
             one->show();
         }
     }
-    changeByHand();
+    changeByUser();
 }
 
 void DockStage::reveal(PanelDock& dock) {
@@ -170,7 +170,7 @@ void DockStage::reveal(PanelDock& dock) {
             const QScopedValueRollback<bool> arranging(arranging_, true);
             dock.show();
         }
-        changeByHand();
+        changeByUser();
     }
     dock.raise();
 }
@@ -192,7 +192,7 @@ bool DockStage::event(QEvent* event) {
     const bool taken = QMainWindow::event(event);
     // Only the separator between two panels accepts a press here.
     if (event->type() == QEvent::MouseButtonPress && taken && event->isAccepted()) {
-        changeByHand();
+        changeByUser();
     }
     return taken;
 }
@@ -219,7 +219,7 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // After the panels know their size.
+    // Queued until the panels know their size.
     QTimer::singleShot(0, this, &DockStage::proportion);
 }
 

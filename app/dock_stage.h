@@ -20,12 +20,12 @@ class PanelDock;
 struct StagePlan {
     struct Place {
         QString dock;
-        int percent = 0;  ///< of the width of the window; 0: the remaining width
+        int percent = 0;  ///< percentage of the window width; 0: the remaining width
         bool shown = true;
     };
     QVector<Place> row;
     QString below;
-    int belowPercent = 0;  ///< of the height of the window, if there are panels above
+    int belowPercent = 0;  ///< percentage of the window height, if there are panels above
 };
 
 enum class StageSide { Left, Right, Top, Bottom };
@@ -50,7 +50,7 @@ public:
     void reveal(PanelDock& dock);
     /// The current arrangement.
     QByteArray state() const;
-    /// state    from state(), undamaged: Qt can crash on damaged data
+    /// state    a result of state(), undamaged: Qt can crash on damaged data
     /// Returns  false for another version, without changes
     bool restore(const QByteArray& state);
 
@@ -71,7 +71,7 @@ private:
     PanelDock* find(const QString& name) const;
     int gap() const;
     void proportion();
-    void changeByHand();
+    void changeByUser();
 
     QList<PanelDock*> docks_;
     std::optional<StagePlan> plan_;  ///< set while the arrangement equals the plan

@@ -74,14 +74,11 @@ QWidget* HelpPage::buildManual() {
     contents->setEnabled(!folder_.isEmpty());
     if (folder_.isEmpty()) {
         manual_->setHtml(
-            tr("<h2>The manual is not on this computer</h2><p>It comes with the Debian package of Tiller. A "
-               "Tiller "
-               "that you built yourself has it when the package python3-sphinx is installed:</p>"
-               "<pre>apt-get install python3-sphinx</pre><p>Then build again. Until then its pages can be "
-               "read as "
-               "text in the folder packaging/manual of the sources. The rules of jogging and all keys are on "
-               "the "
-               "other page of this window.</p>"));
+            tr("<h2>The manual is not installed on this computer</h2><p>The Debian package of Tiller "
+               "contains it. To add it to your own build, install the package "
+               "python3-sphinx:</p><pre>apt-get install python3-sphinx</pre><p>Then build again. You can "
+               "also read its pages as text in the folder packaging/manual of the source code. The rules of "
+               "jogging and all keys are on the other page of this window.</p>"));
     } else {
         showManual(QStringLiteral("index.html"));
         manual_->clearHistory();
@@ -93,40 +90,27 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
     auto* text = new QTextBrowser;
     text->setObjectName("helpText");
     text->setAccessibleName(tr("Jogging and keys"));
-    text->setHtml(tr("<h2>Moving the arm</h2><p>The arm moves while you hold a key of the pad, and stops "
-                     "when you release it. "
-                     "It also stops when</p><ul>"
-                     "<li>the pointer leaves the key, a second mouse button is pressed, or a second input "
-                     "device is used;</li>"
-                     "<li>a modifier or an opposite key is pressed while a keyboard key is held;</li>"
-                     "<li>the window loses focus, a dialog or menu opens, or the frame, speed, step or tab "
-                     "changes;</li>"
-                     "<li>data from the robot are late, this program hangs, or the robot leaves Running, its "
-                     "safety mode or "
-                     "Remote control;</li>"
-                     "<li>the screen is locked, the PC goes to sleep, or the input device is unplugged or "
-                     "stops sending data;</li>"
-                     "<li>the key-state check fails: on X11, Tiller asks the display server every 10 ms "
-                     "whether the button or key "
-                     "is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is "
-                     "not available, header "
-                     "and Settings show it;</li>"
-                     "<li>the maximum hold time is reached: %1 s for a jog (Settings), five minutes for "
-                     "Freedrive, the duration "
-                     "of the move plus 5 s for a move to a position. The last 3 s are counted down.</li></ul>"
-                     "<p>A stopped motion needs a new press. In control, <b>Space</b> and <b>Esc</b> stop "
-                     "from every window, dialog "
-                     "and text field. When Tiller is not in control, they belong to the focused control; "
-                     "click <b>STOP</b> to stop a "
-                     "program of another client. This is a software stop, not an emergency stop: keep the "
-                     "emergency stop within "
-                     "reach.</p>"
-                     "<p><b>Ctrl</b> makes a press ten times finer, <b>Shift</b> three times faster, never "
-                     "above the cap. On a "
-                     "keyboard without Latin letters, a letter below means its position on a US keyboard.</p>"
-                     "<h2>Commands</h2>")
-                      .arg(longestHold) +
-                  commands);
+    text->setHtml(
+        tr("<h2>Moving the arm</h2><p>The arm moves while you hold a key of the pad, and stops when you "
+           "release it. It also stops when</p><ul><li>the pointer leaves the key, a second mouse button is "
+           "pressed, or a second input device is used;</li><li>a modifier or an opposite key is pressed "
+           "while a keyboard key is held;</li><li>the window loses focus, a dialog or menu opens, or the "
+           "frame, speed, step or tab changes;</li><li>data from the robot are late, this program hangs, or "
+           "the robot leaves Running, its safety mode or Remote control;</li><li>the screen is locked, the "
+           "PC goes to sleep, or the input device is unplugged or stops sending data;</li><li>the key-state "
+           "check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is "
+           "still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, "
+           "the header and Settings show this;</li><li>the maximum hold time is reached: %1 s for a jog "
+           "(Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a "
+           "position. The last 3 s are counted down.</li></ul><p>A stopped motion needs a new press. In "
+           "control, <b>Space</b> and <b>Esc</b> stop from every window, dialog and text field. When Tiller "
+           "is not in control, they act on the focused element; click <b>STOP</b> to stop a program of "
+           "another client. This is a software stop, not an emergency stop: keep the emergency stop within "
+           "reach.</p><p><b>Ctrl</b> makes a press ten times finer, <b>Shift</b> three times faster, but "
+           "never above the cap. On a keyboard without Latin letters, a letter below means its position on a "
+           "US keyboard.</p><h2>Commands</h2>")
+            .arg(longestHold) +
+        commands);
     return text;
 }
 

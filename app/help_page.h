@@ -14,8 +14,8 @@ class HelpPage : public QDialog {
 
 public:
     /// longestHold  maximum duration of a jog without a new press [s]
-    /// commands     as HTML
-    /// manual       folder of the manual; empty: not installed, the page explains how to get it
+    /// commands     list of commands as HTML
+    /// manual       folder of the manual; empty: not installed, and the page explains how to get it
     HelpPage(int longestHold, const QString& commands, const QString& manual, QWidget* parent = nullptr);
 
     /// page  relative to the folder of the manual, e.g. "window/io.html#gripper"

@@ -10,8 +10,8 @@ namespace {
 
 constexpr char kFactor[] = "QT_SCALE_FACTOR";
 constexpr char kProperty[] = "tillerInterfaceSize";
-/// Above this density, a button of 72 px is smaller than 13 mm.
-constexpr double kDensePixels = 140;  // per inch
+/// Above this pixel density, a button of 72 px is smaller than 13 mm.
+constexpr double kDensePixels = 140;  // [pixels per inch]
 
 double factorOfTheEnvironment() {
     bool isNumber = false;
@@ -49,7 +49,7 @@ QSize availableAtNormalSize(const QScreen& screen) {
     return screen.availableSize() * interfaceSize() / 100;
 }
 
-bool looksSmall(const QScreen& screen) {
+bool needsLargerSize(const QScreen& screen) {
     return screen.physicalDotsPerInch() > kDensePixels &&
            fittingInterfaceSize(kInterfaceSizes.back(), availableAtNormalSize(screen)) > interfaceSize();
 }
@@ -62,7 +62,7 @@ SizedApplication::SizedApplication(int argc, char** argv, int percent)
     if (wanted == kInterfaceSizes.front() || screen == nullptr) {
         return;
     }
-    // The screen is only known now; it may be smaller than at the last start.
+    // The screen is known only here; it may be smaller than at the last start.
     if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
         application_.reset();
         begin(fitting);

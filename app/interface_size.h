@@ -29,7 +29,7 @@ int interfaceSize();
 /// Space for windows on the screen, converted to 100 % [px].
 QSize availableAtNormalSize(const QScreen& screen);
 /// True if a larger size is recommended for the pixel density.
-bool looksSmall(const QScreen& screen);
+bool needsLargerSize(const QScreen& screen);
 
 /// Creates the application with a size. If the window does not fit, the largest possible size is used, because the
 /// stop controls must be visible.
@@ -47,8 +47,8 @@ private:
     void begin(int percent);
 
     const std::vector<char*> given_;
-    const double desktopFactor_;    ///< factor requested by the environment
-    std::vector<char*> arguments_;  ///< Qt removes its own arguments
+    const double desktopFactor_;    ///< scale factor requested by the environment
+    std::vector<char*> arguments_;  ///< without the arguments removed by Qt
     int count_ = 0;
     std::unique_ptr<QApplication> application_;
 };

@@ -34,8 +34,8 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                        const std::function<void()>& showTrainer) {
     table.add(
         {"jog.keyboard", tr("Arm or disarm the keyboard"),
-         tr("While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after "
-            "30 s without use."),
+         tr("While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s "
+            "without use."),
          QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); },
          [](const SessionState& s) { return s.monitorOnly ? texts::monitorOnlyObstacle() : QString(); }});
     table.add({"jog.devices",
@@ -44,7 +44,7 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                {},
                showTrainer});
     table.add({"jog.zero", tr("Zero here"),
-               tr("Measures the TCP displacement from here. Press again to measure from the last press."),
+               tr("Measures the TCP displacement from here. Press again to measure from the last key press."),
                QKeySequence(Qt::Key_Z), [&column] { column.zeroHere(); }});
     int index = 0;
     for (const SpeedClass& choice : speedClasses()) {
@@ -88,7 +88,7 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Step); }});
     table.add({"jog.turn.other",
-               tr("Jog turn, other…"),
+               tr("Jog angle, other…"),
                tr("Asks for the step angle of tool and joint rotations. The step length does not change."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Turn); }});

@@ -10,7 +10,7 @@
 namespace tiller::app {
 
 struct Language {
-    QString code;  ///< as in the file name: "de", "zh_CN"
+    QString code;  ///< code as in the file name: "de", "zh_CN"
     QString name;  ///< native name
 };
 

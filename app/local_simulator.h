@@ -15,18 +15,18 @@ namespace tiller::app {
 
 class LocalSimulator {
 public:
-    /// Starts it unless it is running.
+    /// Starts the simulated robot unless it is running.
     /// Returns  the address for the session
     /// Errors   Rejected if no loopback address has free ports; AddressInvalid
     Result<RobotAddress> start();
     void stop();
     simulator::Simulator* controller() { return controller_.get(); }
-    /// Treats another controller in this process as one of this object until null is passed or the object is
-    /// destroyed; the controller must exist for this time.
+    /// Treats another controller in this process as one of this object. It must exist until null is passed or
+    /// this object is destroyed.
     void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
     /// All running controllers.
     QList<simulator::Simulator*> controllers() const;
-    /// The controller that a session is connected to; null if it is none of them.
+    /// The controller that a session is connected to; null if it is not one of these.
     simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:

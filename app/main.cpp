@@ -38,7 +38,7 @@ void print(FILE* to, const QString& text) {
     }
 }
 
-/// The requested project, or the last one, or a new file.
+/// Returns the requested project, the last one, or a new file.
 app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
         // The demonstration starts with a new project every time.
@@ -68,13 +68,14 @@ int sizeFor(const QStringList& arguments) {
     return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
 }
 
-/// Shown once: any saved setting means that it was shown before.
-void tellOfSize(app::MainWindow& window) {
-    if (app::looksSmall(*window.screen()) && !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
+/// Shown only once: any saved setting means that it was shown before.
+void showSizeHint(app::MainWindow& window) {
+    if (app::needsLargerSize(*window.screen()) &&
+        !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
         Q_EMIT window.session().message(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
-                                        "This screen has a high resolution. Increase \"Interface size\" in "
+                                        "This screen has a high resolution. Increase “Interface size” in "
                                         "Settings to enlarge text, keys and plots."));
     }
 }
@@ -127,7 +128,8 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     }
     connect(*window);
     window->show();
-    // Without a window manager, the window has to be activated here; an inactive window moves nothing.
+    // Without a window manager, the window has to be activated here; an inactive window does not start
+    // motions.
     window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
@@ -185,9 +187,9 @@ int main(int argc, char* argv[]) {
     // The demonstration uses the default layout and does not change the user's settings.
     app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini") : QString());
     if (demonstration) {
-        settings.setLearned({.dismissed = true, .firstSteps = {}, .practice = {}});
+        settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    // The demonstration connects by itself to receive all errors.
+    // The demonstration connects by itself, so that it receives all errors.
     auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);
@@ -196,7 +198,7 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         return runDemonstration(application, *window, line->demoDirectory);
     }
-    tellOfSize(*window);
+    showSizeHint(*window);
     window->keepUnsavedWorkIn(app::unsavedWorkFolder());
     window->offerCrashReport(app::crashReportPath());
     app::keepCrashReports(app::crashReportPath());
@@ -206,7 +208,7 @@ int main(int argc, char* argv[]) {
     }
     for (;;) {
         std::optional<SessionState> before;
-        QObject::connect(window.get(), &app::MainWindow::closedToOpenAnew, &application,
+        QObject::connect(window.get(), &app::MainWindow::closedForNewWindow, &application,
                          [&](const SessionState& state) { before = state; });
         const int code = QApplication::exec();
         if (!before) {

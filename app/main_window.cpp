@@ -26,7 +26,6 @@
 #include "app/help_page.h"
 #include "app/interface_size.h"
 #include "app/jog_actions.h"
-#include "app/lessons.h"
 #include "app/manual.h"
 #include "app/panel_actions.h"
 #include "app/panel_dock.h"
@@ -40,6 +39,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "app/tutorial.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
 #include "robot/station/capture/incident_watch.h"
@@ -48,11 +48,11 @@
 #include "robot/station/text/texts.h"
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/hover_keeper.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/panel.h"
-#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
 #include "widgets/io/gripper_panel.h"
@@ -86,7 +86,7 @@ namespace tiller::app {
 namespace {
 
 constexpr QSize kStart{1600, 900};
-/// Between panels [px].
+/// Distance between panels [px].
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 
@@ -159,11 +159,11 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
     jog_->axisJog().setClock(clock);
-    jog_->setHoldTerms(holdTerms_);
-    for (HoldButton* key : findChildren<HoldButton*>()) {
-        key->guard().setTerms(holdTerms_);
+    jog_->setHoldPolicy(holdPolicy_);
+    for (HoldToRunButton* key : findChildren<HoldToRunButton*>()) {
+        key->guard().setPolicy(holdPolicy_);
     }
-    setHoldWitness(HoldWitness::ofThisPlatform());
+    setKeyStateProbe(KeyStateProbe::ofThisPlatform());
     header_->setHoldNote([this] { return witness_->isThere() ? QString() : witness_->description(); });
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
     keyboard_->setClock(clock);
@@ -171,8 +171,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         Q_EMIT session_->message(
             Severity::Info,
-            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they "
-                       "rotate, 1 to 6 with + and − move a joint. Space and Esc stop.")
+            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they "
+                       "rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
@@ -182,7 +182,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
-    lessons_ = std::make_unique<Lessons>(*session_, *document_, simulator_, settings_, scene_->view());
+    lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
     buildActions();
@@ -192,7 +192,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    // A process that is killed has no time to keep them.
+    // Saved after a delay, because a process that is killed cannot save anything at its end.
     layoutTimer_.setSingleShot(true);
     layoutTimer_.setInterval(kKeepLayoutMs);
     connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
@@ -210,13 +210,13 @@ MainWindow::~MainWindow() {
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // While all parts exist, the session announces its end. It is destroyed last.
+    // The session emits its last signals while all parts exist. It is destroyed last.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // Unsaved changes are saved when the store is destroyed; do not display this.
+    // Unsaved changes are saved when the store is destroyed; this is not displayed.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -236,7 +236,7 @@ void MainWindow::buildDocks() {
 
     stage_ = new DockStage;
     // Panels that need more space than available scroll instead of shrinking the jog column.
-    auto* area = new SteadyScrollArea;
+    auto* area = new NoFocusScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
@@ -266,7 +266,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Not earlier: floating panels would be shown before the window.
+    // Not restored earlier, because floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -322,7 +322,7 @@ void MainWindow::connectParts() {
             [this](const QString& reason) { Q_EMIT session_->message(Severity::Warning, reason); });
     connect(jog_, &JogColumn::ghostWanted, this,
             [this](const Ghost& ghost) { scene_->view().setGhost(ghost); });
-    connect(jog_, &JogColumn::ghostGone, this, &MainWindow::updateScene);
+    connect(jog_, &JogColumn::ghostHidden, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
@@ -332,11 +332,12 @@ void MainWindow::connectParts() {
         const std::optional<Ghost> own = waypoints_->ghost();
         const std::optional<Ghost>& shown = scene_->view().ghost();
         const bool same = own && shown && own->name == shown->name && own->q == shown->q;
-        waypoints_->setWayLimit(same ? text : QString());
+        waypoints_->setPathLimitText(same ? text : QString());
     });
     connect(session_.get(), &RobotSession::message, this,
             [](Severity, const QString& text) { rememberForCrash(text); });
     connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
+    connect(session_.get(), &RobotSession::powerOffQuestion, this, &MainWindow::askToPowerOff);
     connectFrames();
     connectTools();
     followCell(scene_->view(), *session_, *document_);
@@ -379,7 +380,7 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectReplay() {
-    connect(plots_, &PlotDock::partedFromModel, this,
+    connect(plots_, &PlotDock::deviatedFromModel, this,
             [this](const QString& text, const QString& details, const QString& path, double seconds) {
                 log_->appendMoment(Severity::Warning, text, details, path, seconds);
             });
@@ -444,10 +445,10 @@ void MainWindow::showStep(const ProjectStep& step) {
 
 void MainWindow::connectIo() {
     io_->setNames(settings_.ioNames());
-    tellIoNames();
+    publishIoNames();
     connect(io_, &IoTab::namesChanged, this, [this] {
         settings_.setIoNames(io_->names());
-        tellIoNames();
+        publishIoNames();
     });
     gripper_->setMemory(
         {[this](const QString& robot) { return settings_.gripper(robot); },
@@ -456,7 +457,7 @@ void MainWindow::connectIo() {
             [this] { stopMotion(control::StopCause::SelectionChanged); });
 }
 
-void MainWindow::tellIoNames() {
+void MainWindow::publishIoNames() {
     session_->outputs().setNames(io_->names());
     gripper_->setNames(io_->names());
 }
@@ -501,7 +502,7 @@ void MainWindow::connectDevices(const Clock& clock) {
         Q_EMIT session_->message(Severity::Warning, tr("%1 disconnected. The arm was stopped.").arg(name));
     });
     devices_->setClock(clock);
-    connect(devices_, &DeviceJog::fellSilent, this, [this](const QString& name) {
+    connect(devices_, &DeviceJog::stoppedReporting, this, [this](const QString& name) {
         Q_EMIT session_->message(Severity::Warning,
                                  tr("%1 stopped sending data while moving the arm. The arm was stopped. "
                                     "Release the device; if the problem persists, reconnect it.")
@@ -516,12 +517,12 @@ void MainWindow::connectDevices(const Clock& clock) {
     connect(devices_, &DeviceJog::stopPressed, this, [this] { stopMotion(control::StopCause::StopButton); });
 }
 
-void MainWindow::setHoldWitness(std::unique_ptr<HoldWitness> witness) {
-    for (HoldButton* key : findChildren<HoldButton*>()) {
+void MainWindow::setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness) {
+    for (HoldToRunButton* key : findChildren<HoldToRunButton*>()) {
         key->guard().stop(control::StopCause::SelectionChanged);
     }
     jog_->axisJog().stop(control::StopCause::SelectionChanged);
-    holdTerms_.witness = witness.get();
+    holdPolicy_.witness = witness.get();
     witness_ = std::move(witness);
 }
 
@@ -551,7 +552,7 @@ void MainWindow::followJog() {
         }
         scene_->view().setJogDirection(arrow);
     });
-    connect(jog_, &JogColumn::wayBackChanged, this, &MainWindow::showWayBack);
+    connect(jog_, &JogColumn::retracePathChanged, this, &MainWindow::showRetracePath);
     waypoints_->setHeldSpeed([this] { return jog_->heldSpeed(); });
     waypoints_->setGripper(gripper_->port());
     connect(jog_, &JogColumn::speedChanged, waypoints_, &WaypointsTab::followSpeed);
@@ -563,10 +564,10 @@ void MainWindow::updateScene() {
     scene_->view().setSecondGhost(waypoints_->touchUpGhost());
 }
 
-void MainWindow::showWayBack() {
+void MainWindow::showRetracePath() {
     const SessionState& state = session_->state();
     PathMark way{PathMark::Kind::Breadcrumb, {}, {}};
-    for (const JointPositions& q : jog_->wayBack()) {
+    for (const JointPositions& q : jog_->retracePath()) {
         way.places.push_back(kinematics::forwardTcp(state.dh, q, state.tcpOffset).position);
     }
     scene_->view().setPaths(way.places.size() > 1 ? std::vector<PathMark>{way} : std::vector<PathMark>());
@@ -790,6 +791,13 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
+    // The project is complete only when a path that is being recorded has become waypoints.
+    if (waypoints_->storePath()) {
+        connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        event->ignore();
+        return;
+    }
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -849,7 +857,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The robot's menu is the main menu; the others are also available in it.
+    // The menu of the robot is the main menu; it also contains the other menus.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -1047,7 +1055,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // Not modal: STOP and the state must stay accessible.
+    // Not modal, because STOP and the state must remain accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 
@@ -1080,36 +1088,51 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
-void MainWindow::askToTakeControl() {
-    if (findChild<QMessageBox*>("takeControlQuestion") != nullptr) {
+void MainWindow::askToEndProgram(const QString& name, const QString& title, const QString& effect,
+                                 const QString& accept, const std::function<void()>& accepted) {
+    if (findChild<QMessageBox*>(name) != nullptr) {
         return;
     }
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
     // PolyScope's name for a program without a file, e.g. one sent by another client.
-    const QString name = state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
+    const QString program =
+        state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
     auto* question = new QMessageBox(front != nullptr ? front : this);
-    question->setObjectName("takeControlQuestion");
+    question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setIcon(QMessageBox::Warning);
-    question->setWindowTitle(tr("Take control"));
-    question->setText(name.isEmpty() && paused ? tr("A program is paused on the robot.")
-                      : name.isEmpty()         ? tr("A program is running on the robot.")
-                      : paused                 ? tr("The program \"%1\" is paused on the robot.").arg(name)
-                                               : tr("The program \"%1\" is running on the robot.").arg(name));
-    question->setInformativeText(tr("Taking control stops it. It cannot be resumed, only started again."));
-    QPushButton* take = question->addButton(tr("Stop it and take control"), QMessageBox::DestructiveRole);
-    take->setObjectName("takeControlQuestion.take");
-    take->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep it running"), QMessageBox::RejectRole);
-    keep->setObjectName("takeControlQuestion.keep");
+    question->setWindowTitle(title);
+    question->setText(program.isEmpty() && paused ? tr("A program is paused on the robot.")
+                      : program.isEmpty()         ? tr("A program is running on the robot.")
+                      : paused ? tr("The program “%1” is paused on the robot.").arg(program)
+                               : tr("The program “%1” is running on the robot.").arg(program));
+    question->setInformativeText(effect);
+    QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
+    end->setObjectName(name + QStringLiteral(".take"));
+    end->setAutoDefault(false);
+    QPushButton* keep = question->addButton(tr("Keep the program"), QMessageBox::RejectRole);
+    keep->setObjectName(name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
-    connect(take, &QPushButton::clicked, session_.get(),
-            [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+    connect(end, &QPushButton::clicked, session_.get(), accepted);
     question->open();
+}
+
+void MainWindow::askToTakeControl() {
+    askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
+                    tr("Taking control stops the program. It cannot be resumed, only restarted."),
+                    tr("Stop it and take control"),
+                    [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+}
+
+void MainWindow::askToPowerOff() {
+    askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
+                    tr("Powering off stops the program. It cannot be resumed, only restarted."),
+                    tr("Stop it and power off"),
+                    [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 
 void MainWindow::showSettings(bool atRecording) {
@@ -1132,7 +1155,7 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::trainerWanted, this, [this, page] { showTrainer(page); });
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
-    connect(page, &SettingsPage::windowAnewWanted, this, [this, page] { openAnew(*page); });
+    connect(page, &SettingsPage::newWindowWanted, this, [this, page] { reopenWindow(*page); });
     // The page shows the previous settings.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
@@ -1141,15 +1164,15 @@ void MainWindow::showSettings(bool atRecording) {
     page->open();
 }
 
-void MainWindow::openAnew(SettingsPage& page) {
+void MainWindow::reopenWindow(SettingsPage& page) {
     if (session_->state().recording.active) {
-        page.refuseAnew(tr("A recording is running. Stop it first."));
+        page.refuseNewWindow(tr("A recording is running. Stop it first."));
         return;
     }
     page.close();
     const SessionState before = session_->state();
     if (close()) {
-        Q_EMIT closedToOpenAnew(before);
+        Q_EMIT closedForNewWindow(before);
     }
 }
 
@@ -1216,7 +1239,7 @@ void MainWindow::readSettingsAgain() {
     }
     applyPreferences(settings_.preferences());
     io_->setNames(settings_.ioNames());
-    tellIoNames();
+    publishIoNames();
     gripper_->readAgain();
     plots_->arrange(settings_.plots());
     lessons_->readAgain();
@@ -1241,7 +1264,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     }
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     keyboard_->setLock(session_->isMonitorOnly() ? texts::monitorOnlyObstacle() : QString());
-    holdTerms_.longestNs = preferences.longestHold * kNsPerSecond;
+    holdPolicy_.longestNs = preferences.longestHold * kNsPerSecond;
     // A copy: receivers of the signal may modify the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {

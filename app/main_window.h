@@ -14,7 +14,7 @@
 #include "app/settings.h"
 #include "robot/station/link/robot_session.h"
 #include "widgets/common/hold_rules.h"
-#include "widgets/common/hold_witness.h"
+#include "widgets/common/key_state_probe.h"
 
 class QTabBar;
 class QMenu;
@@ -50,7 +50,7 @@ namespace app {
 
 class ActionTable;
 class DockStage;
-class Lessons;
+class Tutorial;
 class PanelDock;
 class Perspectives;
 class SettingsPage;
@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// clock  of the session; for tests
+    /// clock  clock of the session; replaced by tests
     explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
                         QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -75,15 +75,15 @@ public:
     ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
     /// Replaces the key-state check of the platform.
-    void setHoldWitness(std::unique_ptr<HoldWitness> witness);
+    void setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness);
     /// Starts to detect gamepads and a SpaceMouse.
     void lookForDevices();
 
     /// Starts the simulated robot in this process unless it is running, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Treats a simulated controller of this process as the simulated robot of the window, for the first steps and
-    /// the practice tasks. It must exist until null is passed.
+    /// Treats a simulated controller of this process as the simulated robot of the window, for the first
+    /// steps and the practice tasks. It must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
     /// Shows the start dialog: simulator, robot or project.
     void askForRobot();
@@ -112,15 +112,16 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// For the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page of "io"), "log".
+    /// Shows a tab, for the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page
+    /// of "io"), "log".
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// Request to replace this window by a new one in the selected language. It has released the robot and is
-    /// closed.
-    /// before  the state until then
-    void closedToOpenAnew(const tiller::SessionState& before);
+    /// Request to replace this window by a new one in the selected language. This window has released the
+    /// robot and is closed.
+    /// before  the state before closing
+    void closedForNewWindow(const tiller::SessionState& before);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -142,14 +143,19 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
+    /// A question before `accepted` ends a program of another client; the default answer keeps it.
+    /// name  of the dialog object
+    void askToEndProgram(const QString& name, const QString& title, const QString& effect,
+                         const QString& accept, const std::function<void()>& accepted);
     void askToTakeControl();
+    void askToPowerOff();
     void showSettings(bool atRecording = false);
-    void openAnew(SettingsPage& page);
+    void reopenWindow(SettingsPage& page);
     void connectTransfer();
     /// Applies imported settings immediately.
     void readSettingsAgain();
     void keepLayout();
-    void tellIoNames();
+    void publishIoNames();
     void connectParts();
     void connectReplay();
     /// Updates the project stored with recordings and incidents.
@@ -167,25 +173,25 @@ private:
     void listRobots();
     void listProjects();
     void updateScene();
-    void showWayBack();
+    void showRetracePath();
     void simulateCell();
     void stopMotion(control::StopCause cause);
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< as they hold now
-    QTimer layoutTimer_;              ///< the layout is kept when it has not changed for a time
-    bool monitorOnlyLocked_ = false;  ///< by the command line
+    Preferences preferences_;         ///< current values
+    QTimer layoutTimer_;              ///< saves the layout after it has not changed for some time
+    bool monitorOnlyLocked_ = false;  ///< set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
-    std::optional<RobotAddress> toRemember_;  ///< once it has responded
+    std::optional<RobotAddress> toRemember_;  ///< stored as soon as the robot has responded
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<HoldWitness> witness_;
-    HoldTerms holdTerms_;
+    std::unique_ptr<KeyStateProbe> witness_;
+    HoldPolicy holdPolicy_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves the document when it is destroyed
     std::unique_ptr<ProjectFit> fit_;
-    std::unique_ptr<Lessons> lessons_;
+    std::unique_ptr<Tutorial> lessons_;
 
     HeaderBar* header_ = nullptr;
     JogColumn* jog_ = nullptr;
@@ -196,7 +202,7 @@ private:
     ToolsTab* tools_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
-    IoPages* ioPages_ = nullptr;  ///< owned by these two
+    IoPages* ioPages_ = nullptr;  ///< contains io_ and gripper_
     LogTab* log_ = nullptr;
     StatusLine* status_ = nullptr;
     RobotPopup* popup_ = nullptr;
@@ -214,8 +220,8 @@ private:
     PanelDock* tabsDock_ = nullptr;
     PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
-    QString crashReport_;          ///< an unreported crash report; empty: none
-    bool layoutRestored_ = false;  ///< layout of the last window
+    QString crashReport_;          ///< file with an unreported crash report; empty: none
+    bool layoutRestored_ = false;  ///< the layout of the last window was restored
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

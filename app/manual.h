@@ -16,10 +16,11 @@ struct ManualPlace {
     QString page;    ///< relative to manualFolder(), e.g. "window/io.html#gripper"
 };
 
-/// All parts with their own page.
+/// All parts that have a page.
 const QVector<ManualPlace>& manualPlaces();
 
-/// The page for the focus widget: that of the innermost surrounding part. The table of contents otherwise.
+/// The page for the focus widget: the page of the innermost part that contains it, otherwise the table of
+/// contents.
 QString manualPageOf(const QWidget* focus);
 
 /// Folder of the manual: next to the folder of this program, or in the system's data folders. Empty if not

@@ -36,7 +36,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                [&plots] { plots.setPaused(plots.view().window().follows()); }});
     table.add({"plots.action.export",
                tr("Export the plots…"),
-               tr("Saves the visible range as an image, a drawing, a page or values."),
+               tr("Saves the visible range as an image, PDF page or table of values."),
                {},
                [&plots] { plots.askExport(); }});
     table.add({"plots.action.signals",
@@ -46,7 +46,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                {},
                [&plots] { plots.searchSignals(); }});
     table.add({"plots.action.addPage",
-               tr("New page of plots"),
+               tr("New plot page"),
                tr("Adds an empty page after the others. All pages share the time axis."),
                {},
                [&plots] { plots.addPage(); }});
@@ -57,7 +57,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                [&plots] { plots.view().fit(); }});
     for (const PlotDock::Span& span : plots.spans()) {
         table.add({QStringLiteral("plots.action.span.%1").arg(span.seconds),
-                   tr("Plots show %1").arg(span.text),
+                   tr("Plots: last %1").arg(span.text),
                    tr("Sets the time range of the plots."),
                    {},
                    [&plots, seconds = span.seconds] { plots.view().setSpan(seconds); }});
@@ -100,7 +100,7 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
                    log.focusSearch();
                }});
     const std::pair<Severity, QString> kinds[] = {{Severity::Info, tr("Log: show all")},
-                                                  {Severity::Warning, tr("Log: show warnings or worse")},
+                                                  {Severity::Warning, tr("Log: show warnings and errors")},
                                                   {Severity::Error, tr("Log: show errors")}};
     for (const auto& [severity, text] : kinds) {
         table.add({QStringLiteral("log.action.from.%1").arg(static_cast<int>(severity)),

@@ -26,14 +26,14 @@ public:
     /// name   objectName, used in saved layouts
     PanelDock(Panel& panel, const QString& name, const QString& title, QWidget* parent = nullptr);
 
-    /// Height of the bar of a docked panel: Qt starts a drag only in the bar, so it must not be 0. [px]
+    /// Height of the bar of a docked panel [px]. Not 0, because Qt starts a drag only in the bar.
     static constexpr int kDockedBar = 1;
 
     /// The menu of the panel button, to be filled with commands.
     QMenu& menu() { return *menu_; }
 
 Q_SIGNALS:
-    /// The user closed, floated, docked or moved it.
+    /// The user closed, floated, docked or moved the panel.
     void rearranged();
     /// The floating panel was deactivated, minimized or closed.
     void attentionLost(tiller::control::StopCause cause);

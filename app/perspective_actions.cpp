@@ -18,7 +18,7 @@
 namespace tiller::app {
 namespace {
 
-/// Width of the button that shows the current perspective, independent of the name. [px]
+/// Width of the button that shows the current perspective, independent of the name [px].
 constexpr int kKeyWidth = 150;
 
 }  // namespace
@@ -79,7 +79,7 @@ void PerspectiveActions::addCommands() {
                 own(tr("This perspective is built in and cannot be deleted."))});
 }
 
-// Rebuilt when the list changes: the commands contain the names of the perspectives.
+// Creates the commands again after a change of the list, because they contain the names of the perspectives.
 void PerspectiveActions::list() {
     const QList<Perspectives::Entry> entries = perspectives_.all();
     if (entries != listed_) {
@@ -108,7 +108,7 @@ void PerspectiveActions::showCurrent() {
         action->setChecked(action->data().toString() == current.id);
     }
     if (key_ != nullptr) {
-        // With the font of the style sheet, which may not have been applied yet.
+        // Uses the font of the style sheet, which may not have been applied yet.
         const QFontMetrics metrics(textFont(14));
         const QString arrow = QStringLiteral(" ▾");
         const int room = kKeyWidth - 16 - metrics.horizontalAdvance(arrow);

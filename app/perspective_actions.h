@@ -25,7 +25,7 @@ class PerspectiveActions : public QObject {
 
 public:
     struct Hooks {
-        /// Ends hold-to-run operation before a dialog opens.
+        /// Ends a hold-to-run motion before a dialog opens.
         std::function<void()> dialogOpens;
         /// Updates the enabled state of all actions.
         std::function<void()> refresh;
@@ -35,7 +35,7 @@ public:
     /// window  parent of the dialogs
     PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
 
-    /// menu  updated automatically
+    /// menu  is updated automatically
     void fill(QMenu& menu);
     /// The button for the status bar; its new owner deletes it. Call after fill().
     QToolButton* key();

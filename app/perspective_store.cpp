@@ -19,7 +19,7 @@ QByteArray sealed(const QByteArray& panels) {
     return sealOf(panels) + panels;
 }
 
-/// Empty if the checksum does not match.
+/// Returns the layout without its checksum; empty if the checksum does not match.
 QByteArray unsealed(const QByteArray& kept) {
     const QByteArray panels = kept.mid(kSealLength);
     return !panels.isEmpty() && kept.startsWith(sealOf(panels)) ? panels : QByteArray();
@@ -29,14 +29,13 @@ QByteArray unsealed(const QByteArray& kept) {
 
 QVector<SavedPerspective> readPerspectives(const SettingsView& settings) {
     QVector<SavedPerspective> perspectives;
-    const int count =
-        std::min(settings.value(QStringLiteral("perspectives/size")).toInt(), kMostPerspectives);
+    const int count = std::min(settings.value(QStringLiteral("perspectives/size")).toInt(), kMaxPerspectives);
     for (int i = 0; i < count; ++i) {
         const auto field = [&settings, i](const char* name) {
             return settings.value(QStringLiteral("perspectives/%1/%2").arg(i + 1).arg(QLatin1String(name)));
         };
         const SavedPerspective read{field("number").toInt(),
-                                    field("name").toString().trimmed().left(kLongestPerspectiveName),
+                                    field("name").toString().trimmed().left(kMaxPerspectiveName),
                                     field("tab").toString(), unsealed(field("panels").toByteArray())};
         const bool twice = std::any_of(perspectives.begin(), perspectives.end(), [&read](const auto& other) {
             return other.number == read.number || other.name.compare(read.name, Qt::CaseInsensitive) == 0;
@@ -85,11 +84,11 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             if (found != there.end()) {
                 *found = mine;
             } else {
-                there.append(mine);  // deleted in the other window, and changed here
+                there.append(mine);  // deleted in the other window and changed in this one
             }
             continue;
         }
-        // New here. The other window may have used its number or name for another one.
+        // New in this window. The other window may have used its number or name for another perspective.
         while (withNumber(there, mine.number) != there.end()) {
             ++mine.number;
         }
@@ -100,7 +99,7 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             });
         };
         for (int copy = 2; isTaken(mine.name); ++copy) {
-            mine.name = QStringLiteral("%1 %2").arg(name.left(kLongestPerspectiveName - 4)).arg(copy);
+            mine.name = QStringLiteral("%1 %2").arg(name.left(kMaxPerspectiveName - 4)).arg(copy);
         }
         there.append(mine);
     }

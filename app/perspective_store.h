@@ -12,16 +12,16 @@
 
 namespace tiller::app {
 
-/// Maximum length of a name and number of perspectives.
-constexpr int kLongestPerspectiveName = 40;
-constexpr int kMostPerspectives = 30;
+/// Maximum length of a name, and maximum number of perspectives.
+constexpr int kMaxPerspectiveName = 40;
+constexpr int kMaxPerspectives = 30;
 
 /// A perspective saved by the user.
 struct SavedPerspective {
-    int number = 0;  ///< unchanged by renaming; from 1
+    int number = 0;  ///< 1 or higher; not changed by renaming
     QString name;
     QString tab;        ///< name of the tab in front; empty: unchanged
-    QByteArray panels;  ///< DockStage::state(); empty if damaged in the file
+    QByteArray panels;  ///< result of DockStage::state(); empty if damaged in the file
 
     bool operator==(const SavedPerspective&) const = default;
 };
@@ -31,8 +31,8 @@ struct LastArrangement {
     enum class Found { Nothing, Usable, Older, Damaged };
     Found found = Found::Nothing;
     QString perspective;   ///< id of the last selected perspective
-    bool changed = false;  ///< changed since its selection
-    QByteArray panels;     ///< DockStage::state()
+    bool changed = false;  ///< true if changed since the perspective was selected
+    QByteArray panels;     ///< result of DockStage::state()
     int jogWidth = 0;      ///< [px], 0: unknown
 };
 

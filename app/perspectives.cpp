@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;  ///< with Shift
+    Qt::Key key;  ///< key that is combined with Shift
     const char* tab;
     StagePlan plan;
 };
@@ -141,12 +141,12 @@ void Perspectives::fallBack(const QString& why) {
 QString Perspectives::obstacle(const QString& name, const QString& except) const {
     const QString wanted = name.trimmed();
     if (wanted.isEmpty()) {
-        return tr("Type a name.");
+        return tr("Enter a name.");
     }
-    if (wanted.size() > kLongestPerspectiveName) {
+    if (wanted.size() > kMaxPerspectiveName) {
         return tr("The name is too long.");
     }
-    if (except.isEmpty() && saved_.size() >= kMostPerspectives) {
+    if (except.isEmpty() && saved_.size() >= kMaxPerspectives) {
         return tr("The maximum number of perspectives is reached. Delete a perspective first.");
     }
     const QList<Entry> entries = all();
@@ -188,7 +188,7 @@ void Perspectives::remove(const QString& id) {
     saved_.removeIf([&id](const SavedPerspective& saved) { return idOf(saved) == id; });
     write();
     if (current_ == id) {
-        // The arrangement does not change.
+        // Only the selection changes, not the arrangement.
         current_ = QString::fromLatin1(builtIns().front().id);
         changed_ = true;
         Q_EMIT currentChanged();

@@ -23,16 +23,16 @@ class Perspectives : public QObject {
 
 public:
     struct Hooks {
-        /// Ends hold-to-run operation.
+        /// Ends a hold-to-run motion.
         std::function<void(control::StopCause)> stop;
         std::function<void(const QString&)> showTab;
-        std::function<QString()> tab;  ///< the tab in front
+        std::function<QString()> tab;  ///< the name of the tab in front
     };
     struct Entry {
         QString id;  ///< e.g. "teach" or "saved.3"
         QString name;
         QString help;           ///< one sentence
-        QKeySequence shortcut;  ///< for built-in perspectives
+        QKeySequence shortcut;  ///< only for built-in perspectives
         bool builtIn = true;
 
         bool operator==(const Entry&) const = default;
@@ -47,7 +47,7 @@ public:
     Entry current() const;
     bool isChanged() const { return changed_; }
 
-    /// Ends hold-to-run operation and restores the saved perspective, even if it is the current one.
+    /// Ends a hold-to-run motion and restores the saved perspective, even if it is the current one.
     void choose(const QString& id);
     void reset() { choose(current_); }
 
@@ -58,7 +58,7 @@ public:
     void saveAs(const QString& name);
     /// Saves the current arrangement in the current perspective, which must not be built-in.
     void save();
-    /// For the user's perspectives only.
+    /// Only for the user's perspectives.
     void rename(const QString& id, const QString& name);
     void remove(const QString& id);
 
@@ -67,7 +67,7 @@ public:
     /// Reloads the perspectives after an import of settings.
     void readAgain();
     /// Saves the arrangement when the window closes.
-    /// jogWidth  of the jog column [px]
+    /// jogWidth  width of the jog column [px]
     void keep(int jogWidth);
 
 Q_SIGNALS:

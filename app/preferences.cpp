@@ -25,7 +25,7 @@ constexpr const char* kDensities[] = {"compact", "mouse", "touch"};
 constexpr const char* kLengths[] = {"mm", "inch"};
 constexpr const char* kRotations[] = {"rpy", "vector"};
 
-/// Commands renamed since earlier versions keep the user's shortcut.
+/// Maps commands renamed since earlier versions, so that they keep the user's shortcut.
 QString currentName(const QString& id) {
     return id == QLatin1String("waypoint.action.open")     ? QStringLiteral("project.open")
            : id == QLatin1String("waypoint.action.saveAs") ? QStringLiteral("project.saveAs")
@@ -35,7 +35,7 @@ QString currentName(const QString& id) {
 }  // namespace
 
 bool stopsTheArm(const QKeySequence& keys) {
-    // The stop keys stop with any modifier; a shortcut that contains them would disable them.
+    // The stop keys stop with any modifier, and a shortcut that contains them would disable them.
     for (int i = 0; i < keys.count(); ++i) {
         const Qt::Key key = keys[static_cast<uint>(i)].key();
         if (key == Qt::Key_Space || key == Qt::Key_Escape) {
@@ -61,7 +61,7 @@ Preferences readPreferences(const SettingsView& settings) {
         choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
     const double cap = settings.value("motion/speedCap", Preferences::kOrdinaryCap).toDouble();
     if (std::isfinite(cap) && cap > 0) {
-        // The cap cannot be raised by a file, only on the settings page.
+        // A settings file cannot raise the speed cap; only the settings page can.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
     preferences.monitorOnly = settings.value("motion/monitorOnly", false).toBool();
@@ -69,7 +69,7 @@ Preferences readPreferences(const SettingsView& settings) {
     const int hold = settings.value("motion/longestHold", Preferences::kUsualLongestHold).toInt(&isNumber);
     if (isNumber) {
         preferences.longestHold =
-            std::clamp(hold, Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+            std::clamp(hold, Preferences::kShortestLongestHold, Preferences::kMaxHoldLimit);
     }
     for (const auto& [kind, first] :
          {std::pair{kGamepadKind, kGamepadTuning}, {kSpaceMouseKind, kSpaceMouseTuning}}) {

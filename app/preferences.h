@@ -29,10 +29,10 @@ struct Preferences {
     bool monitorOnly = false;
     /// Maximum duration of a jog without a new press [s].
     int longestHold = kUsualLongestHold;
-    /// By action id; only differences from the defaults. Empty sequence: no shortcut.
+    /// Shortcuts by action id; only differences from the defaults. Empty sequence: no shortcut.
     QMap<QString, QKeySequence> shortcuts;
 
-    /// By type of device; only changed values.
+    /// Settings by type of device; only changed values.
     QMap<QString, DeviceTuning> devices;
 
     RecordingChoice recording;
@@ -42,15 +42,15 @@ struct Preferences {
     static constexpr double kHighestCap = 1.0;
     static constexpr int kUsualLongestHold = 20;
     static constexpr int kShortestLongestHold = 5;
-    static constexpr int kLongestLongestHold = 120;
+    static constexpr int kMaxHoldLimit = 120;
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
 /// True if the sequence contains a stop key, with any modifier, which must not have another function.
 bool stopsTheArm(const QKeySequence& keys);
+/// Reads the only value that is needed before the application exists [%].
 /// file  the settings file; empty: the default location
-/// The only value needed before the application exists [%].
 int readInterfaceSize(const QString& file);
 Preferences readPreferences(const SettingsView& settings);
 /// The values in the format of the settings.

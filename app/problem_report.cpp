@@ -26,7 +26,7 @@ struct ProblemReport {
     Q_DECLARE_TR_FUNCTIONS(ProblemReport)
 };
 
-/// In English for the support, independent of the user's language.
+/// Versions in English for the support, independent of the user's language.
 QString versionsText(const SessionState& state) {
     QStringList lines{QStringLiteral("Tiller     %1").arg(QStringLiteral(TILLER_VERSION)),
                       QStringLiteral("Qt         %1, built with %2")
@@ -56,7 +56,7 @@ QString versionsText(const SessionState& state) {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-/// As CSV for spreadsheets.
+/// Data of the stop as CSV for spreadsheets.
 QByteArray stopTable(const StopRecord& stop) {
     QByteArray text = "time_s,force_N,tcp_speed_m_s";
     for (int joint = 1; joint <= 6; ++joint) {
@@ -75,7 +75,7 @@ QByteArray stopTable(const StopRecord& stop) {
     return text;
 }
 
-/// Without names and addresses.
+/// Returns the settings without names and addresses.
 SettingsBundle withoutNames(const SettingsBundle& settings) {
     SettingsBundle kept{settings.writtenBy, {}};
     for (auto it = settings.values.constBegin(); it != settings.values.constEnd(); ++it) {
@@ -93,12 +93,12 @@ void append(QByteArray& to, Number value) {
     to.append(reinterpret_cast<const char*>(&little), sizeof little);
 }
 
-/// The fields common to the local header and the central directory.
+/// Returns the fields common to the local header and the central directory.
 QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDateTime& when) {
     QByteArray entry;
-    append<std::uint16_t>(entry, 20);       // version that unpacks it
-    append<std::uint16_t>(entry, 1 << 11);  // the name is UTF-8
-    append<std::uint16_t>(entry, 8);        // deflated
+    append<std::uint16_t>(entry, 20);       // version needed to extract
+    append<std::uint16_t>(entry, 1 << 11);  // flag: the name is UTF-8
+    append<std::uint16_t>(entry, 8);        // compression method: deflate
     const QTime time = when.time();
     const QDate date = when.date();
     append(entry, static_cast<std::uint16_t>(time.hour() << 11 | time.minute() << 5 | time.second() / 2));
@@ -113,12 +113,12 @@ QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDat
     return entry;
 }
 
-/// Raw deflate data, without the zlib header.
+/// Returns raw deflate data, without the zlib header.
 QByteArray deflated(const QByteArray& content) {
     constexpr qsizetype kQtLength = 4;
     constexpr qsizetype kZlibHead = 2;
     constexpr qsizetype kZlibSum = 4;
-    // Qt returns nothing for empty input: an empty deflate block.
+    // Qt returns nothing for empty input; use an empty deflate block.
     return content.isEmpty() ? QByteArray("\x03\x00", 2)
                              : qCompress(content).mid(kQtLength + kZlibHead).chopped(kZlibSum);
 }
@@ -127,7 +127,7 @@ QByteArray deflated(const QByteArray& content) {
 
 QString withoutNames(QString text, const QStringList& names) {
     QStringList sorted = names;
-    // Longest first: one name may be part of another.
+    // The longest name is replaced first, because one name may be part of another.
     std::ranges::sort(sorted, [](const QString& a, const QString& b) { return a.size() > b.size(); });
     for (const QString& name : std::as_const(sorted)) {
         if (name.size() > 1) {

@@ -36,7 +36,7 @@ struct ReportSources {
 /// Replaces these names, all addresses and home folders by placeholders.
 QString withoutNames(QString text, const QStringList& names);
 
-/// names  false: without names and addresses
+/// names  false: names and addresses are removed
 /// words  description by the user, unchanged
 QVector<ReportPart> reportParts(const ReportSources& sources, bool names, const QString& words);
 

@@ -16,14 +16,14 @@
 
 #include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/decimal_spin_box.h"
+#include "widgets/common/empty_state.h"
 
 namespace tiller::app {
 
 namespace {
 
-constexpr double kPacketRate = 500;  // [Hz] of an e-Series; a quarter of it on a CB3
+constexpr double kPacketRate = 500;  // packet rate of an e-Series [Hz]; a quarter of it on a CB3
 
 QLabel* namedSecondary(const QString& name) {
     auto* label = new QLabel;
@@ -41,10 +41,10 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     , folder_(new QLineEdit)
     , pattern_(new QLineEdit)
     , example_(namedSecondary(QStringLiteral("settings.recording.example")))
-    , every_(new FigureBox)
+    , every_(new DecimalSpinBox)
     , rate_(namedSecondary(QStringLiteral("settings.recording.rate")))
     , format_(new ChoiceBox)
-    , keepFree_(new FigureBox)
+    , keepFree_(new DecimalSpinBox)
     , search_(new QLineEdit)
     , signals_(new QListWidget)
     , nothing_(nullptr) {
@@ -96,7 +96,7 @@ void RecordingSettings::build() {
     every_->setObjectName(QStringLiteral("settings.recording.every"));
     every_->setAccessibleName(tr("Packets per row"));
     every_->setDecimals(0);
-    every_->setRange(1, RecordingChoice::kMostSparse);
+    every_->setRange(1, RecordingChoice::kMaxDecimation);
     every_->setValue(choice_.every);
 
     format_->setObjectName(QStringLiteral("settings.recording.format"));
@@ -110,7 +110,7 @@ void RecordingSettings::build() {
     keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));
     keepFree_->setAccessibleName(tr("Free disk space to keep, in megabytes"));
     keepFree_->setDecimals(0);
-    keepFree_->setRange(0, RecordingChoice::kMostKeptFree);
+    keepFree_->setRange(0, RecordingChoice::kMaxKeptFree);
     keepFree_->setSuffix(tr(" MB"));
     keepFree_->setToolTip(
         tr("A recording stops and is completed before the free disk space falls below this value."));
@@ -129,7 +129,7 @@ void RecordingSettings::build() {
         const bool recorded = choice_.fields.isEmpty() || choice_.fields.contains(field);
         item->setCheckState(recorded ? Qt::Checked : Qt::Unchecked);
     }
-    nothing_ = new NothingFound(*signals_);
+    nothing_ = new EmptyState(*signals_);
     auto* all = new QPushButton(tr("All signals"));
     all->setObjectName(QStringLiteral("settings.recording.all"));
     all->setAccessibleName(all->text());
@@ -176,7 +176,8 @@ void RecordingSettings::askForFolder() {
 void RecordingSettings::takeFolder() {
     RecordingChoice next = choice_;
     const QString typed = folder_->text().trimmed();
-    // Relative to the working directory would be meaningless to the user.
+    // Relative to the home folder: a path relative to the working directory would have no meaning for the
+    // user.
     next.folder =
         typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
     folder_->setText(QDir::toNativeSeparators(next.folder));
@@ -185,7 +186,7 @@ void RecordingSettings::takeFolder() {
 
 void RecordingSettings::takePattern() {
     if (!patternProblem(pattern_->text()).isEmpty()) {
-        return;  // error shown below the field; the previous value remains
+        return;  // the error is shown below the field; the previous value remains
     }
     RecordingChoice next = choice_;
     next.pattern = pattern_->text().trimmed();
@@ -224,7 +225,7 @@ void RecordingSettings::takeSignals() {
         }
     }
     if (next.fields.isEmpty()) {
-        // An empty recording is not possible: keep the last signal.
+        // A recording must contain at least one signal: keep the last one.
         const QSignalBlocker quiet(signals_);
         for (int row = 0; row < signals_->count(); ++row) {
             const bool recorded = choice_.fields.contains(signals_->item(row)->text());

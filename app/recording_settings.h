@@ -15,8 +15,8 @@ class QListWidget;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
-class NothingFound;
+class DecimalSpinBox;
+class EmptyState;
 
 namespace app {
 
@@ -46,13 +46,13 @@ private:
     QLineEdit* folder_;
     QLineEdit* pattern_;
     QLabel* example_;
-    FigureBox* every_;
+    DecimalSpinBox* every_;
     QLabel* rate_;
     ChoiceBox* format_;
-    FigureBox* keepFree_;
+    DecimalSpinBox* keepFree_;
     QLineEdit* search_;
     QListWidget* signals_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
 };
 
 }  // namespace app

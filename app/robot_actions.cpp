@@ -19,13 +19,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// A missing service comes first: no other action would help.
+/// A missing service is reported first, because no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;
 }
 
-/// The program commands apply to programs stored on the robot.
+/// These commands apply to programs stored on the robot.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -69,7 +69,7 @@ void RobotActions::addConnection(ActionTable& table, RobotSession& session, cons
                }});
     table.add({"robot.disconnect",
                tr("Disconnect"),
-               tr("Stops our motion, then closes the connection."),
+               tr("Stops Tiller's motion, then closes the connection."),
                {},
                [&session] { session.disconnectFromRobot(); },
                [](const SessionState& s) {
@@ -83,7 +83,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
     };
     table.add({"power.on",
                commandText(RobotCommand::PowerOn),
-               tr("Powers the arm. Brakes stay engaged."),
+               tr("Powers the arm on. Brakes stay engaged."),
                {},
                perform(RobotCommand::PowerOn),
                [](const SessionState& s) {
@@ -129,14 +129,14 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                }});
     table.add({"power.restartSafety",
                commandText(RobotCommand::RestartSafety),
-               tr("After a violation or a fault, once the cause is found. The arm stays powered off."),
+               tr("Resets the safety system after a violation or fault. The arm stays powered off."),
                {},
-               // By the page that asks to inspect the arm first.
+               // Through the page that asks the user to inspect the arm first.
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);
                    const bool needed = s.safety() == SafetyMode::Violation || s.safety() == SafetyMode::Fault;
-                   return !why.isEmpty() || needed ? why : tr("Only after a violation or a fault.");
+                   return !why.isEmpty() || needed ? why : tr("Possible only after a violation or fault.");
                }});
     table.add({"power.closePopups",
                commandText(RobotCommand::ClosePopups),
@@ -178,7 +178,7 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                hooks.stop});
     table.add({"control.load",
                tr("Load program…"),
-               tr("Loads a program stored on the robot by name."),
+               tr("Loads a program on the robot by its name."),
                {},
                hooks.askForProgram,
                [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Play, false); }});

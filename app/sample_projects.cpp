@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 
 namespace tiller::app {
 namespace {
@@ -84,7 +84,7 @@ SampleDialog::SampleDialog(QWidget* parent) : QDialog(parent) {
 
 void SampleDialog::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 }  // namespace tiller::app

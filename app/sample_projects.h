@@ -10,10 +10,10 @@
 namespace tiller::app {
 
 struct SampleProject {
-    QString id;     ///< name of its file, e.g. "gluing"
+    QString id;     ///< base name of its file, e.g. "gluing"
     QString title;  ///< name of the copy until it is saved
-    QString text;   ///< two sentences
-    QString path;   ///< embedded resource
+    QString text;   ///< description in two sentences
+    QString path;   ///< path of the embedded resource
 };
 
 QList<SampleProject> sampleProjects();

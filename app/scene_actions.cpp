@@ -16,13 +16,13 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
     };
     // Function keys: letters and digits are used for teaching and by the armed keyboard.
     const Side sides[] = {{"view.look.home", tr("Default view, perspective"),
-                           tr("From between front and side, slightly above, with everything visible."),
+                           tr("Look from between front and side, slightly above, with everything visible."),
                            Qt::Key_F5, StandardView::Home},
-                          {"view.look.front", tr("Look from the front"),
-                           tr("X of the base to the right, Z up."), Qt::Key_F6, StandardView::Front},
-                          {"view.look.side", tr("Look from the side"),
-                           tr("Y of the base to the right, Z up."), Qt::Key_F7, StandardView::Side},
-                          {"view.look.top", tr("Look from above"), tr("X of the base to the right, Y up."),
+                          {"view.look.front", tr("Look from the front"), tr("Base X to the right, Z up."),
+                           Qt::Key_F6, StandardView::Front},
+                          {"view.look.side", tr("Look from the side"), tr("Base Y to the right, Z up."),
+                           Qt::Key_F7, StandardView::Side},
+                          {"view.look.top", tr("Look from above"), tr("Base X to the right, Y up."),
                            Qt::Key_F8, StandardView::Top}};
     for (const Side& side : sides) {
         table.add({QLatin1String(side.id), side.text, side.help, QKeySequence(side.key),

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRobotsRemembered = 8;
 constexpr int kProjectsRemembered = 8;
-constexpr qsizetype kLongestIoText = 100;
+constexpr qsizetype kMaxIoText = 100;
 /// Larger offsets would lead to invalid port numbers.
 constexpr int kLowestPortOffset = -29000;
 constexpr int kHighestPortOffset = 35000;
@@ -59,12 +59,12 @@ QStringList projectsIn(const SettingsView& settings) {
     return projects.mid(0, kProjectsRemembered);
 }
 
-Learned learnedIn(const SettingsView& settings) {
+TutorialProgress tutorialProgressIn(const SettingsView& settings) {
     return {settings.value("learned/dismissed").toBool(), settings.value("learned/firstSteps").toStringList(),
             settings.value("learned/practice").toStringList()};
 }
 
-/// Applies the difference between `before` and `after` to `there`.
+/// Applies the changes from `before` to `after` to the list `there`.
 QStringList merged(const QStringList& before, const QStringList& after, QStringList there) {
     for (const QString& word : before) {
         if (!after.contains(word)) {
@@ -83,7 +83,7 @@ SettingsMap ioNamesIn(const SettingsView& settings) {
     SettingsMap names;
     const QStringList terminals = settings.childKeys("io");
     for (const QString& terminal : terminals) {
-        names[terminal] = settings.value("io/" + terminal).toString().left(kLongestIoText);
+        names[terminal] = settings.value("io/" + terminal).toString().left(kMaxIoText);
     }
     return names;
 }
@@ -210,9 +210,9 @@ QByteArray Settings::plots() const {
 }
 
 std::size_t Settings::plotBudget() const {
-    constexpr int kMostMegabytes = 65536;
+    constexpr int kMaxMegabytes = 65536;
     return static_cast<std::size_t>(
-               std::clamp(SettingsView(file_).value("plots/budget").toInt(), 0, kMostMegabytes))
+               std::clamp(SettingsView(file_).value("plots/budget").toInt(), 0, kMaxMegabytes))
            << 20;
 }
 
@@ -223,15 +223,15 @@ void Settings::setPlots(const QByteArray& arrangement, std::size_t budget) {
     });
 }
 
-Learned Settings::learned() const {
-    knownLearned_ = learnedIn(SettingsView(file_));
-    return *knownLearned_;
+TutorialProgress Settings::learned() const {
+    knownTutorial_ = tutorialProgressIn(SettingsView(file_));
+    return *knownTutorial_;
 }
 
-void Settings::setLearned(const Learned& learned) {
+void Settings::setTutorialProgress(const TutorialProgress& learned) {
     const Result<void> written = edit([&](SettingsEdit& settings) {
-        const Learned there = learnedIn(settings);
-        const Learned before = knownLearned_ ? *knownLearned_ : there;
+        const TutorialProgress there = tutorialProgressIn(settings);
+        const TutorialProgress before = knownTutorial_ ? *knownTutorial_ : there;
         if (learned.dismissed != before.dismissed || !settings.contains("learned/dismissed")) {
             settings.setValue("learned/dismissed", learned.dismissed);
         }
@@ -240,7 +240,7 @@ void Settings::setLearned(const Learned& learned) {
         settings.setValue("learned/practice", merged(before.practice, learned.practice, there.practice));
     });
     if (written) {
-        knownLearned_ = learned;
+        knownTutorial_ = learned;
     }
 }
 

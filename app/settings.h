@@ -19,8 +19,8 @@
 
 namespace tiller::app {
 
-/// Tutorial progress, by name.
-struct Learned {
+/// Progress of the tutorial, by names of steps and tasks.
+struct TutorialProgress {
     bool dismissed = false;  ///< the checklist of the first steps was dismissed
     QStringList firstSteps;
     QStringList practice;
@@ -58,10 +58,11 @@ public:
     std::size_t plotBudget() const;
     void setPlots(const QByteArray& arrangement, std::size_t budget);
 
-    Learned learned() const;
-    void setLearned(const Learned& learned);
+    TutorialProgress learned() const;
+    void setTutorialProgress(const TutorialProgress& learned);
 
-    // For the following values, each window writes only its own changes and keeps the other entries of the file.
+    // For the following values, each window writes only its own changes and keeps the other entries of the
+    // file.
 
     /// Values of the settings page.
     Preferences preferences() const;
@@ -69,8 +70,8 @@ public:
 
     /// All values that may be transferred to another computer.
     SettingsBundle bundle() const;
-    /// Replaces these parts completely. The current settings are first written to a backup file in the same folder;
-    /// if this fails, nothing is changed.
+    /// Replaces these parts completely. The current settings are first written to a backup file in the same
+    /// folder; if this fails, nothing is changed.
     /// Returns  the path of the backup
     /// Errors   FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
@@ -90,10 +91,10 @@ private:
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // Values last read or written by this window: only differences are written.
+    // Values last read or written by this window, because only differences are written.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
-    mutable std::optional<Learned> knownLearned_;
+    mutable std::optional<TutorialProgress> knownTutorial_;
     mutable std::optional<QVector<SavedPerspective>> knownPerspectives_;
 };
 

@@ -24,9 +24,9 @@ struct SettingsFile {
 constexpr char kFormat[] = "tiller-settings";
 constexpr char kBytes[] = "base64";
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
-constexpr qsizetype kMostValues = 5000;
-constexpr qsizetype kLongestKey = 200;
-constexpr qsizetype kLongestText = 64 * 1024;
+constexpr qsizetype kMaxValues = 5000;
+constexpr qsizetype kMaxKeyLength = 200;
+constexpr qsizetype kMaxTextLength = 64 * 1024;
 
 Error corrupt(const QString& why) {
     return {ErrorCode::FileCorrupt, why, {}};
@@ -37,11 +37,11 @@ Error tooLarge() {
 }
 
 Error badValue(const QString& key) {
-    return corrupt(SettingsFile::tr("Invalid value for the setting \"%1\".").arg(key));
+    return corrupt(SettingsFile::tr("Invalid value for the setting “%1”.").arg(key));
 }
 
 bool isKey(const QString& key) {
-    return !key.isEmpty() && key.size() <= kLongestKey && !key.startsWith(u'/') && !key.endsWith(u'/') &&
+    return !key.isEmpty() && key.size() <= kMaxKeyLength && !key.startsWith(u'/') && !key.endsWith(u'/') &&
            !key.contains(QLatin1String("//")) && !key.contains(u'\\') &&
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
@@ -87,7 +87,7 @@ std::optional<QVariant> listOf(const QJsonArray& array) {
     qsizetype length = 0;
     for (const QJsonValue& each : array) {
         length += each.toString().size();
-        if (!each.isString() || length > kLongestText) {
+        if (!each.isString() || length > kMaxTextLength) {
             return std::nullopt;
         }
         list.append(each.toString());
@@ -104,14 +104,14 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // Integers remain integers: readers of an index expect "1", not "1.0".
+            // Integers stay integers, because readers of an index expect "1", not "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
         }
         case QJsonValue::String:
-            return value.toString().size() <= kLongestText ? std::optional<QVariant>(value.toString())
-                                                           : std::nullopt;
+            return value.toString().size() <= kMaxTextLength ? std::optional<QVariant>(value.toString())
+                                                             : std::nullopt;
         case QJsonValue::Array:
             return listOf(value.toArray());
         case QJsonValue::Object:
@@ -121,7 +121,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
     }
 }
 
-/// As text, because settings read from a file have no numeric types.
+/// Returns the value as text, because settings read from a file have no numeric types.
 QStringList written(const QVariant& value) {
     return value.typeId() == QMetaType::QByteArray
                ? QStringList(QLatin1String(value.toByteArray().toBase64()))
@@ -165,7 +165,7 @@ QMap<QString, QVariant> SettingsBundle::part(SettingsPart which) const {
     return found;
 }
 
-bool SettingsBundle::saysTheSame(const SettingsBundle& other, SettingsPart which) const {
+bool SettingsBundle::hasSameValues(const SettingsBundle& other, SettingsPart which) const {
     const QMap<QString, QVariant> ours = part(which);
     const QMap<QString, QVariant> theirs = other.part(which);
     return ours.keys() == theirs.keys() &&
@@ -212,7 +212,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
         return corrupt(SettingsFile::tr("The file does not state its version."));
     }
     const QJsonValue values = root.value(QLatin1String("values"));
-    if (!values.isObject() || values.toObject().size() > kMostValues) {
+    if (!values.isObject() || values.toObject().size() > kMaxValues) {
         return corrupt(SettingsFile::tr("The list of values is missing or too long."));
     }
     SettingsBundle bundle;
@@ -220,7 +220,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     const QJsonObject object = values.toObject();
     for (auto it = object.constBegin(); it != object.constEnd(); ++it) {
         if (!isKey(it.key())) {
-            return corrupt(SettingsFile::tr("\"%1\" is not a valid setting name.").arg(it.key().left(40)));
+            return corrupt(SettingsFile::tr("“%1” is not a valid setting name.").arg(it.key().left(40)));
         }
         const std::optional<QVariant> value = fromJson(it.value());
         if (!value) {

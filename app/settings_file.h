@@ -23,17 +23,18 @@ inline constexpr SettingsPart kSettingsParts[] = {
 
 /// key  as in QSettings, e.g. "look/density"
 SettingsPart partOf(const QString& key);
-/// False for values that only apply to this computer: recent files, window position, the lock of a monitor-only PC.
+/// False for values that only apply to this computer: recent files, window position, the lock of a
+/// monitor-only PC.
 bool travels(const QString& key);
 
 struct SettingsBundle {
     QString writtenBy;  ///< version of Tiller; may be empty
-    /// By QSettings key: texts, numbers, booleans, byte arrays and lists of texts.
+    /// Values by QSettings key: texts, numbers, booleans, byte arrays and lists of texts.
     QMap<QString, QVariant> values;
 
     QMap<QString, QVariant> part(SettingsPart which) const;
     /// True if both have equal values in this part, regardless of numbers stored as text.
-    bool saysTheSame(const SettingsBundle& other, SettingsPart which) const;
+    bool hasSameValues(const SettingsBundle& other, SettingsPart which) const;
 };
 
 inline constexpr int kSettingsFormatVersion = 1;

@@ -24,9 +24,9 @@
 #include "app/language.h"
 #include "app/recording_settings.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/density.h"
-#include "widgets/common/figure_box.h"
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/jog/device_jog.h"
 
 namespace tiller::app {
@@ -39,7 +39,7 @@ int keyRowHeight() {
 
 /// With large rows the content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
-    auto* area = new SteadyScrollArea;
+    auto* area = new NoFocusScrollArea;
     area->setAccessibleName(name);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
@@ -53,7 +53,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Next to its field: a row of the form may be higher than the text.
+    // Aligned with its field, because a row of the form may be higher than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -136,25 +136,24 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     languageNote_->setObjectName("settings.languageNote");
     lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
                       static_cast<int>(preferences_.notation.length));
-    rotations_ =
-        choice("settings.rotations", tr("Rotations"),
-               {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as scripts write it")},
-               static_cast<int>(preferences_.notation.rotation));
+    rotations_ = choice("settings.rotations", tr("Rotations"),
+                        {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as in scripts")},
+                        static_cast<int>(preferences_.notation.rotation));
     monitorOnly_ = new QCheckBox(tr("Monitor only"));
     monitorOnly_->setObjectName("settings.monitorOnly");
     monitorOnly_->setChecked(preferences_.monitorOnly);
-    cap_ = new FigureBox;
+    cap_ = new DecimalSpinBox;
     cap_->setObjectName("settings.speedCap");
     cap_->setAccessibleName(tr("Speed cap of this program"));
-    showCapFigure();
+    showCapValue();
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");
 
-    longestHold_ = new FigureBox;
+    longestHold_ = new DecimalSpinBox;
     longestHold_->setObjectName("settings.longestHold");
     longestHold_->setAccessibleName(tr("Maximum hold time"));
     longestHold_->setDecimals(0);
-    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kLongestLongestHold);
+    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kMaxHoldLimit);
     longestHold_->setSingleStep(5);
     longestHold_->setSuffix(tr(" s"));
     longestHold_->setValue(preferences_.longestHold);
@@ -207,7 +206,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     connect(lengths_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.length = static_cast<LengthUnit>(index);
         Q_EMIT preferencesChanged(preferences_);
-        showCommandNames();  // some names contain a length
+        showCommandNames();  // some command names contain a length
     });
     connect(rotations_, &QComboBox::activated, this, [this](int index) {
         preferences_.notation.rotation = static_cast<RotationNotation>(index);
@@ -230,7 +229,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // In its native name, for users who cannot read the current language.
+    // Languages are listed by their native names, for users who cannot read the current language.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
@@ -245,13 +244,13 @@ QWidget* SettingsPage::buildLanguage() {
     anew_->setObjectName("settings.windowAnew");
     anew_->setAutoDefault(false);
     anew_->setToolTip(
-        tr("Stops the arm, gives control back and reconnects. The plots start again. The project is saved."));
+        tr("Stops the arm, gives control back and reconnects. The plots restart. The project is saved."));
     connect(language_, &QComboBox::activated, this, [this](int index) {
         preferences_.language = index == 0 ? QString() : languages()[index - 1].code;
         showLanguageNote();
         Q_EMIT preferencesChanged(preferences_);
     });
-    connect(anew_, &QPushButton::clicked, this, &SettingsPage::windowAnewWanted);
+    connect(anew_, &QPushButton::clicked, this, &SettingsPage::newWindowWanted);
     showLanguageNote();
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
@@ -270,21 +269,21 @@ void SettingsPage::showLanguageNote() {
             : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
 }
 
-void SettingsPage::refuseAnew(const QString& reason) {
+void SettingsPage::refuseNewWindow(const QString& reason) {
     languageNote_->setText(reason);
 }
 
 void SettingsPage::showSizeNote() {
     const int chosen = preferences_.interfaceSize;
     const int fitting = fittingInterfaceSize(chosen, availableAtNormalSize(*screen()));
-    sizeNote_->setText(chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
-                       : fitting < chosen        ? tr("Takes effect at the next start of Tiller. This screen "
-                                                             "supports at most %1 %, which will be used.")
-                                                .arg(fitting)
-                                          : tr("Takes effect at the next start of Tiller."));
+    sizeNote_->setText(
+        chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
+        : fitting < chosen
+            ? tr("Takes effect at the next start of Tiller, limited to %1 % on this screen.").arg(fitting)
+            : tr("Takes effect at the next start of Tiller."));
 }
 
-void SettingsPage::showCapFigure() {
+void SettingsPage::showCapValue() {
     const double unit = format::metresPerUnit();
     const QSignalBlocker quiet(cap_);
     cap_->setDecimals(unit > 1e-3 ? 2 : 0);
@@ -296,7 +295,7 @@ void SettingsPage::showCapFigure() {
 
 void SettingsPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && shortcuts_ != nullptr) {
-        showCapFigure();  // units may have changed
+        showCapValue();  // units may have changed
         showCap();
         shortcuts_->verticalHeader()->setDefaultSectionSize(keyRowHeight());
     }
@@ -397,7 +396,7 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // Only one chord: a second key within a second would create a sequence of two.
+            // Only one key combination: a second key within a second would create a sequence of two.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {
@@ -429,7 +428,7 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     for (const QAction* other : actions_.all()) {
         if (other != action && !keys.isEmpty() && other->shortcut() == keys &&
             ActionTable::share(*action, *other)) {
-            hint_->setText(tr("%1 is assigned to \"%2\". Remove it there first.")
+            hint_->setText(tr("%1 is assigned to “%2”. Remove it there first.")
                                .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
             return false;
         }

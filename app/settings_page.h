@@ -16,7 +16,7 @@ class QTabWidget;
 
 namespace tiller {
 class DeviceJog;
-class FigureBox;
+class DecimalSpinBox;
 }  // namespace tiller
 
 namespace tiller::app {
@@ -28,7 +28,7 @@ class SettingsPage : public QDialog {
 
 public:
     /// theme    "light" or "dark"
-    /// devices  whose switches and parameters are shown
+    /// devices  the devices to be configured
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
                  DeviceJog& devices, QWidget* parent = nullptr);
 
@@ -41,8 +41,8 @@ public:
     void setHoldNote(const QString& text);
     /// Shows monitor only as fixed by the command line.
     void lockMonitorOnly();
-    /// Shows the reason why the window cannot be rebuilt now.
-    void refuseAnew(const QString& reason);
+    /// Shows the reason why the window cannot be replaced now.
+    void refuseNewWindow(const QString& reason);
     /// Shows the page about recordings.
     void showRecording();
 
@@ -52,8 +52,8 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// Request to rebuild the window in the selected language.
-    void windowAnewWanted();
+    /// Request to replace the window by one in the selected language.
+    void newWindowWanted();
     /// Request to open the device test page in front of this one.
     void trainerWanted();
     /// Request to open the export dialog in front of this page.
@@ -74,7 +74,7 @@ private:
     void showSizeNote();
     QWidget* buildLanguage();
     void showLanguageNote();
-    void showCapFigure();
+    void showCapValue();
 
     Preferences preferences_;
     const ActionTable& actions_;
@@ -88,9 +88,9 @@ private:
     QComboBox* lengths_ = nullptr;
     QComboBox* rotations_ = nullptr;
     QCheckBox* monitorOnly_ = nullptr;
-    FigureBox* cap_ = nullptr;
+    DecimalSpinBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
-    FigureBox* longestHold_ = nullptr;
+    DecimalSpinBox* longestHold_ = nullptr;
     QLabel* holdNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
     QTabWidget* pages_ = nullptr;

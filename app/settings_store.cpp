@@ -13,7 +13,7 @@ namespace tiller::app {
 namespace {
 
 constexpr qint64 kMaxSettingsBytes = 4 * 1024 * 1024;
-/// Types that QSettings writes as text and Tiller does not use; they remain unchanged.
+/// Types that QSettings writes as text and Tiller does not use; their values remain unchanged.
 constexpr const char* kForeignKinds[] = {"@Variant(", "@Rect(", "@Size(", "@Point(", "@DateTime("};
 
 bool isForeignKind(const QString& text) {
@@ -78,7 +78,7 @@ QByteArray quoted(const QByteArray& bytes, bool binary) {
     bool afterHex = false;
     for (const char c : bytes) {
         const auto code = static_cast<unsigned char>(c);
-        // A digit after a number would become part of it.
+        // A digit after an escape sequence would become part of it.
         const bool hex =
             code < 0x20 || code == 0x7f || (binary && code >= 0x80) || (afterHex && isHexDigit(c));
         if (hex) {
@@ -185,7 +185,7 @@ private:
         parts_.append(wasQuoted_ ? part_ : part_.trimmed());
         part_.clear();
         wasQuoted_ = false;
-        // Spaces after a comma.
+        // Skip spaces after a comma.
         while (at_ + 1 < text_.size() && text_[at_ + 1] == ' ') {
             ++at_;
         }
@@ -279,7 +279,7 @@ QString settingsPath(const QString& file) {
         return file;
     }
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
-    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // also an INI file
+    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // on this platform also an INI file
 #else
     constexpr QSettings::Format kFormat = QSettings::IniFormat;
 #endif
@@ -372,7 +372,7 @@ Result<void> SettingsEdit::commit() {
         return guard_.error();
     }
     if (readError_.code != ErrorCode::None) {
-        // Unreadable content must not be replaced.
+        // Unreadable content must not be overwritten.
         return Error{
             ErrorCode::FileNotWritable, QStringLiteral("write %1").arg(path_),
             readError_.controllerMessage.isEmpty() ? readError_.context : readError_.controllerMessage};

@@ -55,7 +55,7 @@ public:
     explicit SettingsEdit(const QString& file);
 
     void setValue(const QString& key, const QVariant& value);
-    /// Also removes the keys below it.
+    /// Removes a key and the keys below it.
     void remove(const QString& key);
     /// Applies the difference between two states of a group; changes by other windows are kept.
     /// before, after  keys without the group

@@ -23,7 +23,8 @@ QString filter() {
 }
 
 QString textOf(const Error& error) {
-    // For a file, the error is already a complete sentence, and its version is not the robot's.
+    // For files, the error is already a complete sentence, and the version is that of the file, not of the
+    // robot.
     return error.code == ErrorCode::FileCorrupt || error.code == ErrorCode::VersionUnsupported
                ? error.context
                : texts::errorText(error);
@@ -132,7 +133,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
         if (none && present.part(part).isEmpty()) {
             continue;
         }
-        const bool same = found.saysTheSame(present, part);
+        const bool same = found.hasSameValues(present, part);
         const int count = countOf(found, part);
         auto* box = new QCheckBox(same        ? tr("%1: identical").arg(titleOf(part))
                                   : none      ? tr("%1: not in the file").arg(titleOf(part))
@@ -143,7 +144,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
                                                     .arg(count));
         box->setObjectName(QStringLiteral("importSettings.part.%1").arg(static_cast<int>(part)));
         box->setProperty(kPart, static_cast<int>(part));
-        // A file with few settings must not delete the others by default.
+        // By default, a file with few settings must not delete the others.
         box->setChecked(!same && !none);
         box->setEnabled(!same);
         connect(box, &QCheckBox::toggled, this, &ImportDialog::updateKey);
@@ -212,7 +213,7 @@ void SettingsTransfer::exportTo(const QString& path) {
 void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
     const Result<SettingsBundle> found = readSettingsFile(path);
     if (found) {
-        Q_EMIT upToDateWanted();  // for the backup of the current settings
+        Q_EMIT upToDateWanted();  // the backup must contain the current settings
     } else {
         Q_EMIT message(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
                                             .arg(QFileInfo(path).fileName(), textOf(found.error())));

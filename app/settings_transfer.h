@@ -26,7 +26,7 @@ public:
 
     /// The selected parts.
     QSet<SettingsPart> chosen() const;
-    /// Shows the error; the dialog stays open.
+    /// Shows an error; the dialog stays open.
     void showFailure(const QString& text);
 
 Q_SIGNALS:
@@ -54,7 +54,7 @@ public:
     void askToImport(QWidget* over);
     /// path  gets the extension .json if it has none
     void exportTo(const QString& path);
-    /// Shows the parts that the file would replace.
+    /// Shows the parts that the file would replace, and replaces them after confirmation.
     void importFrom(const QString& path, QWidget* over);
 
 Q_SIGNALS:

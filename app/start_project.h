@@ -10,12 +10,12 @@ namespace tiller::app {
 class Settings;
 
 struct StartProject {
-    QString path;     ///< to open or create: the file may be missing
-    QString missing;  ///< the last file, if it no longer exists; otherwise empty
+    QString path;     ///< file to open or create; it may be missing
+    QString missing;  ///< the last file if it no longer exists; otherwise empty
 };
 
-/// The last file. If there is none: the file that earlier versions kept in the application data folder, else
-/// "cell.tiller" in projectFolder(), which is created.
+/// Returns the last file. If there is none: the file that earlier versions kept in the application data
+/// folder, otherwise "cell.tiller" in projectFolder(), which is created.
 StartProject startProject(const Settings& settings);
 
 /// Folder for unsaved changes.

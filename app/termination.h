@@ -10,7 +10,7 @@ namespace tiller::app {
 /// Call before starting any thread, so that the signals are delivered here.
 void holdTerminationSignals();
 
-/// Blocks: for the given time at most. Returns  whether a termination was requested
+/// Blocks: at most for the given time. Returns  whether a termination was requested
 bool waitForTermination(std::chrono::milliseconds atMost);
 
 /// Blocks: until SIGINT or SIGTERM (on Windows: a console event), counted from holdTerminationSignals().

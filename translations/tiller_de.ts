@@ -8,16 +8,16 @@
         <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A, Greifer.</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Durchfahren</translation>
+        <source>Run route</source>
+        <translation>Route</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie die Ursache und drücken Sie erneut.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie die Ursache und drücken Sie erneut.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1 aus für %2 s</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Warten, bis %1 eingeschaltet ist, höchstens %2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>Warten, bis %1 eingeschaltet ist (max. %2 s)</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Warten, bis %1 ausgeschaltet ist, höchstens %2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>Warten, bis %1 ausgeschaltet ist (max. %2 s)</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>es kann nur ein Projekt geöffnet werden; entfernen Sie &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>Nur beobachten: am Roboter außer durch STOP nichts ändern. Lässt sich in den Einstellungen nicht ausschalten.</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>Nur beobachten: am Roboter nichts ändern; nur STOP wirkt. Lässt sich in den Einstellungen nicht ausschalten.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>Arm und Modell weichen ab %1 s voneinander ab: Auf den TCP wirkt eine Kraft von %2</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>Der Arm hat sich wie das Modell eines %1 bewegt</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>Die Bewegung entspricht dem Modell eines %1</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Sie weichen ab dem ersten Messwert voneinander ab: Prüfen Sie die eingestellte Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>Arm und Modell weichen ab dem ersten Messwert ab: Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>Ab dort wurde der Arm geschoben oder festgehalten, seine Nutzlast war eine andere, oder ein Gelenk folgte seinem Sollwert nicht.</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>Ab diesem Zeitpunkt wurde der Arm geschoben oder festgehalten, seine Nutzlast war eine andere, oder ein Gelenk folgte seinem Sollwert nicht.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Ihr Abtastintervall ist zu lang. Zeichnen Sie jedes Paket auf.</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>Nicht mit dem Modell des Arms verglichen.</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>Fahren Sie einzelne Gelenke heraus; verwenden Sie in diesem Bereich MoveJ.</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>Kann seine Position nicht halten</translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation>Das laufende Programm hat den Stopp angefordert.</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
+        <source>See the preceding messages of the program.</source>
         <translation>Lesen Sie die vorherigen Meldungen des Programms.</translation>
     </message>
     <message>
@@ -496,8 +496,8 @@
         <translation>Meldung C%1 der Steuerung</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>Die Steuerung hat diese Nummer gemeldet.</translation>
+        <source>The controller reported this message code.</source>
+        <translation>Die Steuerung hat diesen Meldungscode gemeldet.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>Geben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck ein: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Ein Gleichheitszeichen ist zu viel. Verwenden Sie für einen Vergleich ==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>Zu viele Gleichheitszeichen. Verwenden Sie für einen Vergleich ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -585,7 +585,7 @@
         <translation>der Dienst auf Port %1 verwendet kein RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
         <translation>Zu viele RTDE-Clients, oder die Steuerung reagiert nicht: Schließen Sie andere Programme und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
@@ -605,8 +605,8 @@
         <translation>Beenden Sie das andere Programm, das diesen Roboter steuert (ein anderes Fenster, ROS, ur_rtde).</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>diese Software hat keine Register 24 bis 47</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>diese Softwareversion hat keine Register 24 bis 47</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -653,11 +653,11 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation>erlaubt und von Echtzeitschleifen angefordert</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
         <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Regelschleifen</translation>
     </message>
     <message>
@@ -693,8 +693,8 @@
         <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 antwortet, bietet aber keinen Dienst eines Roboters an</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 antwortet, bietet aber keine Roboterdienste an</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -841,7 +841,7 @@
         <translation>Strom und Bremsen</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>Register zum Steuern frei</translation>
     </message>
     <message>
@@ -857,8 +857,8 @@
         <translation>Echtzeitpriorität auf diesem PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
-        <translation>Timer-Aufwachzeiten dieses PCs</translation>
+        <source>Timer wake-ups on this PC</source>
+        <translation>Timer-Aufwachzeiten auf diesem PC</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -880,16 +880,16 @@
         <translation>Nur Ausrichtung</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>Ebene X Y</translation>
+        <source>XY plane</source>
+        <translation>XY-Ebene</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>Linie Z</translation>
+        <source>Z only</source>
+        <translation>Nur Z</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Warten Sie vor Freedrive, bis der Arm stillsteht.</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
@@ -899,33 +899,18 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
+        <source>left bumper</source>
         <translation>linke Schultertaste</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
         <translation>Linker Stick: X und Y. Rechter Stick: Z und Drehung. Rechte Schultertaste halten, um mit beiden Sticks zu drehen.</translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Ob eine Taste gehalten wird, ist nur aus den Fensterereignissen bekannt.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Ob eine Taste gehalten wird, ist nur aus den Fensterereignissen bekannt.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Tasten und Diagramme zu vergrößern.</translation>
     </message>
 </context>
@@ -944,7 +929,7 @@
         <translation>Tastatur scharf schalten oder abschalten</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
         <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
     </message>
     <message>
@@ -953,15 +938,15 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+        <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
         <source>Zero here</source>
         <translation>Hier null</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>Zählt den Weg des TCP von hier an; noch einmal: wieder seit dem Druck.</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>Misst die Verschiebung des TCP von hier aus. Noch einmal drücken: seit dem letzten Tastendruck.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -1000,7 +985,7 @@
         <translation>Fragt nach der Schrittlänge. Der Schrittwinkel ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>Anderer Drehschritt…</translation>
     </message>
     <message>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation>Ellbogen fast gestreckt</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>Ellbogen fast gestreckt: %1 der Geschwindigkeit</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>Handgelenk über der Basisachse</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>Handgelenk über der Basisachse: %1 der Geschwindigkeit</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>Handgelenk 2 nahe 0° oder 180°</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>Handgelenk 2 nahe 0° oder 180°: %1 der Geschwindigkeit</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>%1 verfahren</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1 ist %2 von %3 entfernt: %4 der Geschwindigkeit</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@
         <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und die Schritte zur Wiederherstellung. Es bewegt sich nichts.</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und die Schritte zur Wiederherstellung. Der Arm bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1446,8 +1446,8 @@
         <translation>Firmware-Update</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>Die Firmware der Gelenke wird aktualisiert. Lassen Sie eingeschaltet, bis es fertig ist.</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>Die Firmware der Gelenke wird aktualisiert. Schalten Sie nicht aus, bis die Aktualisierung abgeschlossen ist.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1772,12 +1772,12 @@
         <translation>Diagramme exportieren…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Speichert den sichtbaren Bereich als Bild, Zeichnung, Seite oder Werte.</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>Speichert den sichtbaren Bereich als Bild, PDF-Seite oder Wertetabelle.</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>Diagramme zeigen %1</translation>
+        <source>Plots: last %1</source>
+        <translation>Diagramme: letzte %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1828,8 +1828,8 @@
         <translation>Protokoll: alles zeigen</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>Protokoll: Warnungen und Schlimmeres zeigen</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>Protokoll: Warnungen und Fehler zeigen</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1864,8 +1864,8 @@
         <translation>Öffnet die Liste aller Signale. Fügen Sie ein Signal durch Ziehen, Doppelklick oder Enter in ein Diagramm ein.</translation>
     </message>
     <message>
-        <source>New page of plots</source>
-        <translation>Neue Seite mit Diagrammen</translation>
+        <source>New plot page</source>
+        <translation>Neue Diagrammseite</translation>
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
@@ -1903,7 +1903,7 @@
         <translation>%1 an den Cursorn ablesen</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>%1 in ein eigenes Diagramm</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>Mittel %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>Betrag der Kurven dieses Diagramms</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>Dieses Diagramm entfernen</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>An die Kurven anpassen</translation>
     </message>
     <message>
@@ -1978,7 +1978,7 @@
         <translation>Der Arm läuft und wird wieder von Ihnen gesteuert.</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
         <translation>Noch kein neues Koordinatensystem. Verwenden Sie „3 Punkte“ im Register Koordinatensysteme.</translation>
     </message>
     <message>
@@ -1994,8 +1994,8 @@
         <translation>„%1“: Die X-Achse weicht um %2° von der Y-Achse der Basis ab.</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nicht an seinem Ursprung.</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2014,8 +2014,8 @@
         <translation>„%1“ ist an der erwarteten Position, aber die Werkzeugorientierung hat sich geändert.</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>„%1“ ist wieder am Teil.</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>„%1“ stimmt wieder mit dem Teil überein.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
@@ -2026,8 +2026,8 @@
         <translation>Auf %1 verlangsamt. Fahren Sie weiter.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>Noch keine Grenze erreicht. Die Zeile unter dem Tastenfeld nennt sie dann.</translation>
+        <source>No limit reached yet. The line below the pad will show it.</source>
+        <translation>Noch keine Grenze erreicht. Die Zeile unter dem Tastenfeld zeigt sie an.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
@@ -2050,7 +2050,7 @@
         <translation>Noch keine Aufzeichnung. Drücken Sie „Aufzeichnen“ über den Diagrammen.</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
+        <source>Recorded. Enter the force shown in the plot.</source>
         <translation>Aufgezeichnet. Geben Sie die Kraft ein, die das Diagramm zeigt.</translation>
     </message>
     <message>
@@ -2082,8 +2082,8 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>„Start“ lässt den simulierten Arm kollidieren und löst einen Schutzstopp aus. Finden Sie heraus, was ihn gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>„Start“ simuliert eine Kollision, die einen Schutzstopp auslöst. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
@@ -2098,8 +2098,8 @@
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>„Start“ lässt eine Hand von oben auf das Werkzeug drücken. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>„Start“ simuliert eine Hand, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,8 +2116,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2168,8 +2168,8 @@
         <translation>Diese Version von Tiller hat keinen Schritt „%1“.</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen und nicht zwischen zusammengehörigen Teilen.</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht zwischen Teilen wie „Wenn“ und „Sonst“.</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,20 +2200,20 @@
         <translation>Die Aufrufe sind zu tief verschachtelt.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Wählen Sie ein aktives Werkzeug oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Setzen Sie den aktiven TCP, oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
-        <translation>Die Überschleifradien dieser und der vorherigen Bewegung, %1 und %2, sind länger als der Abstand von %3.</translation>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
+        <translation>Die Überschleifradien dieser und der vorherigen Bewegung, %1 und %2, überschreiten den Abstand von %3.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
         <translation>Der Ausdruck ist leer.</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
-        <translation>Ein Ausdruck ist eine einzige Zeile.</translation>
+        <source>An expression must be a single line.</source>
+        <translation>Ein Ausdruck muss eine einzige Zeile sein.</translation>
     </message>
     <message>
         <source>Unexpected character “%1”.</source>
@@ -2252,8 +2252,8 @@
         <translation>Der Schritt ist fehlgeschlagen und hat das Programm beendet.</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>Das Programm ist nach %1 s nicht beendet.</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>Das Programm endete nicht innerhalb von %1 s.</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte und hat %3.</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte, angegeben sind %3.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>Sonst</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>Programm beenden</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>Koordinatensystem des Abschnitts</translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>Ausgang zum Schließen</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>Ausgang zum Öffnen</translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation>Öffnen und Schließen benötigen verschiedene Ausgänge.</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>Der Greifer hält kein Teil.</translation>
     </message>
     <message>
@@ -2492,32 +2492,32 @@
         <translation>Wenn</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>Schleife verlassen</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
-        <translation>Um diesen Schritt gibt es keine Schleife.</translation>
+        <source>This step is not inside a loop.</source>
+        <translation>Dieser Schritt ist nicht in einer Schleife.</translation>
     </message>
     <message>
         <source>Loop</source>
         <translation>Schleife</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>Anzahl (0: endlos)</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>Wiederholungen (0: endlos)</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>Zähler</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>Diese Schleife endet eventuell nie, und nichts darin benötigt Zeit. Fügen Sie „Warten“ hinzu.</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>Diese Schleife endet eventuell nie und enthält keine Wartezeit. Fügen Sie einen Schritt „Warten“ hinzu.</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
-        <translation>Eine Schleife kann 1 bis %1 Plätze haben; diese hat %2.</translation>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
+        <translation>Eine Schleife kann 1 bis %1 Positionen haben; diese hat %2.</translation>
     </message>
     <message>
         <source>Message</source>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>Über</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>Frei</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>Fest am Bogen</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>Die Strecke ist null.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>Der Wegpunkt „%1“ bewegt den Greifer. Verwenden Sie im Programm den Schritt „Greifer“ und schalten Sie die Aktionen des Wegpunkts aus.</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>Wegpunkt</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>Abstand davor</translation>
+        <source>Approach distance</source>
+        <translation>Anfahrabstand</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>Wenn nicht erreicht</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>Setzen Sie den Eingang.</translation>
+        <source>Select an input.</source>
+        <translation>Wählen Sie einen Eingang.</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>Der Eingang wurde nicht eingeschaltet.</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>Es gab keinen Kontakt.</translation>
+        <source>No contact was detected.</source>
+        <translation>Es wurde kein Kontakt erkannt.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,12 +2776,12 @@
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
+        <source>A Switch needs at least one Case.</source>
         <translation>Eine Auswahl benötigt mindestens einen Fall.</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
-        <translation>Direkt in einer Auswahl stehen nur „Fall“ und „Standard“.</translation>
+        <source>A Switch can directly contain only Case and Default.</source>
+        <translation>Eine Auswahl kann direkt nur „Fall“ und „Standard“ enthalten.</translation>
     </message>
     <message>
         <source>TCP section</source>
@@ -2804,8 +2804,8 @@
         <translation>Auf Bedingung warten</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>Nach dieser Zeit</translation>
+        <source>On timeout</source>
+        <translation>Bei Zeitüberschreitung</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2916,7 +2916,7 @@
         <translation>Warte auf die Verbindung</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
         <translation>Ich habe den Arm geprüft: Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>Stoppt unsere Bewegung und trennt dann die Verbindung.</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>Stoppt die Bewegung von Tiller und trennt dann die Verbindung.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>Kein Roboter ist verbunden.</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
     </message>
     <message>
@@ -3085,12 +3085,12 @@
         <translation>Das Sicherheitssystem meldet keinen Stopp.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>Nach einer Verletzung oder einem Fehler, sobald die Ursache gefunden ist. Der Arm bleibt ausgeschaltet.</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>Setzt das Sicherheitssystem nach einer Verletzung oder einem Fehler zurück. Der Arm bleibt ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>Nur nach einer Verletzung oder einem Fehler.</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>Nur nach einer Verletzung oder einem Fehler möglich.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3129,8 +3129,8 @@
         <translation>Programm laden…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>Lädt ein auf dem Roboter gespeichertes Programm nach Namen.</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>Lädt ein Programm auf dem Roboter anhand seines Namens.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3328,15 +3328,15 @@
         <translation>Standardansicht, perspektivisch</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Zwischen vorn und Seite, leicht von oben, alles sichtbar.</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>Blick zwischen vorn und Seite, leicht von oben, alles sichtbar.</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>Blick von vorn</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>X der Basis nach rechts, Z nach oben.</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>Blick von der Seite</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>Y der Basis nach rechts, Z nach oben.</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>Blick von oben</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>X der Basis nach rechts, Y nach oben.</translation>
     </message>
     <message>
@@ -3389,8 +3389,8 @@
         <translation>%1 schreiben</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>Ungültiger Wert für die Einstellung &quot;%1&quot;.</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>Ungültiger Wert für die Einstellung „%1“.</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3417,8 +3417,8 @@
         <translation>Die Liste der Werte fehlt oder ist zu lang.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; ist kein gültiger Einstellungsname.</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>„%1“ ist kein gültiger Einstellungsname.</translation>
     </message>
 </context>
 <context>
@@ -3842,8 +3842,8 @@
         <translation>In diesem Bereich fehlen Werte: Wählen Sie einen Bereich ohne Lücken.</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>Nicht genügend Speicher.</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>Nicht genügend Speicher: Wählen Sie einen kürzeren Bereich.</translation>
     </message>
 </context>
 <context>
@@ -3959,7 +3959,7 @@
         <translation>Es werden keine Daten mehr empfangen. Prüfen Sie das Kabel. Tiller verbindet sich automatisch neu; die Bewegung wird nicht fortgesetzt.</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>Die Antwort verletzt das RTDE-Protokoll. Prüfen Sie Adresse und Port.</translation>
     </message>
     <message>
@@ -4231,8 +4231,8 @@
         <translation>maximale Haltezeit erreicht; erneut drücken</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>PolyScope X vor 10.11 nimmt solche Befehle nicht über das Netzwerk an: Verwenden Sie das Teach-Pendant.</translation>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <translation>PolyScope X vor 10.11 nimmt diese Befehle nicht über das Netzwerk an: Verwenden Sie das Teach-Pendant.</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
@@ -4271,7 +4271,7 @@
         <translation>Geben Sie Speicherplatz frei, und speichern oder zeichnen Sie dann erneut auf.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Eingestellt in den Einstellungen oder mit --monitor-only.</translation>
     </message>
     <message>
@@ -4339,20 +4339,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>Wird in dieser Reihenfolge ausgeführt, wenn „Durchfahren“ den Wegpunkt erreicht, und nur solange die Taste gehalten wird.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Diese Wegpunkte haben unterschiedliche Aktionen. „Ändern“ ersetzt sie alle durch die Aktionen unten.</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>Diese Wegpunkte haben unterschiedliche Aktionen. „Anwenden“ ersetzt sie alle durch die Aktionen unten.</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>Aktionen in Reihenfolge</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Ändern</translation>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4447,7 +4447,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1: %2
 Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
@@ -4495,11 +4495,11 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
     </message>
 </context>
@@ -4688,7 +4688,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Boden</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>Ausgeschaltet wird er weder gezeichnet noch geprüft.</translation>
     </message>
     <message>
@@ -4704,8 +4704,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>Das Verfahren endet in diesem Abstand vom Arm selbst und von der Zelle. Bewegungen, die näher kommen, werden abgelehnt.</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Das Verfahren endet in diesem Abstand zur Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4781,9 +4781,20 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>noch nicht erledigt</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>Vergleich mit dem Modell des Arms</translation>
     </message>
     <message>
@@ -4814,7 +4825,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>Mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
@@ -4822,7 +4833,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell kennt weder Kontakt noch Reibung.</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation>Modell des Arms</translation>
     </message>
     <message>
@@ -4863,6 +4874,13 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4893,8 +4911,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Würde bewegen</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Tastatur, wenn scharf (Strg+J): Pfeiltasten X und Y, Bild auf und Bild ab Z, mit Alt Drehung, 1 bis 6 mit + und − Gelenke, Pos1 Home, Ende Ausrichten, Rücktaste Zurück, F Freedrive. Strg langsamer, Umschalt schneller. Leertaste und Esc stoppen.</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Tastatur, wenn scharf (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4918,10 +4936,20 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nichts gefunden mit diesen Filtern.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nichts gefunden für „%1“.
+Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -5400,16 +5428,16 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Schleife</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>Die Wegpunkte abfahren</translation>
+        <source>Run the route</source>
+        <translation>Die Route abfahren</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>Abfahren (halten)</translation>
+        <source>Run route (hold)</source>
+        <translation>Route (halten)</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>Abfahren, halten</translation>
+        <source>Run route, hold</source>
+        <translation>Route abfahren, halten</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5585,20 +5613,20 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>Ein Ausgang: ein schließt</translation>
+        <source>One output: on = closed</source>
+        <translation>Ein Ausgang: ein = zu</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>Zwei Ausgänge: öffnen, schließen</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>Ausgang, der schließt</translation>
+        <source>Closing output</source>
+        <translation>Ausgang zum Schließen</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>Ausgang, der öffnet</translation>
+        <source>Opening output</source>
+        <translation>Ausgang zum Öffnen</translation>
     </message>
     <message>
         <source>Target opening</source>
@@ -5861,17 +5889,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation>halten</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Der Display-Server antwortet nicht: Das Loslassen der Taste könnte nicht erkannt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
 <context>
@@ -5955,7 +5983,7 @@ Kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translati
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
@@ -5987,8 +6015,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Greifer</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Teil von E/A</translation>
+        <source>Page of I/O</source>
+        <translation>Seite von E/A</translation>
     </message>
 </context>
 <context>
@@ -6117,7 +6145,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Ausrichten</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>Dreht das Werkzeug zur nächsten Achse des gewählten Systems, solange gehalten</translation>
     </message>
     <message>
@@ -6424,8 +6452,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>Ab Schwere zeigen</translation>
+        <source>Minimum severity</source>
+        <translation>Mindestschwere</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6476,8 +6504,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Aufzeichnung des gewählten Eintrags öffnen (Vorfälle haben eine Aufzeichnung)</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>Aufzeichnung des gewählten Eintrags öffnen (nur Vorfälle)</translation>
     </message>
 </context>
 <context>
@@ -6555,11 +6583,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1 berührt %2, und die Bewegung führt näher heran</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung führt näher heran</translation>
     </message>
     <message>
@@ -6573,23 +6601,6 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     <message>
         <source>“%1”</source>
         <translation>„%1“</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nichts gefunden</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Nichts gefunden mit diesen Filtern.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Nichts gefunden für „%1“.
-Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -6611,12 +6622,12 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>Antwort des Hinweises</translation>
+        <source>Action of the notice</source>
+        <translation>Aktion des Hinweises</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>Zweite Antwort des Hinweises</translation>
+        <source>Second action of the notice</source>
+        <translation>Zweite Aktion des Hinweises</translation>
     </message>
 </context>
 <context>
@@ -6836,8 +6847,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Muster erstellen</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Ändern</translation>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -7192,8 +7203,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Der Roboter sendet keine Kräfte: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Mit %1 kg misst der Arm im Stillstand %2 und %3.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Mit einer Nutzlast von %1 kg misst der Arm %2 und %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7259,7 +7270,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>über</translation>
     </message>
     <message>
@@ -7287,7 +7298,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>In diesem Bereich gibt es keine Messwerte.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischenliegt.</translation>
     </message>
     <message>
@@ -7310,7 +7321,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n Messwert, jeder %1. angezeigt</numerusform>
             <numerusform>%n Messwerte, jeder %1. angezeigt</numerusform>
@@ -7495,7 +7506,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Sichtbarer Bereich exportiert nach %1</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>Bild (*.png)</translation>
     </message>
     <message>
@@ -7752,7 +7763,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>Mit dem Modell des Arms vergleichen…</translation>
     </message>
 </context>
@@ -7770,8 +7781,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
-        <translation>Seiten der Diagramme</translation>
+        <source>Plot pages</source>
+        <translation>Diagrammseiten</translation>
     </message>
     <message>
         <source>Name of the page</source>
@@ -7900,7 +7911,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Diagramme über der Zeit</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A und B setzen die Cursor, links und rechts bewegen sie, auf und ab wählen das abgelesene Signal. H blendet dessen Kurve aus, Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, Ende kehrt zu den neuesten Messwerten zurück</translation>
     </message>
     <message>
@@ -7962,12 +7973,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick: Verschiebung seit dem Tastendruck</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick: Verschiebung seit dem letzten Tastendruck</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit dem Tastendruck. Klick: hier null</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit dem letzten Tastendruck. Klick: hier null</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8380,19 +8391,19 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation>%1 wird wieder gespeichert</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>Das andere Fenster hat %1 geschlossen. Änderungen in diesem Fenster werden wieder gespeichert.</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>Das andere Fenster hat %1 geschlossen. Dieses Fenster speichert Änderungen wieder.</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1 ist in einem anderen Fenster geöffnet</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>Geöffnet von %1. Änderungen in diesem Fenster werden erst in der Datei gespeichert, wenn Sie das Projekt übernehmen.</translation>
     </message>
     <message>
@@ -8412,12 +8423,12 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein anderes Fenster oder Programm hat %1 geändert</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>Dieses Fenster enthält ungespeicherte Änderungen. Neu laden verwirft sie. Beide behalten speichert das Projekt dieses Fensters in einer zweiten Datei.</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>Dieses Fenster enthält ungespeicherte Änderungen. „Neu laden“ verwirft sie. „Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei.</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>Neu laden zeigt den neuen Inhalt. Beide behalten speichert das Projekt dieses Fensters in einer zweiten Datei. Bis Sie entscheiden, werden Änderungen nicht gespeichert.</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>„Neu laden“ zeigt den neuen Inhalt. „Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei. Bis Sie entscheiden, werden Änderungen nicht gespeichert.</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8506,8 +8517,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Projekt eines anderen Robotermodells</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Posen beibehalten: Tiller berechnet die Gelenkstellungen neu, und das Werkzeug erreicht dieselben Posen. Gelenke beibehalten: Der Arm behält seine Stellung, und das Werkzeug erreicht andere Posen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>„Posen beibehalten“ berechnet die Gelenkstellungen neu; das Werkzeug erreicht dieselben Posen. „Gelenke beibehalten“ behält die Stellung des Arms; das Werkzeug erreicht andere Posen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8522,15 +8533,15 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>TCP weicht vom Projekt ab</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Mit dem TCP des Roboters fährt der Flansch zu den geteachten Positionen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Mit dem TCP des Roboters erreicht der Flansch die geteachten Posen, der TCP jedoch nicht. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>„%1“ am Roboter setzen</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>TCP des Roboters beibehalten</translation>
     </message>
     <message>
@@ -8562,8 +8573,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
-        <translation>Das Modell des Roboters ist noch nicht bekannt. Warten Sie, bis der Roboter es gemeldet hat.</translation>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <translation>Das Robotermodell ist noch nicht bekannt. Warten Sie, bis der Roboter es meldet.</translation>
     </message>
 </context>
 <context>
@@ -8984,8 +8995,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Es gibt keine Wegpunkte zum Durchfahren. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>Die Route enthält keine Wegpunkte. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -9026,7 +9037,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Vorn</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>Blick von vorn: X der Basis nach rechts, Z nach oben</translation>
     </message>
     <message>
@@ -9034,7 +9045,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>Blick von der Seite: Y der Basis nach rechts, Z nach oben</translation>
     </message>
     <message>
@@ -9042,7 +9053,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Oben</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>Blick von oben: X der Basis nach rechts, Y nach oben</translation>
     </message>
     <message>
@@ -9124,7 +9135,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 kommt nicht in denselben Paketen wie die anderen.</translation>
+        <translation>%1 ist nicht in denselben RTDE-Paketen wie die anderen Signale.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9143,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>Diese Signale sind mehr, als ein Roboter auf einmal sendet: Nehmen Sie zuerst andere weg.</translation>
+        <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9159,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Der Speicher für den Verlauf reicht nicht, um %1 zu zeigen: Wählen Sie mehr im Menü Layout.</translation>
+        <translation>Der Verlaufsspeicher ist zu klein, um %1 zu zeigen: Vergrößern Sie ihn im Menü Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 konnte nicht bis zum Ende berechnet werden: %2</translation>
+        <translation>%1 konnte nicht vollständig berechnet werden: %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9186,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Ein Name, wenn gewünscht eine Einheit in Klammern, und ein Ausdruck über Signale: Ziehen Sie sie hierher für ihre Namen. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und die üblichen Funktionen. Eingabetaste legt es an.</translation>
+        <translation>Geben Sie einen Namen, optional eine Einheit in Klammern und einen Ausdruck mit Signalen ein. Ziehen Sie Signale hierher, um ihre Namen einzufügen. Funktionen: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ und Standardfunktionen. Enter erstellt das Signal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9201,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Dieser Roboter ist simuliert. Nur Pixel bewegen sich.</translation>
+        <translation>Dieser Roboter ist simuliert. Kein echter Roboter bewegt sich.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9227,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Aufzeichnung, Sitzung und letzte Meldung</translation>
+        <translation>Aufzeichnung, Projekt und letzte Meldung</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9258,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Software-Stopp. Kein Not-Halt. Der Strom bleibt an.</translation>
+        <translation>Software-Stopp. Kein Not-Halt. Die Stromversorgung bleibt an.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9293,7 +9304,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>„%1“ heißt schon ein anderer TCP. Wählen Sie einen anderen Namen.</translation>
+        <translation>Ein anderer TCP heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9306,8 +9317,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
-        <translation>Noch kein TCP.
-Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um ihn mit dem Arm zu finden.</translation>
+        <translation>Noch keine TCPs.
+Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen…“, um einen mit dem Arm zu teachen.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9326,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Vom Flansch. Eingabetaste übernimmt es ins Projekt; der Roboter behält das Seine.</translation>
+        <translation>Relativ zum Flansch. Mit Enter in das Projekt übernehmen. Der TCP des Roboters ändert sich nicht.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9394,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>„%1“ ist der TCP, den der Roboter hat.</translation>
+        <translation>„%1“ ist der aktive TCP des Roboters.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9438,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>Am Roboter: %1. Im Projekt: %2. Sie liegen %3 auseinander. Nichts wurde geändert.</translation>
+        <translation>Am Roboter: %1. Im Projekt: %2. Abstand: %3. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9461,8 +9472,8 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>Eine Pose der Drehung nehmen</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>Eine Pose für die Drehung nehmen</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9486,34 +9497,34 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 passt am wenigsten, um %4.</translation>
+        <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>Das Werkzeug ist zwischen den Posen zu wenig gedreht. Nehmen Sie noch eine, um 30° oder mehr auf eine andere Seite geneigt.</translation>
+        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>Der Roboter hat keinen gültigen Ort gesendet. Nehmen Sie die Posen erneut.</translation>
+        <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die Posen erneut.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Insgesamt viermal: die Spitze am selben Punkt, das Werkzeug jedes Mal auf eine andere Seite geneigt.</translation>
+        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
-            <numerusform>Neigen Sie das Werkzeug auf eine andere Seite, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch nötig: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>Das Werkzeug behält die Drehung, die es jetzt hat.</translation>
+        <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und sein X entlang X der Basis liegt; nehmen Sie es.</translation>
+        <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9532,19 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Nehmen Sie das Werkzeug, wie es jetzt steht. Von hier an darf es sich nicht drehen: Verfahren Sie nur X, Y und Z.</translation>
+        <translation>Nehmen Sie die Pose an der aktuellen Position. Drehen Sie das Werkzeug ab jetzt nicht: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Bewegen Sie das Werkzeug entlang seines eigenen +Z, vom Flansch weg, mindestens %1, und nehmen Sie es.</translation>
+        <translation>Bewegen Sie das Werkzeug entlang seiner +Z-Richtung um mindestens %1 vom Flansch weg und nehmen Sie die Pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Nun auf die Seite seines +X, mindestens %1, und nehmen Sie es.</translation>
+        <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Drehung genommen: %1 entlang +Z, %2 daneben; der Flansch drehte sich dabei um %3, am meisten bei Pose %4.</translation>
+        <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
@@ -9574,17 +9585,6 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
         <translation>Posen können nur genommen werden, solange der Roboter Daten sendet.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation>erledigt</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>noch nicht erledigt</translation>
     </message>
 </context>
 <context>
@@ -9647,8 +9647,8 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>Die Ansicht ist zu klein, um dies auszuklappen</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>Die Ansicht ist zu klein, um diese Karte auszuklappen</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9717,20 +9717,20 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Stellung „%1“</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Durchfahren</translation>
+        <source>Run route</source>
+        <translation>Route</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>Zeigt die Bedienung von „Durchfahren“ statt der Werte.</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>Zeigt die Bedienung der Route statt der Werte.</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>Werte</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>Zeigt die Werte statt der Bedienung von „Durchfahren“.</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>Zeigt die Werte statt der Bedienung der Route.</translation>
     </message>
 </context>
 <context>
@@ -9783,7 +9783,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     </message>
     <message>
         <source>Select a waypoint to see its history.</source>
-        <translation>Wählen Sie einen Wegpunkt, um seine Geschichte zu sehen.</translation>
+        <translation>Wählen Sie einen Wegpunkt, um seinen Verlauf zu sehen.</translation>
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
@@ -9900,7 +9900,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
     <name>tiller::WaypointHistoryDialog</name>
     <message>
         <source>History of “%1”</source>
-        <translation>Geschichte von „%1“</translation>
+        <translation>Verlauf von „%1“</translation>
     </message>
     <message>
         <source>Changes, newest first</source>
@@ -10255,8 +10255,8 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         <translation>Überschleifen</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Ändern</translation>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
     </message>
 </context>
 <context>
@@ -10366,7 +10366,7 @@ Drücken Sie „Vom Roboter“, um seinen zu behalten, oder „Teachen…“, um
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Gespiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>History…</source>
-        <translation>Geschichte…</translation>
+        <translation>Verlauf…</translation>
     </message>
     <message>
         <source>Pattern…</source>
@@ -10636,8 +10636,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Den Simulator probieren</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Ein simulierter UR5e in diesem Programm. Alle Funktionen sind gefahrlos verfügbar.</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>Ein simulierter UR5e, der in Tiller läuft. Alle Funktionen sind gefahrlos verfügbar.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10672,7 +10672,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Früher verbundene Roboter</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
         <translation>Entfernt den gewählten Roboter aus dieser Liste (Entf). Am Roboter ändert sich nichts.</translation>
     </message>
 </context>
@@ -10747,8 +10747,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>die Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1: geschah nicht binnen %2 s (%3)</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1: nicht innerhalb von %2 s abgeschlossen (%3)</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10797,8 +10797,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dateien                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>im Fenster gibt es keine Taste &quot;%1&quot;</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>im Fenster gibt es keine Taste „%1“</translation>
     </message>
 </context>
 <context>
@@ -10808,12 +10808,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Gerät, das den Arm bewegt</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>Ausprobieren…</translation>
+        <source>Test device…</source>
+        <translation>Gerät testen…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>Was jedes Gerät jetzt meldet und wohin es fahren wird.</translation>
+        <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10914,11 +10914,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Das Handbuch ist nicht auf diesem Rechner&lt;/h2&gt;&lt;p&gt;Es kommt mit dem Debian-Paket von Tiller. Ein selbst gebautes Tiller hat es, wenn das Paket python3-sphinx installiert ist:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Bis dahin stehen seine Seiten als Text im Ordner packaging/manual der Quellen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange eine Taste des Felds gehalten wird, und stoppt, wenn sie losgelassen wird. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt wird oder eine andere Hand dazukommt;&lt;/li&gt;&lt;li&gt;neben einer gehaltenen Taste der Tastatur eine Umschalttaste oder eine widersprechende Taste gedrückt wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, etwas darüber aufgeht oder ein anderes Koordinatensystem, Tempo, eine andere Schrittweite oder ein anderes Register gewählt wird;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter spät sind, dieses Programm hängt oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC schlafen geht oder das Gerät abgezogen wird oder verstummt;&lt;/li&gt;&lt;li&gt;niemand beweisen kann, dass die Taste noch gehalten wird: Unter X11 wird der Display-Server hundertmal je Sekunde gefragt, ob der Knopf oder die Taste gedrückt ist, und ein „Nein“ oder 100 ms ohne Antwort beenden die Bewegung. Wo niemand gefragt werden kann, sagen es Kopfzeile und Einstellungen;&lt;/li&gt;&lt;li&gt;sie lange gehalten wurde: eine Verfahrtaste %1 s (Einstellungen), Freedrive fünf Minuten, eine Bewegung zu einem Ort 5 s länger, als sie braucht. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Eine gestoppte Bewegung braucht einen neuen Druck. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; von jedem Fenster, Dialog und Textfeld aus. Ohne Steuerung gehören sie dem fokussierten Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Strg&lt;/b&gt; macht einen Druck zehnmal feiner, &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, nie über die Grenze. Auf einer Tastatur ohne lateinische Buchstaben meint ein Buchstabe unten seinen Platz auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11006,41 +11006,14 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation>Erste Schritte</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Übungsaufgaben</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation>Übung: „%1“ setzen</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z, mit Alt drehen sie, 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -11338,24 +11311,24 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Auf dem Roboter läuft ein Programm.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>Das Programm „%1“ ist auf dem Roboter angehalten.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>Das Programm „%1“ läuft auf dem Roboter.</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>Wenn Sie die Steuerung übernehmen, wird es gestoppt. Es lässt sich nicht fortsetzen, nur neu starten.</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>Wenn Sie die Steuerung übernehmen, wird das Programm gestoppt. Es lässt sich nicht fortsetzen, nur neu starten.</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
         <translation>Stoppen und Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Weiterlaufen lassen</translation>
+        <source>Keep the program</source>
+        <translation>Programm beibehalten</translation>
     </message>
 </context>
 <context>
@@ -11515,7 +11488,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Die Arbeitsansicht „%1“ kann nicht angezeigt werden: Ihre gespeicherte Anordnung ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie erneut.</translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation>Geben Sie einen Namen ein.</translation>
     </message>
     <message>
@@ -11814,8 +11787,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Roll, Nick, Gier in Grad</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>Rotationsvektor in Radiant, wie Skripte ihn schreiben</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>Rotationsvektor in Radiant, wie in Skripten</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11850,8 +11823,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Skaliert Text, Bedienelemente, Diagramme und die Ansicht.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Wird beim nächsten Start von Tiller wirksam. Dieser Bildschirm unterstützt höchstens %1 %, die dann verwendet werden.</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>Wird beim nächsten Start von Tiller wirksam, auf diesem Bildschirm begrenzt auf %1 %.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11890,8 +11863,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 ist für das Stoppen des Arms reserviert.</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 ist &quot;%2&quot; zugewiesen. Entfernen Sie es dort zuerst.</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 ist „%2“ zugewiesen. Entfernen Sie es dort zuerst.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11906,7 +11879,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Fenster neu öffnen</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
         <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu. Die Diagramme beginnen neu. Das Projekt wird gespeichert.</translation>
     </message>
     <message>
@@ -11963,6 +11936,33 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Einstellungen aus %1 importiert. Die vorherigen Einstellungen wurden in %2 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Übungsaufgaben</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Übung: „%1“ hinzufügen</translation>
     </message>
 </context>
 </TS>

@@ -8,15 +8,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go through</source>
+        <source>Run route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -110,11 +110,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
+        <source>Wait until %1 is on (max. %2 s)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
+        <source>Wait until %1 is off (max. %2 s)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -213,7 +213,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -285,7 +285,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
+        <source>The motion matches the model of a %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -293,11 +293,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -309,7 +309,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
+        <source>See the preceding messages of the program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -496,7 +496,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
+        <source>The controller reported this message code.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -535,7 +535,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
+        <source>Too many equals signs. For a comparison, use ==</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -589,7 +589,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
+        <source>this software version has no registers 24 to 47</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -685,7 +685,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
+        <source>%1 answers, but provides no robot services</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -833,7 +833,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -853,15 +853,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
+        <source>Timer wake-ups on this PC</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -880,15 +880,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plane X Y</source>
+        <source>XY plane</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Line Z</source>
+        <source>Z only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
+        <source>Wait for standstill before you start Freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -899,33 +899,18 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
+        <source>left bumper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -944,7 +929,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -960,7 +945,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1016,7 +1001,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1315,7 +1315,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1323,7 +1323,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1446,7 +1446,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1772,11 +1772,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plots show %1</source>
+        <source>Plots: last %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1828,7 +1828,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
+        <source>Log: show warnings and errors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1864,7 +1864,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New page of plots</source>
+        <source>New plot page</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1903,7 +1903,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1978,7 +1978,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1994,7 +1994,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
+        <source>“%1” matches the part again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2026,7 +2026,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will show it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
+        <source>Recorded. Enter the force shown in the plot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2098,7 +2098,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2116,7 +2116,7 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
+        <source>Maximum</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2168,7 +2168,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2200,11 +2200,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2212,7 +2212,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
+        <source>An expression must be a single line.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2252,7 +2252,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
+        <source>The program did not end within %1 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2340,7 +2340,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2372,7 +2372,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2492,11 +2492,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
+        <source>This step is not inside a loop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2504,7 +2504,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
+        <source>Repetitions (0: endless)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2512,11 +2512,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2624,7 +2624,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Distance before it</source>
+        <source>Approach distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2672,11 +2672,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set the input.</source>
+        <source>Select an input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2684,7 +2684,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There was no contact.</source>
+        <source>No contact was detected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2776,11 +2776,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
+        <source>A Switch needs at least one Case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2804,7 +2804,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After that time</source>
+        <source>On timeout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2916,7 +2916,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3045,7 +3045,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3053,7 +3053,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3085,11 +3085,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
+        <source>Possible only after a violation or fault.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
+        <source>Loads a program on the robot by its name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3328,7 +3328,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3336,7 +3336,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3389,7 +3389,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
+        <source>Invalid value for the setting “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3417,7 +3417,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
+        <source>“%1” is not a valid setting name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3842,7 +3842,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
+        <source>Not enough memory: select a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3959,7 +3959,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4231,7 +4231,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4271,7 +4271,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4339,11 +4339,11 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4351,7 +4351,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change</source>
+        <source>Apply</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4447,7 +4447,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4494,11 +4494,11 @@ Right click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4686,7 +4686,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4702,7 +4702,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4779,9 +4779,20 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4812,7 +4823,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4820,7 +4831,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4861,6 +4872,13 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4891,7 +4909,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4916,9 +4934,18 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <source>Nothing found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5404,15 +5431,15 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
+        <source>Run the route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
+        <source>Run route (hold)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go through, hold</source>
+        <source>Run route, hold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5582,7 +5609,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One output: on closes</source>
+        <source>One output: on = closed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5590,11 +5617,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5858,17 +5885,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5888,6 +5904,17 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5951,7 +5978,7 @@ Cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5982,7 +6009,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Part of I/O</source>
+        <source>Page of I/O</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6104,7 +6131,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6419,7 +6446,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show from severity</source>
+        <source>Minimum severity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6471,7 +6498,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
+        <source>Open the recording of the selected entry (incidents only)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6550,11 +6577,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6567,22 +6594,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>“%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6605,11 +6616,11 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
+        <source>Action of the notice</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
+        <source>Second action of the notice</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6830,7 +6841,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change</source>
+        <source>Apply</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7185,7 +7196,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7252,7 +7263,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7280,7 +7291,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7303,7 +7314,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n sample, every %1th shown</numerusform>
             <numerusform>%n samples, every %1th shown</numerusform>
@@ -7456,7 +7467,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7745,7 +7756,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7763,7 +7774,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
+        <source>Plot pages</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7893,7 +7904,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7955,11 +7966,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8368,11 +8379,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
+        <source>The other window closed %1. This window saves changes again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8380,7 +8391,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8400,11 +8411,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8494,7 +8505,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8510,7 +8521,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8518,7 +8529,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8550,7 +8561,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8972,7 +8983,7 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9014,7 +9025,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9022,7 +9033,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9030,7 +9041,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9448,7 +9459,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
+        <source>Take a pose for the rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9564,17 +9575,6 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
 </context>
 <context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tiller::ToolsTab</name>
     <message>
         <source>TCP</source>
@@ -9634,7 +9634,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
+        <source>The view is too small to expand this card</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9704,11 +9704,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go through</source>
+        <source>Run route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
+        <source>Shows the route controls instead of the values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9716,7 +9716,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
+        <source>Shows the values instead of the route controls.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10242,7 +10242,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change</source>
+        <source>Apply</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10353,7 +10353,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10594,7 +10594,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10650,7 +10650,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10733,7 +10733,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
+        <source>%1: not completed within %2 s (%3)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10782,7 +10782,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
+        <source>there is no key “%1” in the window</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10793,7 +10793,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Try it out…</source>
+        <source>Test device…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10899,11 +10899,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10991,40 +10991,13 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11323,15 +11296,15 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11339,7 +11312,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep it running</source>
+        <source>Keep the program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11500,7 +11473,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11771,7 +11744,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
+        <source>Rotation vector in radians, as in scripts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11819,7 +11792,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11871,7 +11844,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11891,7 +11864,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11947,6 +11920,33 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -8,16 +8,16 @@
         <translation>Este robot no tiene ninguna pinza configurada. Selecciónela en E/S, Pinza.</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Recorrer</translation>
+        <source>Run route</source>
+        <translation>Ruta</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 no se activó en %2 s. Compruebe la causa y pulse de nuevo.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 no se activó en %2 s. Compruebe el dispositivo conectado y pulse de nuevo.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 no se desactivó en %2 s. Compruebe la causa y pulse de nuevo.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado y pulse de nuevo.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1 desactivada %2 s</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Esperar hasta que %1 esté activada, máximo %2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>Esperar hasta que %1 esté activada (máx. %2 s)</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Esperar hasta que %1 esté desactivada, máximo %2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>Esperar hasta que %1 esté desactivada (máx. %2 s)</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>solo se puede abrir un proyecto; quite &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>Solo supervisión: no cambiar nada en el robot salvo con STOP. No se puede desactivar en los ajustes.</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>Solo supervisión: no cambiar nada en el robot; solo funciona STOP. No se puede desactivar en los ajustes.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>El brazo y el modelo difieren a los %1 s: una fuerza de %2 actúa en el TCP</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>El brazo se movió como el modelo de un %1</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>El movimiento coincide con el modelo de un %1</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>Nada que comparar: el brazo estuvo apagado o guiado a mano durante toda la grabación.</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Difieren desde la primera muestra: compruebe la carga útil configurada, el modelo de robot y si algo toca el brazo.</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>El brazo y el modelo difieren desde la primera muestra: compruebe la carga útil, el modelo de robot y si algo toca el brazo.</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>A partir de ahí, el brazo fue empujado o sujetado, su carga útil era otra o una articulación no siguió su consigna.</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>A partir de ese momento, el brazo fue empujado o sujetado, su carga útil era otra o una articulación no siguió su consigna.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>Esta grabación no se puede comparar con un modelo: su intervalo de muestreo es demasiado largo. Grabe todos los paquetes.</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>No comparado con el modelo del brazo.</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>Salga moviendo articulaciones sueltas; use MoveJ en esta zona.</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>No puede mantener su posición</translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation>El programa en ejecución solicitó la parada.</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
+        <source>See the preceding messages of the program.</source>
         <translation>Consulte los mensajes anteriores del programa.</translation>
     </message>
     <message>
@@ -496,8 +496,8 @@
         <translation>Mensaje C%1 del controlador</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>El controlador comunicó este número.</translation>
+        <source>The controller reported this message code.</source>
+        <translation>El controlador comunicó este código de mensaje.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>Introduzca un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Sobra un signo igual. Para comparar, use ==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>Demasiados signos igual. Para comparar, use ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -585,7 +585,7 @@
         <translation>el servicio del puerto %1 no usa RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
         <translation>Demasiados clientes RTDE, o el controlador no responde: cierre otros programas y reinicie el controlador.</translation>
     </message>
     <message>
@@ -605,8 +605,8 @@
         <translation>Cierre el otro programa que controla este robot (otra ventana, ROS, ur_rtde).</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>este software no tiene registros 24 a 47</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>esta versión de software no tiene registros 24 a 47</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -653,11 +653,11 @@
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation>permitida, y solicitada por los bucles de tiempo real</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
         <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles</translation>
     </message>
     <message>
@@ -693,8 +693,8 @@
         <translation>Dé a este PC una dirección en la red del robot (los mismos tres primeros números) y compruebe el cable.</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 responde, pero no ofrece ningún servicio de un robot</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 responde, pero no ofrece servicios de robot</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -841,7 +841,7 @@
         <translation>Alimentación y frenos</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>Registros para el control libres</translation>
     </message>
     <message>
@@ -857,8 +857,8 @@
         <translation>Prioridad de tiempo real en este PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
-        <translation>Activaciones del temporizador de este PC</translation>
+        <source>Timer wake-ups on this PC</source>
+        <translation>Activaciones del temporizador en este PC</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -880,16 +880,16 @@
         <translation>Solo orientación</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>Plano X Y</translation>
+        <source>XY plane</source>
+        <translation>Plano XY</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>Línea Z</translation>
+        <source>Z only</source>
+        <translation>Solo Z</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Espere a que el brazo esté en reposo antes del movimiento libre.</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>Espere al reposo antes de iniciar el movimiento libre.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
@@ -899,33 +899,18 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
-        <translation>hombro izquierdo</translation>
+        <source>left bumper</source>
+        <translation>botón superior izquierdo</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
         <translation>Palanca izquierda: X e Y. Palanca derecha: Z y giro. Mantenga el botón superior derecho para girar con ambas palancas.</translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>Comprobación de teclas no disponible en esta plataforma (%1): las teclas pulsadas solo se conocen por los eventos de la ventana.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Las teclas pulsadas solo se conocen por los eventos de la ventana.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>Esta pantalla tiene alta resolución. Aumente «Tamaño de la interfaz» en Ajustes para agrandar texto, teclas y gráficos.</translation>
     </message>
 </context>
@@ -944,7 +929,7 @@
         <translation>Armar o desarmar el teclado</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo y un marco rodea la ventana. Se desarma tras 30 s sin uso.</translation>
     </message>
     <message>
@@ -960,8 +945,8 @@
         <translation>Cero aquí</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>Mide el desplazamiento del TCP desde aquí. Pulse de nuevo para medir desde la última pulsación.</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>Mide el desplazamiento del TCP desde aquí. Pulse de nuevo para medir desde la última pulsación de tecla.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -1000,7 +985,7 @@
         <translation>Pide la longitud del paso. El ángulo del paso no cambia.</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>Otro giro manual…</translation>
     </message>
     <message>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation>Codo casi recto</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>Codo casi recto: %1 de la velocidad</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>Muñeca sobre el eje de la base</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>Muñeca sobre el eje de la base: %1 de la velocidad</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>Muñeca 2 cerca de 0° o 180°</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>Muñeca 2 cerca de 0° o 180°: %1 de la velocidad</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>mover %1</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1 está a %2 de %3: %4 de la velocidad</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@
         <translation>Seleccione el simulador o introduzca la dirección de un robot</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y los pasos de recuperación. Nada se mueve.</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y los pasos de recuperación. El brazo no se mueve.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1446,8 +1446,8 @@
         <translation>Actualizando firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>Se actualiza el firmware de las articulaciones. No corte la corriente hasta que termine.</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>Se actualiza el firmware de las articulaciones. No corte la corriente hasta que termine la actualización.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1772,12 +1772,12 @@
         <translation>Exportar los gráficos…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Guarda el intervalo visible como imagen, dibujo, página o valores.</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>Guarda el intervalo visible como imagen, página PDF o tabla de valores.</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>Los gráficos muestran %1</translation>
+        <source>Plots: last %1</source>
+        <translation>Gráficos: últimos %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1828,8 +1828,8 @@
         <translation>Registro: mostrar todo</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>Registro: mostrar avisos y peores</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>Registro: mostrar avisos y errores</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1864,7 +1864,7 @@
         <translation>Abre la lista de todas las señales. Añada una a un gráfico arrastrándola, con doble clic o con Intro.</translation>
     </message>
     <message>
-        <source>New page of plots</source>
+        <source>New plot page</source>
         <translation>Nueva página de gráficos</translation>
     </message>
     <message>
@@ -1903,7 +1903,7 @@
         <translation>Leer %1 en los cursores</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>Pasar %1 a un gráfico propio</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>Media %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>Norma de las curvas de este gráfico</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>Quitar este gráfico</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>Ajustar la escala a las curvas</translation>
     </message>
     <message>
@@ -1978,7 +1978,7 @@
         <translation>El brazo está en marcha y de nuevo bajo su control.</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
         <translation>Aún no hay un sistema de coordenadas nuevo. Use «3 puntos» en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
@@ -1994,8 +1994,8 @@
         <translation>«%1»: su eje X difiere %2° del eje Y de la base.</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>«%1» no se enseñó con el brazo: el TCP no ha estado en su origen.</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>«%1» no se enseñó con el brazo: el TCP nunca estuvo en su origen.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2014,8 +2014,8 @@
         <translation>«%1» está en la posición esperada, pero la orientación de la herramienta cambió.</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>«%1» está de nuevo en la pieza.</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>«%1» vuelve a coincidir con la pieza.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
@@ -2026,7 +2026,7 @@
         <translation>Ralentizado a %1. Continúe.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will show it.</source>
         <translation>Aún no se alcanzó ningún límite. La línea bajo el teclado lo indicará.</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation>Aún no hay grabación. Pulse «Grabar» sobre los gráficos.</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
+        <source>Recorded. Enter the force shown in the plot.</source>
         <translation>Grabado. Introduzca la fuerza que muestra el gráfico.</translation>
     </message>
     <message>
@@ -2082,8 +2082,8 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>Iniciar hace que el brazo simulado choque y entre en parada de protección. Averigüe qué lo detuvo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Iniciar simula un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
@@ -2098,8 +2098,8 @@
         <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo el teclado indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Iniciar hace que una mano presione la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Iniciar simula una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,8 +2116,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
-        <translation>Como máximo</translation>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2168,8 +2168,8 @@
         <translation>Esta versión de Tiller no tiene el paso «%1».</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>Un programa solo puede empezar en un paso de su nivel superior, y no entre partes que van juntas.</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>Un programa solo puede empezar en un paso de nivel superior, y no entre partes como Si y Si no.</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,20 +2200,20 @@
         <translation>Las llamadas están anidadas a demasiada profundidad.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>«%1» se enseñó con otro TCP que los puntos anteriores. Elija una herramienta activa o ponga el paso en una sección TCP.</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>«%1» se enseñó con otro TCP que los puntos anteriores. Defina el TCP activo o ponga el paso en una sección TCP.</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
-        <translation>Las fusiones de este movimiento y del anterior, %1 y %2, son mayores que los %3 entre ellos.</translation>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
+        <translation>Las fusiones de este movimiento y del anterior, %1 y %2, superan la distancia de %3 entre ellos.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
         <translation>La expresión está vacía.</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
-        <translation>Una expresión es una sola línea.</translation>
+        <source>An expression must be a single line.</source>
+        <translation>Una expresión debe ocupar una sola línea.</translation>
     </message>
     <message>
         <source>Unexpected character “%1”.</source>
@@ -2252,8 +2252,8 @@
         <translation>El paso falló y terminó el programa.</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>El programa no ha terminado tras %1 s.</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>El programa no terminó en %1 s.</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>Valores</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>El programa «%1» necesita %2 valores separados por comas y tiene %3.</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>El programa «%1» necesita %2 valores separados por comas, pero hay %3.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>Si no</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>Terminar el programa</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>Sistema de la sección</translation>
     </message>
     <message>
@@ -2460,12 +2460,12 @@
         <translation>Abrir</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>Salida que cierra</translation>
+        <source>Closing output</source>
+        <translation>Salida de cierre</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>Salida que abre</translation>
+        <source>Opening output</source>
+        <translation>Salida de apertura</translation>
     </message>
     <message>
         <source>Time</source>
@@ -2484,7 +2484,7 @@
         <translation>Abrir y cerrar necesitan salidas distintas.</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>La pinza no sujeta ninguna pieza.</translation>
     </message>
     <message>
@@ -2492,11 +2492,11 @@
         <translation>Si</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>Salir del bucle</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
+        <source>This step is not inside a loop.</source>
         <translation>Este paso no está dentro de un bucle.</translation>
     </message>
     <message>
@@ -2504,19 +2504,19 @@
         <translation>Bucle</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>Veces (0: sin fin)</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>Repeticiones (0: sin fin)</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>Contador</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>Este bucle puede no terminar nunca y nada en él consume tiempo. Añada una espera.</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>Este bucle puede no terminar nunca y no contiene ninguna espera. Añada un paso Esperar.</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation>Un bucle puede tener de 1 a %1 posiciones; este tiene %2.</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>Pasando por</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>Libre</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>Fija al arco</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>La distancia es cero.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>El punto de paso «%1» mueve la pinza. En un programa, use el paso Pinza y desactive las acciones del punto.</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>Punto de paso</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>Distancia antes de él</translation>
+        <source>Approach distance</source>
+        <translation>Distancia de aproximación</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>Si no se alcanza</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>Defina la entrada.</translation>
+        <source>Select an input.</source>
+        <translation>Seleccione una entrada.</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>La entrada no se activó.</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>No hubo contacto.</translation>
+        <source>No contact was detected.</source>
+        <translation>No se detectó contacto.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,12 +2776,12 @@
         <translation>Selección</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
+        <source>A Switch needs at least one Case.</source>
         <translation>Una selección necesita al menos un caso.</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
-        <translation>Directamente en una selección solo hay Caso y Predeterminado.</translation>
+        <source>A Switch can directly contain only Case and Default.</source>
+        <translation>Una selección solo puede contener directamente Caso y Predeterminado.</translation>
     </message>
     <message>
         <source>TCP section</source>
@@ -2804,8 +2804,8 @@
         <translation>Esperar una condición</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>Después de ese tiempo</translation>
+        <source>On timeout</source>
+        <translation>Al agotarse el tiempo</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2916,7 +2916,7 @@
         <translation>Esperando la conexión</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
         <translation>He inspeccionado el brazo: nadie lo toca y nada está atrapado.</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>volver atrás: no queda movimiento registrado</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>Desconectar</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>Detiene nuestro movimiento y después cierra la conexión.</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>Detiene el movimiento de Tiller y después cierra la conexión.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>Ningún robot está conectado.</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
     <message>
@@ -3085,12 +3085,12 @@
         <translation>El sistema de seguridad no comunica ninguna parada.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>Tras una infracción o un fallo, una vez hallada la causa. El brazo sigue apagado.</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>Restablece el sistema de seguridad tras una infracción o un fallo. El brazo sigue apagado.</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>Solo tras una infracción o un fallo.</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>Solo posible tras una infracción o un fallo.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3129,8 +3129,8 @@
         <translation>Cargar programa…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>Carga por nombre un programa guardado en el robot.</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>Carga un programa del robot por su nombre.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3328,15 +3328,15 @@
         <translation>Vista predeterminada, en perspectiva</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Entre el frente y el lado, un poco desde arriba, con todo visible.</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>Mirar entre el frente y el lado, un poco desde arriba, con todo visible.</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>Mirar desde el frente</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>X de la base a la derecha, Z arriba.</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>Mirar desde el lado</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>Y de la base a la derecha, Z arriba.</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>Mirar desde arriba</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>X de la base a la derecha, Y arriba.</translation>
     </message>
     <message>
@@ -3389,8 +3389,8 @@
         <translation>escribir %1</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>Valor no válido para el ajuste &quot;%1&quot;.</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>Valor no válido para el ajuste «%1».</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3417,8 +3417,8 @@
         <translation>La lista de valores falta o es demasiado larga.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; no es un nombre de ajuste válido.</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>«%1» no es un nombre de ajuste válido.</translation>
     </message>
 </context>
 <context>
@@ -3842,8 +3842,8 @@
         <translation>Faltan valores en este intervalo: seleccione un intervalo sin huecos.</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>No hay memoria suficiente.</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>Memoria insuficiente: seleccione un intervalo más corto.</translation>
     </message>
 </context>
 <context>
@@ -3959,7 +3959,7 @@
         <translation>No se reciben más datos. Compruebe el cable. Tiller se reconecta automáticamente; el movimiento no se reanuda.</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>La respuesta no cumple el protocolo RTDE. Compruebe la dirección y el puerto.</translation>
     </message>
     <message>
@@ -4231,7 +4231,7 @@
         <translation>tiempo máximo de pulsación alcanzado; pulse de nuevo</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
         <translation>PolyScope X anterior a 10.11 no acepta estas órdenes por la red: use la consola portátil.</translation>
     </message>
     <message>
@@ -4271,7 +4271,7 @@
         <translation>Libere espacio en el disco y vuelva a guardar o grabar.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>Solo supervisión: esta ventana no cambia nada en el robot. Se define en los ajustes o con --monitor-only.</translation>
     </message>
     <message>
@@ -4339,20 +4339,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>Se ejecuta en este orden cuando «Recorrer» llega al punto de paso, y solo mientras se mantiene la tecla.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>Las acciones se ejecutan en este orden cuando «Ruta» llega al punto de paso, mientras se mantiene la tecla.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Estos puntos de paso tienen acciones diferentes. «Cambiar» las sustituye todas por las acciones de abajo.</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>Estos puntos de paso tienen acciones diferentes. «Aplicar» las sustituye todas por las acciones de abajo.</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>Acciones en orden</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Cambiar</translation>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4447,7 +4447,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1: %2
 Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
@@ -4495,11 +4495,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Armar teclado</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco rodea la ventana.</translation>
     </message>
 </context>
@@ -4688,7 +4688,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Suelo</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>Desactivado, no se dibuja ni se comprueba.</translation>
     </message>
     <message>
@@ -4704,8 +4704,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Distancia de seguridad</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>El movimiento manual se detiene a esta distancia del propio brazo y de la celda. Los movimientos que se acercan más se rechazan.</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>El movimiento manual se detiene a esta distancia de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4781,9 +4781,20 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>aún no hecho</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>Comparación con el modelo del brazo</translation>
     </message>
     <message>
@@ -4814,7 +4825,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>Comparar con el modelo del brazo</translation>
     </message>
     <message>
@@ -4822,7 +4833,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>El brazo simulado sigue las consignas articulares grabadas y su movimiento se compara con el grabado. El modelo no tiene contacto ni fricción.</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation>Modelo del brazo</translation>
     </message>
     <message>
@@ -4863,6 +4874,13 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4893,8 +4911,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Movería</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Teclado, cuando está armado (Ctrl+J): flechas X e Y, RePág y AvPág Z, con Alt giro, 1 a 6 con + y − articulaciones, Inicio a inicio, Fin alinea, Retroceso atrás, F movimiento libre. Ctrl más lento, Mayús más rápido. Espacio y Esc detienen.</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Teclado, cuando está armado (Ctrl+J): flechas: X e Y; RePág, AvPág: Z; con Alt: giro; 1 a 6 con + y −: articulaciones; Inicio: a inicio; Fin: alinear; Retroceso: atrás; F: movimiento libre; Ctrl: más lento; Mayús: más rápido. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4918,10 +4936,20 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
+        <source>Nothing found</source>
+        <translation>Nada encontrado</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Nada encontrado con estos filtros.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Nada encontrado para «%1».
+Vacíe la búsqueda para verlo todo.</translation>
     </message>
 </context>
 <context>
@@ -5400,16 +5428,16 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Bucle</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>Recorrer los puntos de paso</translation>
+        <source>Run the route</source>
+        <translation>Recorrer la ruta</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>Recorrer (mantener)</translation>
+        <source>Run route (hold)</source>
+        <translation>Ruta (mantener)</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>Recorrer, mantener</translation>
+        <source>Run route, hold</source>
+        <translation>Recorrer la ruta, mantener</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5585,20 +5613,20 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>Una salida: activada cierra</translation>
+        <source>One output: on = closed</source>
+        <translation>Una salida: activa = cerrada</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>Dos salidas: abrir, cerrar</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>Salida que cierra</translation>
+        <source>Closing output</source>
+        <translation>Salida de cierre</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>Salida que abre</translation>
+        <source>Opening output</source>
+        <translation>Salida de apertura</translation>
     </message>
     <message>
         <source>Target opening</source>
@@ -5861,17 +5889,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation>mantener</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>El servidor gráfico no responde: no se podría detectar cuándo se suelta la tecla.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>mantener</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
     </message>
 </context>
 <context>
@@ -5955,7 +5983,7 @@ No se puede conmutar mientras el robot no envía datos.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
@@ -5987,8 +6015,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Pinza</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Parte de E/S</translation>
+        <source>Page of I/O</source>
+        <translation>Página de E/S</translation>
     </message>
 </context>
 <context>
@@ -6117,7 +6145,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Alinear</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>Gira la herramienta al eje más cercano del sistema elegido mientras se mantiene</translation>
     </message>
     <message>
@@ -6424,8 +6452,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Registro</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>Mostrar desde gravedad</translation>
+        <source>Minimum severity</source>
+        <translation>Gravedad mínima</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6476,8 +6504,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Abrir grabación</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Abrir la grabación de la entrada seleccionada (los incidentes tienen una)</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>Abrir la grabación de la entrada seleccionada (solo incidentes)</translation>
     </message>
 </context>
 <context>
@@ -6555,11 +6583,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Herramienta</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1 está en contacto con %2, y el movimiento lo acerca más</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1 está a solo %2 de %3, y el movimiento lo acerca más</translation>
     </message>
     <message>
@@ -6573,23 +6601,6 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     <message>
         <source>“%1”</source>
         <translation>«%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nada encontrado</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Nada encontrado con estos filtros.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Nada encontrado para «%1».
-Vacíe la búsqueda para verlo todo.</translation>
     </message>
 </context>
 <context>
@@ -6611,12 +6622,12 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>Respuesta del aviso</translation>
+        <source>Action of the notice</source>
+        <translation>Acción del aviso</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>Segunda respuesta del aviso</translation>
+        <source>Second action of the notice</source>
+        <translation>Segunda acción del aviso</translation>
     </message>
 </context>
 <context>
@@ -6836,8 +6847,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Crear patrón</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Cambiar</translation>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -7192,8 +7203,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>El robot no envía fuerzas: no se puede comprobar la carga útil.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Con %1 kg, el brazo mide %2 y %3 en reposo.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Con una carga útil de %1 kg, el brazo mide %2 y %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7259,7 +7270,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>respecto a</translation>
     </message>
     <message>
@@ -7287,7 +7298,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>No hay muestras en este intervalo.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>Faltan muestras en este intervalo: coloque los cursores A y B sin huecos entre ellos.</translation>
     </message>
     <message>
@@ -7310,7 +7321,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n muestra, se muestra 1 de cada %1</numerusform>
             <numerusform>%n muestras, se muestra 1 de cada %1</numerusform>
@@ -7495,7 +7506,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Intervalo visible exportado a %1</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>Imagen (*.png)</translation>
     </message>
     <message>
@@ -7752,7 +7763,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>Comparar con el modelo del brazo…</translation>
     </message>
 </context>
@@ -7770,7 +7781,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
+        <source>Plot pages</source>
         <translation>Páginas de gráficos</translation>
     </message>
     <message>
@@ -7900,7 +7911,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Gráficos en el tiempo</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A y B colocan los cursores, izquierda y derecha los mueven, arriba y abajo eligen la señal que leen. H oculta su curva, Ctrl+Supr la quita. Más y menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos, Fin vuelve a las muestras más recientes</translation>
     </message>
     <message>
@@ -7962,12 +7973,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic: desplazamiento desde la pulsación</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic: desplazamiento desde la última pulsación</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>orientación como en Ajustes. Δ: desplazamiento desde la pulsación. Clic: cero aquí</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>orientación como en Ajustes. Δ: desplazamiento desde la última pulsación. Clic: cero aquí</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8380,19 +8391,19 @@ Suelte la tecla para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
-        <translation>%1 se guarda de nuevo</translation>
+        <source>Saving of %1 resumed</source>
+        <translation>Se reanudó el guardado de %1</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>La otra ventana cerró %1. Los cambios de esta ventana se guardan de nuevo.</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>La otra ventana cerró %1. Esta ventana vuelve a guardar los cambios.</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1 está abierto en otra ventana</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>Abierto por %1. Los cambios de esta ventana no se guardan en el archivo hasta que se haga cargo del proyecto.</translation>
     </message>
     <message>
@@ -8412,12 +8423,12 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Otra ventana o programa ha cambiado %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>Esta ventana tiene cambios sin guardar. Recargar los descarta. Conservar ambos guarda el proyecto de esta ventana en un segundo archivo.</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>Esta ventana tiene cambios sin guardar. «Recargar» los descarta. «Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo.</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>Recargar muestra el contenido nuevo. Conservar ambos guarda el proyecto de esta ventana en un segundo archivo. Los cambios no se guardan hasta que decida.</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>«Recargar» muestra el contenido nuevo. «Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo. Los cambios no se guardan hasta que decida.</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8506,8 +8517,8 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Proyecto de otro modelo de robot</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Conservar poses: Tiller recalcula las posiciones articulares y la herramienta alcanza las mismas poses. Conservar articulaciones: el brazo mantiene su configuración y la herramienta alcanza otras poses. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>«Conservar poses» recalcula las posiciones articulares; la herramienta alcanza las mismas poses. «Conservar articulaciones» mantiene la configuración del brazo; la herramienta alcanza otras poses. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8522,15 +8533,15 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>El TCP difiere del proyecto</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Con el TCP del robot, la brida va a las posiciones enseñadas. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Con el TCP del robot, la brida alcanza las poses enseñadas, pero el TCP no. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Poner «%1» en el robot</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>Conservar el TCP del robot</translation>
     </message>
     <message>
@@ -8562,7 +8573,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Elegir…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>Aún no se conoce el modelo del robot. Espere a que el robot lo comunique.</translation>
     </message>
 </context>
@@ -8984,8 +8995,8 @@ Suelte la tecla para detener el brazo.</translation>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>No hay puntos de paso que recorrer. Enseñe o seleccione primero puntos de paso.</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>La ruta no tiene puntos de paso. Enseñe o seleccione primero puntos de paso.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -9026,7 +9037,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Frente</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>Mirar desde el frente: X de la base a la derecha, Z arriba</translation>
     </message>
     <message>
@@ -9034,7 +9045,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Lado</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>Mirar desde el lado: Y de la base a la derecha, Z arriba</translation>
     </message>
     <message>
@@ -9042,7 +9053,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Planta</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>Mirar desde arriba: X de la base a la derecha, Y arriba</translation>
     </message>
     <message>
@@ -9124,7 +9135,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 no llega en los mismos paquetes que las demás.</translation>
+        <translation>%1 no está en los mismos paquetes RTDE que las demás señales.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9143,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>Son más señales de las que un robot envía a la vez: quite otras primero.</translation>
+        <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9159,11 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Hay poca memoria de historial para mostrar %1: elija más en el menú Layout.</translation>
+        <translation>La memoria del historial es demasiado pequeña para mostrar %1: auméntela en el menú Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>No se pudo calcular %1 hasta el final: %2</translation>
+        <translation>No se pudo calcular %1 por completo: %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9186,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Un nombre, una unidad entre corchetes si quiere, y una expresión sobre señales: arrástrelas aquí para sus nombres. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y las funciones usuales. Intro la crea.</translation>
+        <translation>Introduzca un nombre, una unidad opcional entre corchetes y una expresión de señales. Arrastre señales aquí para insertar sus nombres. Funciones: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y funciones estándar. Intro crea la señal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9201,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Este robot es simulado. Solo se mueven píxeles.</translation>
+        <translation>Este robot es simulado. Ningún robot real se mueve.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9227,7 @@ Suelte la tecla para detener el brazo.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Grabación, sesión y último mensaje</translation>
+        <translation>Grabación, proyecto y último mensaje</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9258,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Parada por software. No es una parada de emergencia. La corriente sigue.</translation>
+        <translation>Parada por software. No es una parada de emergencia. La alimentación sigue activa.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9307,7 +9318,7 @@ Suelte la tecla para detener el brazo.</translation>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Aún no hay TCP.
-Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el brazo.</translation>
+Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar uno con el brazo.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9326,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Desde la brida. Intro lo aplica al proyecto; el robot conserva lo suyo.</translation>
+        <translation>Relativo a la brida. Intro lo aplica al proyecto. El TCP del robot no cambia.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9394,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>«%1» es el TCP que tiene el robot.</translation>
+        <translation>«%1» es el TCP activo del robot.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9438,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>En el robot: %1. En el proyecto: %2. Están a %3. No se cambió nada.</translation>
+        <translation>En el robot: %1. En el proyecto: %2. Distancia: %3. No se cambió nada.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9461,8 +9472,8 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Enseñar el TCP</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>Tomar una pose de la rotación</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>Tomar una pose para el giro</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9486,34 +9497,34 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Punta en %1. Las poses coinciden en %2 (rms); la pose %3 es la que menos encaja, por %4.</translation>
+        <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>La herramienta gira demasiado poco entre las poses. Tome otra, inclinada 30° o más a otro lado.</translation>
+        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>El robot no envió un lugar válido. Tome las poses de nuevo.</translation>
+        <translation>El robot envió una posición no válida. Tome las poses de nuevo.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. En total cuatro veces: la punta en el mismo punto, la herramienta inclinada cada vez a otro lado.</translation>
+        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
-            <numerusform>Incline la herramienta a otro lado, lleve la punta al mismo punto y tome la pose. Faltan: %n</numerusform>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>La herramienta conserva la rotación que tiene ahora.</translation>
+        <translation>La herramienta conserva su rotación actual.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su X vaya por la X de la base; tómela.</translation>
+        <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9532,19 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Tome la herramienta como está ahora. Desde aquí no debe girar: mueva solo X, Y y Z.</translation>
+        <translation>Tome la pose en la posición actual. No gire la herramienta a partir de aquí: mueva solo X, Y y Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Mueva la herramienta por su propio +Z, alejándose de la brida, al menos %1, y tómela.</translation>
+        <translation>Mueva la herramienta en su dirección +Z, alejándola de la brida, al menos %1, y tome la pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Ahora al lado de su +X, al menos %1, y tómela.</translation>
+        <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotación tomada: %1 por +Z, %2 al lado; la brida giró %3 entretanto, sobre todo en la pose %4.</translation>
+        <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
@@ -9574,17 +9585,6 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
         <translation>Las poses solo se pueden tomar mientras el robot envía datos.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation>hecho</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>aún no hecho</translation>
     </message>
 </context>
 <context>
@@ -9647,8 +9647,8 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>La vista es demasiado pequeña para desplegar esto</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>La vista es demasiado pequeña para desplegar esta tarjeta</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9717,20 +9717,20 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>posición «%1»</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Recorrer</translation>
+        <source>Run route</source>
+        <translation>Ruta</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>Muestra los mandos de Recorrer en lugar de los valores.</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>Muestra los mandos de la ruta en lugar de los valores.</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>Muestra los valores en lugar de los mandos de Recorrer.</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>Muestra los valores en lugar de los mandos de la ruta.</translation>
     </message>
 </context>
 <context>
@@ -10255,8 +10255,8 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         <translation>Fusión</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Cambiar</translation>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
     </message>
 </context>
 <context>
@@ -10366,7 +10366,7 @@ Pulse Del robot para conservar el que tiene, o Enseñar… para hallarlo con el 
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Reflejado en el plano que pasa por el origen y es perpendicular al eje. La herramienta se acerca por el lado reflejado.</translation>
     </message>
     <message>
@@ -10636,8 +10636,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Probar el simulador</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Un UR5e simulado en este programa. Todas las funciones están disponibles sin riesgo.</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>Un UR5e simulado que se ejecuta en Tiller. Todas las funciones están disponibles sin riesgo.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10672,8 +10672,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Robots conectados antes</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>Quita de esta lista el robot seleccionado (Supr). El robot no cambia.</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>Quita de esta lista el robot seleccionado (Supr). El robot no se ve afectado.</translation>
     </message>
 </context>
 <context>
@@ -10747,8 +10747,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>detener la grabación</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1: no ocurrió en %2 s (%3)</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1: no se completó en %2 s (%3)</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10797,8 +10797,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>archivos                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>no hay tecla &quot;%1&quot; en la ventana</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>no hay tecla «%1» en la ventana</translation>
     </message>
 </context>
 <context>
@@ -10808,8 +10808,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Dispositivo que mueve el brazo</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>Probarlo…</translation>
+        <source>Test device…</source>
+        <translation>Probar dispositivo…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -10914,11 +10914,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Índice</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;El manual no está en este ordenador&lt;/h2&gt;&lt;p&gt;Viene con el paquete Debian de Tiller. Un Tiller compilado por usted lo tiene si está instalado el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. Hasta entonces sus páginas se leen como texto en la carpeta packaging/manual de las fuentes. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras se mantiene una tecla del teclado de la ventana y se detiene al soltarla. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero deja la tecla, se pulsa un segundo botón o interviene otra mano;&lt;/li&gt;&lt;li&gt;junto a una tecla mantenida del teclado se pulsa un modificador o una tecla que la contradice;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, algo se abre sobre ella o se elige otro sistema, velocidad, paso o pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa se cuelga o el robot deja «En marcha», su modo de seguridad o el control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo se desconecta o enmudece;&lt;/li&gt;&lt;li&gt;nadie puede probar que la tecla sigue pulsada: en X11 se pregunta al servidor gráfico cien veces por segundo si el botón o la tecla está pulsado, y un «no», o 100 ms sin respuesta, termina el movimiento. Donde no se puede preguntar a nadie, lo dicen la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se ha mantenido mucho tiempo: un movimiento manual %1 s (Ajustes), el movimiento libre cinco minutos, un movimiento a un lugar 5 s más de lo que tarda. Los últimos 3 s se cuentan atrás.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un movimiento detenido necesita una nueva pulsación. Con el control tomado, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen desde cualquier ventana, diálogo y campo de texto. Sin el control pertenecen al elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace una pulsación diez veces más fina, &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápida, nunca sobre el límite. En un teclado sin letras latinas, una letra de abajo significa su lugar en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11006,41 +11006,14 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation>Primeros pasos</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Ejercicios</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation>Ejercicio: poner «%1»</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z, con Alt giran, 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen.</translation>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -11338,24 +11311,24 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Hay un programa en marcha en el robot.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>El programa «%1» está en pausa en el robot.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>El programa «%1» está en marcha en el robot.</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>Al tomar el control se detiene. No se puede reanudar, solo iniciar de nuevo.</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>Al tomar el control se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
         <translation>Detenerlo y tomar el control</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Dejarlo en marcha</translation>
+        <source>Keep the program</source>
+        <translation>Mantener el programa</translation>
     </message>
 </context>
 <context>
@@ -11515,8 +11488,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>No se puede mostrar la perspectiva «%1»: su disposición guardada está dañada. Ordene los paneles y guárdela de nuevo.</translation>
     </message>
     <message>
-        <source>Type a name.</source>
-        <translation>Escriba un nombre.</translation>
+        <source>Enter a name.</source>
+        <translation>Introduzca un nombre.</translation>
     </message>
     <message>
         <source>The name is too long.</source>
@@ -11814,8 +11787,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Alabeo, cabeceo, guiñada en grados</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>Vector de rotación en radianes, como lo escriben los scripts</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>Vector de rotación en radianes, como en los scripts</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11850,8 +11823,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Escala el texto, los controles, los gráficos y la vista.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Se aplica en el próximo inicio de Tiller. Esta pantalla admite como máximo %1 %, que es lo que se usará.</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>Se aplica en el próximo inicio de Tiller, limitado a %1 % en esta pantalla.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11890,8 +11863,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1 está reservada para detener el brazo.</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 está asignada a &quot;%2&quot;. Quítela primero de allí.</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 está asignada a «%2». Quítela primero de allí.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11906,7 +11879,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir la ventana de nuevo</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
         <translation>Detiene el brazo, devuelve el control y se reconecta. Los gráficos empiezan de nuevo. El proyecto se guarda.</translation>
     </message>
     <message>
@@ -11963,6 +11936,33 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Ajustes importados de %1. Los ajustes anteriores se guardaron en %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Ejercicio: añadir «%1»</translation>
     </message>
 </context>
 </TS>

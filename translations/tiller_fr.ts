@@ -8,16 +8,16 @@
         <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la dans E/S, Pince.</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Parcourir</translation>
+        <source>Run route</source>
+        <translation>Itinéraire</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ne s’est pas activée en %2 s. Vérifiez la cause, puis appuyez de nouveau.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 ne s’est pas activée en %2 s. Vérifiez l’appareil raccordé, puis appuyez de nouveau.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez la cause, puis appuyez de nouveau.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez l’appareil raccordé, puis appuyez de nouveau.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1 désactivée %2 s</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>Attendre que %1 soit activée, %2 s au plus</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>Attendre que %1 soit activée (max. %2 s)</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>Attendre que %1 soit désactivée, %2 s au plus</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>Attendre que %1 soit désactivée (max. %2 s)</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>un seul projet peut être ouvert ; retirez &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>Surveillance seule : ne rien changer sur le robot, sauf par STOP. Ne peut pas être désactivé dans les réglages.</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>Surveillance seule : ne rien changer sur le robot ; seul STOP agit. Ne peut pas être désactivé dans les réglages.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>Le bras et le modèle divergent à %1 s : une force de %2 agit sur le TCP</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>Le bras a bougé comme le modèle d’un %1</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>Le mouvement correspond au modèle d’un %1</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>Rien à comparer : le bras était hors tension ou guidé à la main pendant tout l’enregistrement.</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>Ils diffèrent dès le premier échantillon : vérifiez la charge utile configurée, le modèle de robot et tout contact avec le bras.</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>Le bras et le modèle diffèrent dès le premier échantillon : vérifiez la charge utile, le modèle de robot et tout contact avec le bras.</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>À partir de là, le bras a été poussé ou retenu, sa charge utile était différente, ou une articulation n’a pas suivi sa consigne.</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>À partir de cet instant, le bras a été poussé ou retenu, sa charge utile était différente, ou une articulation n’a pas suivi sa consigne.</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>Cet enregistrement ne peut pas être comparé à un modèle : son intervalle d’échantillonnage est trop long. Enregistrez chaque paquet.</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>Pas comparé au modèle du bras.</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>Sortez-en articulation par articulation ; utilisez MoveJ dans cette zone.</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>Ne peut pas tenir sa position</translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation>Le programme en cours a demandé l’arrêt.</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
+        <source>See the preceding messages of the program.</source>
         <translation>Consultez les messages précédents du programme.</translation>
     </message>
     <message>
@@ -496,8 +496,8 @@
         <translation>Message C%1 du contrôleur</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>Le contrôleur a signalé ce numéro.</translation>
+        <source>The controller reported this message code.</source>
+        <translation>Le contrôleur a signalé ce code de message.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>Saisissez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>Il y a un signe égal de trop. Pour une comparaison, utilisez ==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>Trop de signes égal. Pour une comparaison, utilisez ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -585,7 +585,7 @@
         <translation>le service du port %1 n’utilise pas RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
         <translation>Trop de clients RTDE, ou le contrôleur ne répond plus : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
@@ -605,8 +605,8 @@
         <translation>Terminez l’autre programme qui commande ce robot (une autre fenêtre, ROS, ur_rtde).</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>ce logiciel n’a pas de registres 24 à 47</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>cette version du logiciel n’a pas de registres 24 à 47</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -653,11 +653,11 @@
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation>autorisée, et demandée par les boucles temps réel</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
         <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles</translation>
     </message>
     <message>
@@ -693,8 +693,8 @@
         <translation>Donnez à ce PC une adresse dans le réseau du robot (les mêmes trois premiers nombres) et vérifiez le câble.</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 répond, mais n’offre aucun service d’un robot</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 répond, mais n’offre aucun service de robot</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -841,7 +841,7 @@
         <translation>Alimentation et freins</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>Registres de commande libres</translation>
     </message>
     <message>
@@ -857,8 +857,8 @@
         <translation>Priorité temps réel sur ce PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
-        <translation>Réveils de minuterie de ce PC</translation>
+        <source>Timer wake-ups on this PC</source>
+        <translation>Réveils de minuterie sur ce PC</translation>
     </message>
     <message>
         <source>TCP and payload</source>
@@ -880,16 +880,16 @@
         <translation>Orientation seule</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>Plan X Y</translation>
+        <source>XY plane</source>
+        <translation>Plan XY</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>Ligne Z</translation>
+        <source>Z only</source>
+        <translation>Z seul</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>Attendez que le bras soit à l’arrêt avant Freedrive.</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>Attendez l’arrêt du bras avant de démarrer Freedrive.</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
@@ -899,33 +899,18 @@
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
+        <source>left bumper</source>
         <translation>gâchette gauche</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
         <translation>Manche gauche : X et Y. Manche droit : Z et rotation. Maintenez la gâchette droite pour tourner avec les deux manches.</translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : les touches maintenues ne sont connues que par les événements de la fenêtre.</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Les touches maintenues ne sont connues que par les événements de la fenêtre.</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>Cet écran a une haute résolution. Augmentez « Taille de l’interface » dans les réglages pour agrandir textes, touches et tracés.</translation>
     </message>
 </context>
@@ -944,7 +929,7 @@
         <translation>Armer ou désarmer le clavier</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
         <translation>Clavier armé, les flèches déplacent le bras et un cadre entoure la fenêtre. Se désarme après 30 s sans utilisation.</translation>
     </message>
     <message>
@@ -960,8 +945,8 @@
         <translation>Zéro ici</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>Mesure le déplacement du TCP à partir d’ici. Appuyez de nouveau pour mesurer depuis le dernier appui.</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>Mesure le déplacement du TCP à partir d’ici. Appuyez de nouveau pour mesurer depuis le dernier appui de touche.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -1000,7 +985,7 @@
         <translation>Demande la longueur du pas. L’angle du pas ne change pas.</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>Autre rotation manuelle…</translation>
     </message>
     <message>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation>Coude presque tendu</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>Coude presque tendu : %1 de la vitesse</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>Poignet au-dessus de l’axe de la base</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>Poignet au-dessus de l’axe de la base : %1 de la vitesse</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>Poignet 2 près de 0° ou 180°</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>Poignet 2 près de 0° ou 180° : %1 de la vitesse</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>déplacer %1</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1 est à %2 de %3 : %4 de la vitesse</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@
         <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>Affiche ce qui a arrêté le bras, les cinq dernières secondes et les étapes de rétablissement. Rien ne bouge.</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>Affiche ce qui a arrêté le bras, les cinq dernières secondes et les étapes de rétablissement. Le bras ne bouge pas.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1446,8 +1446,8 @@
         <translation>Mise à jour du firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>Le firmware des articulations est mis à jour. Gardez sous tension jusqu’à la fin.</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>Le firmware des articulations est mis à jour. Gardez sous tension jusqu’à la fin de la mise à jour.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1772,12 +1772,12 @@
         <translation>Exporter les tracés…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>Enregistre la plage visible comme image, dessin, page ou valeurs.</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>Enregistre la plage visible comme image, page PDF ou tableau de valeurs.</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>Les tracés montrent %1</translation>
+        <source>Plots: last %1</source>
+        <translation>Tracés : derniers %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1828,8 +1828,8 @@
         <translation>Journal : tout montrer</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>Journal : montrer avertissements et pire</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>Journal : montrer avertissements et erreurs</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1864,7 +1864,7 @@
         <translation>Ouvre la liste de tous les signaux. Ajoutez-en un à un tracé par glisser-déposer, double-clic ou Entrée.</translation>
     </message>
     <message>
-        <source>New page of plots</source>
+        <source>New plot page</source>
         <translation>Nouvelle page de tracés</translation>
     </message>
     <message>
@@ -1903,7 +1903,7 @@
         <translation>Lire %1 aux curseurs</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>Mettre %1 sur un tracé à part</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>Moyenne %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>Norme des courbes de ce tracé</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>Ôter ce tracé</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>Ajuster l’échelle aux courbes</translation>
     </message>
     <message>
@@ -1978,7 +1978,7 @@
         <translation>Le bras marche et est de nouveau sous votre contrôle.</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
         <translation>Pas encore de nouveau repère. Utilisez « 3 points » dans l’onglet Repères.</translation>
     </message>
     <message>
@@ -1994,8 +1994,8 @@
         <translation>« %1 » : son axe X s’écarte de %2° de l’axe Y de la base.</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a pas été à son origine.</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a jamais été à son origine.</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2014,8 +2014,8 @@
         <translation>« %1 » est à la position attendue, mais l’orientation de l’outil a changé.</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>« %1 » est de nouveau sur la pièce.</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>« %1 » correspond de nouveau à la pièce.</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
@@ -2026,7 +2026,7 @@
         <translation>Ralenti à %1. Continuez.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
+        <source>No limit reached yet. The line below the pad will show it.</source>
         <translation>Aucune limite atteinte. La ligne sous le pavé l’indiquera.</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@
         <translation>Pas encore d’enregistrement. Appuyez sur « Enregistrer » au-dessus des tracés.</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
+        <source>Recorded. Enter the force shown in the plot.</source>
         <translation>Enregistré. Saisissez la force que montre le tracé.</translation>
     </message>
     <message>
@@ -2082,8 +2082,8 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>Démarrer fait entrer le bras simulé en collision et en arrêt de protection. Trouvez ce qui l’a arrêté, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Démarrer simule une collision, qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
@@ -2098,8 +2098,8 @@
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Démarrer fait appuyer une main sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Démarrer simule une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,8 +2116,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
-        <translation>Au plus</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2168,8 +2168,8 @@
         <translation>Cette version de Tiller n’a pas d’étape « %1 ».</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>Un programme ne peut commencer qu’à une étape de son niveau supérieur, et pas entre des parties liées.</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>Un programme ne peut commencer qu’à une étape de niveau supérieur, et pas entre des parties comme Si et Sinon.</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,20 +2200,20 @@
         <translation>Les appels sont imbriqués trop profondément.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>« %1 » a été appris avec un autre TCP que les points précédents. Choisissez un outil actif ou placez l’étape dans une section TCP.</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>« %1 » a été appris avec un autre TCP que les points précédents. Définissez le TCP actif ou placez l’étape dans une section TCP.</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
-        <translation>Les raccordements de ce mouvement et du précédent, %1 et %2, dépassent les %3 qui les séparent.</translation>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
+        <translation>Les raccordements de ce mouvement et du précédent, %1 et %2, dépassent la distance de %3 qui les sépare.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
         <translation>L’expression est vide.</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
-        <translation>Une expression tient sur une seule ligne.</translation>
+        <source>An expression must be a single line.</source>
+        <translation>Une expression doit tenir sur une seule ligne.</translation>
     </message>
     <message>
         <source>Unexpected character “%1”.</source>
@@ -2252,8 +2252,8 @@
         <translation>L’étape a échoué et a terminé le programme.</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>Le programme n’est pas terminé après %1 s.</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>Le programme ne s’est pas terminé en %1 s.</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>Le programme « %1 » demande %2 valeurs séparées par des virgules et en a %3.</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>Le programme « %1 » demande %2 valeurs séparées par des virgules, mais il y en a %3.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>Sinon</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>Terminer le programme</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>Repère de la section</translation>
     </message>
     <message>
@@ -2460,12 +2460,12 @@
         <translation>Ouvrir</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>Sortie qui ferme</translation>
+        <source>Closing output</source>
+        <translation>Sortie de fermeture</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>Sortie qui ouvre</translation>
+        <source>Opening output</source>
+        <translation>Sortie d’ouverture</translation>
     </message>
     <message>
         <source>Time</source>
@@ -2484,7 +2484,7 @@
         <translation>L’ouverture et la fermeture demandent des sorties différentes.</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>La pince ne tient pas de pièce.</translation>
     </message>
     <message>
@@ -2492,11 +2492,11 @@
         <translation>Si</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>Quitter la boucle</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
+        <source>This step is not inside a loop.</source>
         <translation>Cette étape n’est pas dans une boucle.</translation>
     </message>
     <message>
@@ -2504,20 +2504,20 @@
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>Nombre (0 : sans fin)</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>Répétitions (0 : sans fin)</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>Compteur</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>Cette boucle peut ne jamais finir et rien n’y prend de temps. Ajoutez une attente.</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>Cette boucle peut ne jamais finir et ne contient aucune attente. Ajoutez une étape Attendre.</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
-        <translation>Une boucle peut avoir de 1 à %1 emplacements ; celle-ci en a %2.</translation>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
+        <translation>Une boucle peut avoir de 1 à %1 positions ; celle-ci en a %2.</translation>
     </message>
     <message>
         <source>Message</source>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>Par</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>Libre</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>Fixe par rapport à l’arc</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>La distance est nulle.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>Le point « %1 » déplace la pince. Dans un programme, utilisez l’étape Pince et désactivez les actions du point.</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>Point de passage</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>Distance avant</translation>
+        <source>Approach distance</source>
+        <translation>Distance d’approche</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>Direction</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>Si non atteint</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>Définissez l’entrée.</translation>
+        <source>Select an input.</source>
+        <translation>Sélectionnez une entrée.</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>L’entrée ne s’est pas activée.</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>Il n’y a pas eu de contact.</translation>
+        <source>No contact was detected.</source>
+        <translation>Aucun contact n’a été détecté.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,11 +2776,11 @@
         <translation>Choix</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
+        <source>A Switch needs at least one Case.</source>
         <translation>Un choix demande au moins un cas.</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation>Un choix ne contient directement que Cas et Par défaut.</translation>
     </message>
     <message>
@@ -2804,8 +2804,8 @@
         <translation>Attendre une condition</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>Après ce délai</translation>
+        <source>On timeout</source>
+        <translation>En cas de dépassement</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2916,7 +2916,7 @@
         <translation>En attente de la connexion</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
         <translation>J’ai inspecté le bras : personne ne le touche et rien n’est coincé.</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>Déconnecter</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>Arrête notre mouvement, puis ferme la connexion.</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>Arrête le mouvement de Tiller, puis ferme la connexion.</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>Aucun robot n’est connecté.</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
     <message>
@@ -3085,12 +3085,12 @@
         <translation>Le système de sécurité ne signale aucun arrêt.</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>Après une violation ou un défaut, une fois la cause trouvée. Le bras reste éteint.</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>Réinitialise le système de sécurité après une violation ou un défaut. Le bras reste hors tension.</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>Seulement après une violation ou un défaut.</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>Possible seulement après une violation ou un défaut.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3129,8 +3129,8 @@
         <translation>Charger un programme…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>Charge par son nom un programme enregistré sur le robot.</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>Charge un programme du robot par son nom.</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3328,15 +3328,15 @@
         <translation>Vue par défaut, en perspective</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>Entre l’avant et le côté, légèrement d’en haut, tout visible.</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>Regarder entre l’avant et le côté, légèrement d’en haut, tout visible.</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>Regarder de face</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>X de la base à droite, Z en haut.</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>Regarder de côté</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>Y de la base à droite, Z en haut.</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>Regarder d’en haut</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>X de la base à droite, Y en haut.</translation>
     </message>
     <message>
@@ -3389,8 +3389,8 @@
         <translation>écrire %1</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>Valeur non valide pour le réglage &quot;%1&quot;.</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>Valeur non valide pour le réglage « %1 ».</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3417,8 +3417,8 @@
         <translation>La liste des valeurs manque ou est trop longue.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; n’est pas un nom de réglage valide.</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>« %1 » n’est pas un nom de réglage valide.</translation>
     </message>
 </context>
 <context>
@@ -3842,8 +3842,8 @@
         <translation>Des valeurs manquent dans cette plage : sélectionnez une plage sans lacunes.</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>Mémoire insuffisante.</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>Mémoire insuffisante : sélectionnez une plage plus courte.</translation>
     </message>
 </context>
 <context>
@@ -3959,7 +3959,7 @@
         <translation>Plus aucune donnée reçue. Vérifiez le câble. Tiller se reconnecte automatiquement ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>La réponse ne respecte pas le protocole RTDE. Vérifiez l’adresse et le port.</translation>
     </message>
     <message>
@@ -4231,7 +4231,7 @@
         <translation>durée maximale de maintien atteinte ; appuyez de nouveau</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
         <translation>PolyScope X avant 10.11 n’accepte pas ces commandes par le réseau : utilisez le pupitre.</translation>
     </message>
     <message>
@@ -4271,7 +4271,7 @@
         <translation>Libérez de l’espace disque, puis enregistrez de nouveau.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Réglé dans les réglages ou par --monitor-only.</translation>
     </message>
     <message>
@@ -4339,20 +4339,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>S’exécute dans cet ordre quand « Parcourir » atteint le point de passage, et seulement tant que sa touche est maintenue.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>Les actions s’exécutent dans cet ordre quand « Itinéraire » atteint le point de passage, tant que sa touche est maintenue.</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>Ces points de passage ont des actions différentes. « Changer » les remplace toutes par les actions ci-dessous.</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>Ces points de passage ont des actions différentes. « Appliquer » les remplace toutes par les actions ci-dessous.</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>Actions dans l’ordre</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Changer</translation>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4447,7 +4447,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1 : %2
 Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
@@ -4495,11 +4495,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Armer le clavier</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre entoure la fenêtre.</translation>
     </message>
 </context>
@@ -4688,7 +4688,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Sol</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>Désactivé, il n’est ni dessiné ni vérifié.</translation>
     </message>
     <message>
@@ -4704,8 +4704,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Distance de sécurité</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>Le déplacement manuel s’arrête à cette distance du bras lui-même et de la cellule. Les mouvements qui s’approchent davantage sont refusés.</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Le déplacement manuel s’arrête à cette distance de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4781,9 +4781,20 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>pas encore fait</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>Comparaison avec le modèle du bras</translation>
     </message>
     <message>
@@ -4814,7 +4825,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>Comparer au modèle du bras</translation>
     </message>
     <message>
@@ -4822,7 +4833,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Le bras simulé suit les consignes articulaires enregistrées, et son mouvement est comparé au mouvement enregistré. Le modèle n’a ni contact ni frottement.</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation>Modèle du bras</translation>
     </message>
     <message>
@@ -4863,6 +4874,13 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4893,8 +4911,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Déplacerait</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>Clavier, quand il est armé (Ctrl+J) : flèches X et Y, Pg préc et Pg suiv Z, avec Alt rotation, 1 à 6 avec + et − articulations, Début origine, Fin aligner, Retour arrière retour, F Freedrive. Ctrl plus lent, Maj plus rapide. Espace et Échap arrêtent.</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Clavier, quand il est armé (Ctrl+J) : flèches : X et Y ; Pg préc, Pg suiv : Z ; avec Alt : rotation ; 1 à 6 avec + et − : articulations ; Début : origine ; Fin : aligner ; Retour arrière : retour ; F : Freedrive ; Ctrl : plus lent ; Maj : plus rapide. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4918,10 +4936,20 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
+        <source>Nothing found</source>
+        <translation>Rien trouvé</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>Rien trouvé avec ces filtres.</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>Rien trouvé pour « %1 ».
+Videz la recherche pour tout voir.</translation>
     </message>
 </context>
 <context>
@@ -5400,16 +5428,16 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>Parcourir les points de passage</translation>
+        <source>Run the route</source>
+        <translation>Parcourir l’itinéraire</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>Parcourir (tenir)</translation>
+        <source>Run route (hold)</source>
+        <translation>Itinéraire (tenir)</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>Parcourir, tenir</translation>
+        <source>Run route, hold</source>
+        <translation>Parcourir l’itinéraire, tenir</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5585,20 +5613,20 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>Une sortie : activée ferme</translation>
+        <source>One output: on = closed</source>
+        <translation>Une sortie : active = fermée</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>Deux sorties : ouvrir, fermer</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>Sortie qui ferme</translation>
+        <source>Closing output</source>
+        <translation>Sortie de fermeture</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>Sortie qui ouvre</translation>
+        <source>Opening output</source>
+        <translation>Sortie d’ouverture</translation>
     </message>
     <message>
         <source>Target opening</source>
@@ -5861,17 +5889,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation>tenir</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
-    </message>
-</context>
-<context>
     <name>tiller::HoldRules</name>
     <message>
         <source>The window was not active. Press again.</source>
@@ -5892,6 +5909,17 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
         <translation>Le serveur d’affichage ne répond pas : le relâchement de la touche ne pourrait pas être détecté.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>tenir</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
     </message>
 </context>
 <context>
@@ -5955,7 +5983,7 @@ Non commutable tant que le robot n’envoie pas de données.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</translation>
     </message>
@@ -5987,8 +6015,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pince</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>Partie d’E/S</translation>
+        <source>Page of I/O</source>
+        <translation>Page d’E/S</translation>
     </message>
 </context>
 <context>
@@ -6117,7 +6145,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Aligner</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>Tourne l’outil vers l’axe le plus proche du repère choisi tant qu’elle est tenue</translation>
     </message>
     <message>
@@ -6424,8 +6452,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Journal</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>Montrer depuis la gravité</translation>
+        <source>Minimum severity</source>
+        <translation>Gravité minimale</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6476,8 +6504,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Ouvrir l’enregistrement</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>Ouvrir l’enregistrement de l’entrée sélectionnée (les incidents en ont un)</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>Ouvrir l’enregistrement de l’entrée sélectionnée (incidents uniquement)</translation>
     </message>
 </context>
 <context>
@@ -6555,11 +6583,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Outil</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1 est en contact avec %2, et le mouvement l’en rapproche</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1 n’est qu’à %2 de %3, et le mouvement l’en rapproche</translation>
     </message>
     <message>
@@ -6573,23 +6601,6 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     <message>
         <source>“%1”</source>
         <translation>« %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>Rien trouvé</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>Rien trouvé avec ces filtres.</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>Rien trouvé pour « %1 ».
-Videz la recherche pour tout voir.</translation>
     </message>
 </context>
 <context>
@@ -6611,12 +6622,12 @@ Videz la recherche pour tout voir.</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>Réponse de l’avis</translation>
+        <source>Action of the notice</source>
+        <translation>Action de l’avis</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>Seconde réponse de l’avis</translation>
+        <source>Second action of the notice</source>
+        <translation>Seconde action de l’avis</translation>
     </message>
 </context>
 <context>
@@ -6836,8 +6847,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Créer le motif</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Changer</translation>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -7192,8 +7203,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Le robot n’envoie pas de forces : la charge utile ne peut pas être vérifiée.</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>Avec %1 kg, le bras mesure %2 et %3 à l’arrêt.</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>Avec une charge utile de %1 kg, le bras mesure %2 et %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7259,7 +7270,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>selon</translation>
     </message>
     <message>
@@ -7287,7 +7298,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Il n’y a pas d’échantillons dans cette plage.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
     </message>
     <message>
@@ -7310,7 +7321,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n échantillon, 1 sur %1 affiché</numerusform>
             <numerusform>%n échantillons, 1 sur %1 affiché</numerusform>
@@ -7495,7 +7506,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Plage visible exportée vers %1</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>Image (*.png)</translation>
     </message>
     <message>
@@ -7752,7 +7763,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>Comparer au modèle du bras…</translation>
     </message>
 </context>
@@ -7770,7 +7781,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
+        <source>Plot pages</source>
         <translation>Pages de tracés</translation>
     </message>
     <message>
@@ -7900,7 +7911,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Tracés dans le temps</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
         <translation>A et B placent les curseurs, gauche et droite les déplacent, haut et bas choisissent le signal lu. H masque sa courbe, Ctrl+Suppr la retire. Plus et moins changent la plage de temps, avec Ctrl l’échelle des valeurs ; Ctrl+0 pour l’échelle automatique. N ajoute une note, F affiche toutes les données, Fin revient aux derniers échantillons</translation>
     </message>
     <message>
@@ -7962,12 +7973,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Pose du TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Clic : déplacement depuis l’appui</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Clic : déplacement depuis le dernier appui</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>orientation selon les réglages. Δ : déplacement depuis l’appui. Clic : zéro ici</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>orientation selon les réglages. Δ : déplacement depuis le dernier appui. Clic : zéro ici</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8380,19 +8391,19 @@ Relâchez la touche pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
-        <translation>%1 est de nouveau enregistré</translation>
+        <source>Saving of %1 resumed</source>
+        <translation>Enregistrement de %1 repris</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>L’autre fenêtre a fermé %1. Les modifications de cette fenêtre sont de nouveau enregistrées.</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>L’autre fenêtre a fermé %1. Cette fenêtre enregistre de nouveau les modifications.</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1 est ouvert dans une autre fenêtre</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>Ouvert par %1. Les modifications de cette fenêtre ne sont pas enregistrées dans le fichier tant que vous ne reprenez pas le projet.</translation>
     </message>
     <message>
@@ -8412,12 +8423,12 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Une autre fenêtre ou un autre programme a modifié %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>Cette fenêtre contient des modifications non enregistrées. Recharger les abandonne. Garder les deux enregistre le projet de cette fenêtre dans un second fichier.</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>Cette fenêtre contient des modifications non enregistrées. « Recharger » les abandonne. « Garder les deux » enregistre le projet de cette fenêtre dans un second fichier.</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>Recharger affiche le nouveau contenu. Garder les deux enregistre le projet de cette fenêtre dans un second fichier. Les modifications ne sont pas enregistrées jusqu’à votre décision.</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>« Recharger » affiche le nouveau contenu. « Garder les deux » enregistre le projet de cette fenêtre dans un second fichier. Les modifications ne sont pas enregistrées jusqu’à votre décision.</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8506,8 +8517,8 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Projet d’un autre modèle de robot</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Conserver les poses : Tiller recalcule les positions articulaires et l’outil atteint les mêmes poses. Conserver les articulations : le bras garde sa configuration et l’outil atteint d’autres poses. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>« Conserver les poses » recalcule les positions articulaires ; l’outil atteint les mêmes poses. « Conserver les articulations » garde la configuration du bras ; l’outil atteint d’autres poses. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8522,15 +8533,15 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Le TCP diffère du projet</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Avec le TCP du robot, la bride va aux positions apprises. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>Avec le TCP du robot, la bride atteint les poses apprises, mais pas le TCP. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Régler « %1 » sur le robot</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>Conserver le TCP du robot</translation>
     </message>
     <message>
@@ -8562,7 +8573,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Choisir…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>Le modèle du robot n’est pas encore connu. Attendez que le robot l’ait indiqué.</translation>
     </message>
 </context>
@@ -8984,8 +8995,8 @@ Relâchez la touche pour arrêter le bras.</translation>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>Aucun point de passage à parcourir. Apprenez ou sélectionnez d’abord des points.</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>L’itinéraire ne contient aucun point de passage. Apprenez ou sélectionnez d’abord des points.</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -9026,7 +9037,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Face</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>Regarder de face : X de la base à droite, Z en haut</translation>
     </message>
     <message>
@@ -9034,7 +9045,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Côté</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>Regarder de côté : Y de la base à droite, Z en haut</translation>
     </message>
     <message>
@@ -9042,7 +9053,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Dessus</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>Regarder d’en haut : X de la base à droite, Y en haut</translation>
     </message>
     <message>
@@ -9124,7 +9135,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 ne vient pas dans les mêmes paquets que les autres.</translation>
+        <translation>%1 n’est pas dans les mêmes paquets RTDE que les autres signaux.</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9132,7 +9143,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The robot cannot send so many signals at once: remove other signals first.</source>
-        <translation>C’est plus de signaux qu’un robot n’en envoie à la fois : ôtez-en d’abord d’autres.</translation>
+        <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
         <source>open %1</source>
@@ -9148,11 +9159,11 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>Trop peu de mémoire d’historique pour montrer %1 : choisissez-en plus dans le menu Layout.</translation>
+        <translation>La mémoire d’historique est trop petite pour afficher %1 : augmentez-la dans le menu Layout.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 n’a pas pu être calculé jusqu’au bout : %2</translation>
+        <translation>%1 n’a pas pu être calculé entièrement : %2</translation>
     </message>
 </context>
 <context>
@@ -9175,7 +9186,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Un nom, une unité entre crochets si vous voulez, et une expression sur des signaux : tirez-les ici pour leurs noms. norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et les fonctions usuelles. Entrée le crée.</translation>
+        <translation>Saisissez un nom, une unité facultative entre crochets et une expression de signaux. Faites glisser des signaux ici pour insérer leurs noms. Fonctions : norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et fonctions standard. Entrée crée le signal.</translation>
     </message>
     <message>
         <source>%1: not sent by this robot.</source>
@@ -9190,7 +9201,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>Ce robot est simulé. Seuls des pixels bougent.</translation>
+        <translation>Ce robot est simulé. Aucun robot réel ne bouge.</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9216,7 +9227,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>Enregistrement, session et dernier message</translation>
+        <translation>Enregistrement, projet et dernier message</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9247,7 +9258,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Software stop. Not an emergency stop. Power stays on.</source>
-        <translation>Arrêt logiciel. Pas un arrêt d’urgence. Le courant reste.</translation>
+        <translation>Arrêt logiciel. Pas un arrêt d’urgence. L’alimentation reste active.</translation>
     </message>
     <message>
         <source>Space and Esc stop as well.</source>
@@ -9307,7 +9318,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>Pas encore de TCP.
-Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le bras.</translation>
+Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre… » pour en apprendre un avec le bras.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9315,7 +9326,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>Depuis la bride. Entrée l’applique au projet ; le robot garde le sien.</translation>
+        <translation>Par rapport à la bride. Entrée l’applique au projet. Le TCP du robot ne change pas.</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9383,7 +9394,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>“%1” is the active TCP of the robot.</source>
-        <translation>« %1 » est le TCP du robot.</translation>
+        <translation>« %1 » est le TCP actif du robot.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -9427,7 +9438,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
-        <translation>Sur le robot : %1. Dans le projet : %2. Ils sont à %3 l’un de l’autre. Rien n’a été changé.</translation>
+        <translation>Sur le robot : %1. Dans le projet : %2. Distance : %3. Rien n’a été changé.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9461,8 +9472,8 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Apprendre le TCP</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>Prendre une pose de la rotation</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>Prendre une pose pour la rotation</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9486,34 +9497,34 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Tip at %1. The poses agree within %2 (RMS); pose %3 deviates most, by %4.</source>
-        <translation>Pointe à %1. Les poses s’accordent à %2 (rms) ; la pose %3 convient le moins, de %4.</translation>
+        <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>L’outil tourne trop peu entre les poses. Prenez-en une de plus, inclinée de 30° ou plus d’un autre côté.</translation>
+        <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>Le robot n’a pas envoyé de place valable. Reprenez les poses.</translation>
+        <translation>Le robot a envoyé une position non valide. Reprenez les poses.</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Quatre fois en tout : la pointe au même point, l’outil incliné chaque fois d’un autre côté.</translation>
+        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
-            <numerusform>Inclinez l’outil d’un autre côté, ramenez la pointe au même point et prenez la pose. Encore : %n</numerusform>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
         </translation>
     </message>
     <message>
         <source>The tool keeps its current rotation.</source>
-        <translation>L’outil garde la rotation qu’il a maintenant.</translation>
+        <translation>L’outil garde sa rotation actuelle.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son X suive le X de la base ; prenez-le.</translation>
+        <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9521,19 +9532,19 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>Prenez l’outil tel qu’il est. À partir d’ici il ne doit pas tourner : déplacez seulement X, Y et Z.</translation>
+        <translation>Prenez la pose à la position actuelle. Ne tournez plus l’outil à partir d’ici : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>Déplacez l’outil selon son propre +Z, loin de la bride, d’au moins %1, et prenez-le.</translation>
+        <translation>Déplacez l’outil dans sa direction +Z, en l’éloignant de la bride, d’au moins %1, et prenez la pose.</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>Maintenant du côté de son +X, d’au moins %1, et prenez-le.</translation>
+        <translation>Déplacez maintenant l’outil dans sa direction +X d’au moins %1 et prenez la pose.</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotation prise : %1 selon +Z, %2 à côté ; la bride a tourné de %3, surtout à la pose %4.</translation>
+        <translation>Rotation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
@@ -9574,17 +9585,6 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
         <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation>fait</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>pas encore fait</translation>
     </message>
 </context>
 <context>
@@ -9647,8 +9647,8 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>La vue est trop petite pour déplier ceci</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>La vue est trop petite pour déplier cette carte</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9717,20 +9717,20 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>position « %1 »</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>Parcourir</translation>
+        <source>Run route</source>
+        <translation>Itinéraire</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>Affiche les commandes de Parcourir au lieu des valeurs.</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>Affiche les commandes de l’itinéraire au lieu des valeurs.</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>Affiche les valeurs au lieu des commandes de Parcourir.</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>Affiche les valeurs au lieu des commandes de l’itinéraire.</translation>
     </message>
 </context>
 <context>
@@ -10255,8 +10255,8 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         <translation>Raccordement</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Changer</translation>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
     </message>
 </context>
 <context>
@@ -10366,7 +10366,7 @@ Pressez Du robot pour garder le sien, ou Apprendre… pour le trouver avec le br
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Symétrie par rapport au plan passant par l’origine et perpendiculaire à l’axe. L’outil approche du côté symétrique.</translation>
     </message>
     <message>
@@ -10636,8 +10636,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Essayer le simulateur</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>Un UR5e simulé dans ce programme. Toutes les fonctions sont disponibles sans risque.</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>Un UR5e simulé qui s’exécute dans Tiller. Toutes les fonctions sont disponibles sans risque.</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10672,8 +10672,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Robots déjà connectés</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>Retire le robot sélectionné de cette liste (Suppr). Le robot ne change pas.</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>Retire le robot sélectionné de cette liste (Suppr). Le robot n’est pas modifié.</translation>
     </message>
 </context>
 <context>
@@ -10747,8 +10747,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>arrêter l’enregistrement</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1 : ne s’est pas produit en %2 s (%3)</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1 : non terminé en %2 s (%3)</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10797,8 +10797,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>fichiers                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>il n’y a pas de touche &quot;%1&quot; dans la fenêtre</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>il n’y a pas de touche « %1 » dans la fenêtre</translation>
     </message>
 </context>
 <context>
@@ -10808,8 +10808,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Périphérique qui bouge le bras</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>L’essayer…</translation>
+        <source>Test device…</source>
+        <translation>Tester l’appareil…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
@@ -10914,11 +10914,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Le manuel n’est pas sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Il vient avec le paquet Debian de Tiller. Un Tiller que vous avez compilé l’a si le paquet python3-sphinx est installé :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. D’ici là, ses pages se lisent comme du texte dans le dossier packaging/manual des sources. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Bouger le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant qu’une touche du pavé est tenue, et s’arrête quand elle est lâchée. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte la touche, un second bouton est pressé ou une autre main s’en mêle ;&lt;/li&gt;&lt;li&gt;à côté d’une touche tenue du clavier, un modificateur ou une touche contraire est enfoncé ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, quelque chose s’ouvre par-dessus, ou un autre repère, une autre vitesse, un autre pas ou un autre onglet est choisi ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme se fige, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou se tait ;&lt;/li&gt;&lt;li&gt;personne ne peut prouver que la touche est encore tenue : sous X11 on demande cent fois par seconde au serveur d’affichage si le bouton ou la touche est enfoncé, et un « non », ou 100 ms sans réponse, termine le mouvement. Là où l’on ne peut interroger personne, l’en-tête et les réglages le disent ;&lt;/li&gt;&lt;li&gt;elle a été tenue longtemps : un déplacement manuel %1 s (réglages), Freedrive cinq minutes, un mouvement vers une place 5 s de plus qu’il ne dure. Les 3 dernières s sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un mouvement arrêté demande un nouvel appui. Avec le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent depuis chaque fenêtre, dialogue et champ de texte. Sans le contrôle, ils appartiennent à l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend un appui dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa place sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11006,41 +11006,14 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
 </context>
 <context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation>Premiers pas</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>Exercices</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation>Exercice : poser « %1 »</translation>
-    </message>
-</context>
-<context>
     <name>tiller::app::MainWindow</name>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Clavier armé : les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z, avec Alt elles tournent, 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent.</translation>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <translation>Clavier armé : les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -11338,24 +11311,24 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un programme est en cours sur le robot.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>Le programme « %1 » est en pause sur le robot.</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>Le programme « %1 » est en cours sur le robot.</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>Prendre le contrôle l’arrête. Il ne peut pas être repris, seulement redémarré.</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>Prendre le contrôle arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
         <translation>L’arrêter et prendre le contrôle</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>Le laisser continuer</translation>
+        <source>Keep the program</source>
+        <translation>Garder le programme</translation>
     </message>
 </context>
 <context>
@@ -11515,8 +11488,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>La perspective « %1 » ne peut pas être affichée : sa disposition enregistrée est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
     </message>
     <message>
-        <source>Type a name.</source>
-        <translation>Tapez un nom.</translation>
+        <source>Enter a name.</source>
+        <translation>Saisissez un nom.</translation>
     </message>
     <message>
         <source>The name is too long.</source>
@@ -11814,8 +11787,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Roulis, tangage, lacet en degrés</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>Vecteur de rotation en radians, comme l’écrivent les scripts</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>Vecteur de rotation en radians, comme dans les scripts</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11850,8 +11823,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Met à l’échelle textes, commandes, tracés et vue.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Prend effet au prochain démarrage de Tiller. Cet écran accepte au plus %1 %, valeur qui sera utilisée.</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>Prend effet au prochain démarrage de Tiller, limité à %1 % sur cet écran.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11890,8 +11863,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 est réservée à l’arrêt du bras.</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 est attribuée à &quot;%2&quot;. Retirez-la d’abord de là.</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 est attribuée à « %2 ». Retirez-la d’abord de là.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11906,7 +11879,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Rouvrir la fenêtre</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
         <translation>Arrête le bras, rend le contrôle et se reconnecte. Les tracés recommencent. Le projet est enregistré.</translation>
     </message>
     <message>
@@ -11963,6 +11936,33 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>Réglages importés de %1. Les réglages précédents ont été enregistrés dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>Exercices</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>Exercice : ajouter « %1 »</translation>
     </message>
 </context>
 </TS>

@@ -8,16 +8,16 @@
         <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>通しで移動</translation>
+        <source>Run route</source>
+        <translation>ルート</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1が%2 s以内にオンになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1が%2 s以内にオンになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1が%2 s以内にオフになりませんでした。待っている対象を確かめ、もう一度押してください。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1を%2 sオフ</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>%1のオンを待つ、最大%2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>%1のオンを待つ（最大 %2 s）</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>%1のオフを待つ、最大%2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>%1のオフを待つ（最大 %2 s）</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -213,8 +213,8 @@
         <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>監視のみ：STOP以外ではロボットを一切変更しません。設定では解除できません。</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>監視のみ：ロボットを一切変更しません。使えるのは STOP だけです。設定では解除できません。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -285,20 +285,20 @@
         <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>アームは %1 のモデルどおりに動きました</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>動作は %1 のモデルと一致しています</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>最初から一致していません：ロボットに設定したペイロード、モデル、アームに触れているものを確認してください。</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>アームとモデルは最初のサンプルから一致していません：ペイロード、ロボットの機種、アームへの接触を確認してください。</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>それ以降、何かがアームを押したか押さえた、荷重が違った、または関節が追従しませんでした。</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>この時点以降、アームが押されたか押さえられた、ペイロードが違った、または関節が目標に追従しませんでした。</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>この記録はモデルと比較できません：行の間隔が広すぎます。すべてのパケットを記録してください。</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>アームのモデルとは比較していません。</translation>
     </message>
 </context>
@@ -376,7 +376,7 @@
         <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>位置を保持できません</translation>
     </message>
     <message>
@@ -476,8 +476,8 @@
         <translation>実行中のプログラムが停止を要求しました。</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
-        <translation>その前のプログラムのメッセージを見てください。</translation>
+        <source>See the preceding messages of the program.</source>
+        <translation>このプログラムの、これより前のメッセージを見てください。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>スクリプトが送られましたが、ロボットはペンダントにだけ従います。</translation>
+        <translation>スクリプトが送られましたが、ロボットはティーチペンダントからの指令だけを受け付けます。</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -496,8 +496,8 @@
         <translation>コントローラーのメッセージ C%1</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>コントローラーがこの番号を報告しました。</translation>
+        <source>The controller reported this message code.</source>
+        <translation>コントローラーがこのメッセージコードを報告しました。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -535,8 +535,8 @@
         <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>等号が一つ多いです。比較は二つです：==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>等号が多すぎます。比較には == を使ってください</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
@@ -570,11 +570,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>アームを見て原因を取り除き、復旧してください：ヘッダーの「復旧…」またはティーチペンダント。</translation>
+        <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>電源を入れてブレーキを解除してください。ヘッダーのボタンが案内します。</translation>
+        <translation>ヘッダーのボタンで電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -585,8 +585,8 @@
         <translation>ポート %1 のサービスは RTDE ではありません</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>RTDE クライアントが多すぎるか、コントローラーが固まっています。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <translation>RTDE クライアントが多すぎるか、コントローラーが応答していません。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
@@ -605,8 +605,8 @@
         <translation>このロボットを制御している別のプログラム（別のウィンドウ、ROS、ur_rtde）を終了してください。</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>このソフトウェアにはレジスター 24〜47 がありません</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>このソフトウェアバージョンにはレジスター 24〜47 がありません</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -653,12 +653,12 @@
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
+        <source>permitted; real-time loops request it</source>
         <translation>許可済み。優先度付きループが要求します</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>プロセッサーが深く眠ることがあり、ループの開始が遅れます</translation>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <translation>CPU が深いスリープ状態に入ることがあり、ループが遅れます</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -693,8 +693,8 @@
         <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 は応答しますが、ロボットのサービスがありません</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 は応答しますが、ロボットのサービスを提供していません</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
@@ -770,11 +770,11 @@
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1、ポート %2。ポップアップはタブレットで閉じます</translation>
+        <translation>Robot API %1、ポート %2。ポップアップはティーチペンダントで閉じてください</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
-        <translation>プライマリーインターフェースがアームを記述していません</translation>
+        <translation>プライマリーインターフェースからアームの情報が得られません</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -782,7 +782,7 @@
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>ロボット型式 %1 はこのプログラムより新しいものです</translation>
+        <translation>ロボット型式 %1 はこのバージョンの Tiller では未対応です</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
@@ -841,7 +841,7 @@
         <translation>電源とブレーキ</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
@@ -857,7 +857,7 @@
         <translation>この PC のリアルタイム優先度</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
+        <source>Timer wake-ups on this PC</source>
         <translation>この PC のタイマー応答</translation>
     </message>
     <message>
@@ -880,52 +880,37 @@
         <translation>姿勢のみ</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>平面 X Y</translation>
+        <source>XY plane</source>
+        <translation>XY 平面</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>直線 Z</translation>
+        <source>Z only</source>
+        <translation>Z のみ</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>フリードライブの前にアームを静止させてください。</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>ペイロード %2 kg でアームに %1 がかかっています。ひとりでに動きます。ツールから手を離すか、ペイロードと TCP を直してください。</translation>
+        <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
-        <translation>左ショルダー</translation>
+        <source>left bumper</source>
+        <translation>左バンパー</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>左スティックは X と Y、右スティックは Z と回転。右ショルダー：スティックで回転。</translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>この画面には第二の証人がいません（%1）：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>ボタンやキーがまだ押されているかを 10 ms ごとにディスプレイサーバーに尋ねます。</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>ディスプレイサーバーに二重に尋ねることができません：キーがまだ押されているかはウィンドウのイベントからしか分かりません。</translation>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
+        <translation>左スティックは X と Y、右スティックは Z と回転。右バンパーを押している間、両スティックで回転。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>この画面は高解像度です。設定の「画面要素のサイズ」を大きくすると、文字、キー、グラフが拡大されます。</translation>
     </message>
 </context>
@@ -944,8 +929,8 @@
         <translation>キーボードを有効／無効にする</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>有効な間、矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。30 秒でひとりでに終わります。</translation>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <translation>有効な間、矢印キーがアームを動かし、ウィンドウが枠で囲まれます。30 秒間使わないと無効になります。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,15 +938,15 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各デバイスの現在の値と、動く向き。</translation>
+        <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
         <source>Zero here</source>
         <translation>ここをゼロに</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>ここから TCP の移動量を数えます。もう一度で、押してからの量に戻ります。</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>ここからの TCP の移動量を測ります。もう一度押すと、最後のキー操作からの移動量になります。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -969,7 +954,7 @@
     </message>
     <message>
         <source>Moves by this distance, only while the key is held.</source>
-        <translation>キーを押し続けている間だけ、この量動きます。</translation>
+        <translation>キーを押している間だけ、この距離を動きます。</translation>
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
@@ -981,7 +966,7 @@
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>押し続けるとゆっくり動き、ツールがこの力に当たると終わります。</translation>
+        <translation>キーを押している間ゆっくり動き、ツールがこの力に達すると止まります。</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -989,7 +974,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>TCP の速度を尋ねます。回転と関節は比例します。</translation>
+        <translation>TCP の速度を入力します。回転と関節の速度は比例して変わります。</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -997,15 +982,15 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>ステップの長さを尋ねます。回転の角度は変わりません。</translation>
+        <translation>ステップの長さを入力します。ステップの角度は変わりません。</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>他の回転ステップ…</translation>
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>ツールや関節を回すステップの角度を尋ねます。長さは変わりません。</translation>
+        <translation>ツールと関節の回転ステップの角度を入力します。ステップの長さは変わりません。</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1013,7 +998,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>動作を終える力を N で尋ねます。</translation>
+        <translation>動作を終える接触力を N で入力します。</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1021,7 +1006,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>フリードライブを押している間に手で動かせるもの。</translation>
+        <translation>フリードライブ中に手で動かせる軸を選択します。</translation>
     </message>
 </context>
 <context>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーに問い合わせます。</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。押されているキーはウィンドウのイベントで判断します。</translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation>肘がほぼ伸びています</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>肘がほぼ伸びています：速度の %1</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>手首がベース軸の上</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>手首がベース軸の上：速度の %1</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>手首2が 0° か 180° の近く</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>手首2が 0° か 180° の近く：速度の %1</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>%1へジョグ</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1は%3まで%2：速度の%4</translation>
     </message>
     <message>
@@ -1260,11 +1260,11 @@
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>指令に 20 ms より長くかかります：アームがキーに遅れて従います。ゆっくりジョグしてください。</translation>
+        <translation>指令に 20 ms 以上かかっています：アームの反応がキー操作より遅れます。ゆっくりジョグしてください。</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>良好：アームはすぐキーに従い、切れた接続は 1/4 秒以内にアームを止めます。</translation>
+        <translation>良好：アームはキーにすぐ反応し、接続が切れると 250 ms 以内に停止します。</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>「遅れ」は時刻より半周期以上遅く届いたパケットです。</translation>
+        <translation>予定より半周期以上遅く届いたパケットを「遅れ」と数えます。</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1347,7 +1347,7 @@
         <translation>シミュレーターかロボットのアドレスを選んでください</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>アームが数ミリ下がることがあります。離れてください。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>アームを止めた原因、直前の 5 秒、戻り方を示します。何も動きません。</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>アームが停止した原因、直前の 5 秒、復旧の手順を表示します。アームは動きません。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
-        <translation>ブレーキに逆らって手でアームを動かしています。フリードライブボタンを離してください。</translation>
+        <translation>ブレーキを解除した状態で、アームを手で動かしています。フリードライブボタンを離してください。</translation>
     </message>
     <message>
         <source>Running</source>
@@ -1446,8 +1446,8 @@
         <translation>ファームウェア更新中</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>関節のファームウェアを更新しています。終わるまで電源を切らないでください。</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>関節のファームウェアを更新しています。更新が終わるまで電源を切らないでください。</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1535,7 +1535,7 @@
     </message>
     <message>
         <source>The controller does not report its safety mode. Check the teach pendant.</source>
-        <translation>コントローラーが安全モードを伝えません。ティーチペンダントを見てください。</translation>
+        <translation>コントローラーが安全モードを報告しません。ティーチペンダントを確認してください。</translation>
     </message>
     <message>
         <source>Automatic safeguard stop</source>
@@ -1615,7 +1615,7 @@
     </message>
     <message>
         <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>プログラムが安全インターフェースでアームを止めています。そのプログラムで停止を終えてください。</translation>
+        <translation>プログラムが安全インターフェースを通じてアームを停止しています。そのプログラムで停止を解除してください。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1631,7 +1631,7 @@
     </message>
     <message>
         <source>The program on the robot is ending.</source>
-        <translation>ロボットのプログラムが終わるところです。</translation>
+        <translation>ロボットのプログラムを終了しています。</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>プログラムが続きます：アームが動くことがあります。</translation>
+        <translation>プログラムを再開しています：アームが動くことがあります。</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1753,7 +1753,7 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>記録を終えます。ファイルは完全です。</translation>
+        <translation>記録を停止し、ファイルを完成させます。</translation>
     </message>
     <message>
         <source>No recording is running.</source>
@@ -1765,19 +1765,19 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>グラフを止めます。データと記録は続きます。もう一度で最新のサンプルに戻ります。</translation>
+        <translation>グラフを止めます。データと記録は続きます。もう一度押すと最新のサンプルに戻ります。</translation>
     </message>
     <message>
         <source>Export the plots…</source>
         <translation>グラフをエクスポート…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>表示範囲を画像、図面、ページ、または値として保存します。</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>表示範囲を画像、PDF ページ、または値の表として保存します。</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>グラフは %1 を表示</translation>
+        <source>Plots: last %1</source>
+        <translation>グラフ：直近 %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>フォーカスのある I/O タブの行。</translation>
+        <translation>I/O タブでフォーカスのある行が対象です。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>フォーカスのある I/O タブの出力：オン、またはオフに戻します。</translation>
+        <translation>I/O タブでフォーカスのある出力をオンまたはオフにします。</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
@@ -1813,7 +1813,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>フォーカスのある I/O タブの出力：0.5 秒オン、その後オフ。</translation>
+        <translation>I/O タブでフォーカスのある出力を 0.5 秒オンにし、その後オフにします。</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1828,8 +1828,8 @@
         <translation>ログ：すべて表示</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>ログ：警告以上を表示</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>ログ：警告とエラーを表示</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1861,15 +1861,15 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>ロボットが伝えるすべての一覧を開きます：ドラッグ、ダブルクリック、Return でグラフへ。</translation>
+        <translation>全信号の一覧を開きます。ドラッグ、ダブルクリック、または Return でグラフに追加します。</translation>
     </message>
     <message>
-        <source>New page of plots</source>
-        <translation>グラフの新しいページ</translation>
+        <source>New plot page</source>
+        <translation>新しいグラフページ</translation>
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>他の後に空のページ。全ページが同じ時間を表示します。</translation>
+        <translation>空のページを最後に追加します。全ページの時間軸は共通です。</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1877,7 +1877,7 @@
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>メモリーにあるすべてを、各グラフに最適な目盛りで。</translation>
+        <translation>メモリーにある全データを表示し、各グラフの目盛りを自動調整します。</translation>
     </message>
 </context>
 <context>
@@ -1903,7 +1903,7 @@
         <translation>カーソル位置の %1 を表示</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>%1 を独立したグラフへ</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>このグラフの曲線のノルム</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>このグラフを削除</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>曲線に合わせる</translation>
     </message>
     <message>
@@ -1978,8 +1978,8 @@
         <translation>アームは稼働し、再び制御下にあります。</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>新しい座標系はまだありません。「3 点」は座標系タブにあります。</translation>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
+        <translation>新しい座標系はまだありません。座標系タブの「3 点」を使ってください。</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
@@ -1994,8 +1994,8 @@
         <translation>「%1」：その X はベースの Y から %2° ずれています。</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>「%1」はアームで取られていません：TCP がその原点にありませんでした。</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2007,35 +2007,35 @@
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>「%1」は %2 動き、あるべき位置から %3 離れています。</translation>
+        <translation>「%1」は %2 動き、期待される位置から %3 離れています。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>「%1」は位置に合っていますが、ツールが回っています。</translation>
+        <translation>「%1」は期待される位置にありますが、ツールの向きが変わりました。</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>「%1」は再び部品にあります。</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>「%1」は再び部品の位置と一致しています。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>「%1」は位置に合っていますが、アームがそこにありません。アームを部品に当てて修正教示してください。</translation>
+        <translation>「%1」は期待される位置にありますが、アームは違います。アームを部品の位置に動かして修正教示してください。</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
         <translation>%1 まで減速しました。続けてください。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>まだ限界ではありません。パッドの下の行に名前が出ます。</translation>
+        <source>No limit reached yet. The line below the pad will show it.</source>
+        <translation>まだ限界に達していません。パッドの下の行に限界が表示されます。</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
-        <translation>限界に達しました。戻ってください：%2 のうち %1。</translation>
+        <translation>限界に達しました。ジョグで戻ってください：%2 のうち %1。</translation>
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>見つけて、抜け出しました。</translation>
+        <translation>限界に達し、そこから抜け出しました。</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2050,12 +2050,12 @@
         <translation>まだ記録がありません。グラフの上の「記録」を押してください。</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
-        <translation>記録済み。グラフが示す力を入力してください。</translation>
+        <source>Recorded. Enter the force shown in the plot.</source>
+        <translation>記録しました。グラフに表示された力を入力してください。</translation>
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 は記録された値ではありません。曲線 Fz を見てください。</translation>
+        <translation>%1 は記録と一致しません。Fz の曲線を見てください。</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
@@ -2082,24 +2082,24 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>開始するとシミュレートされたアームが衝突し、保護停止になります。原因を見て 5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>開始すると衝突をシミュレートし、保護停止になります。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>座標系タブで 3 点から座標系を教示してください。X はベースの Y+ に沿い、Z は上向き：原点、次に Y+ に沿った点、次に X− に沿った点を取ります。</translation>
+        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を取ります。</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>開始するとアームの位置にウェイポイント「部品」を置きます。その後、部品はベースの X+ に %1 動きました。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
+        <translation>開始すると、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>ベースから外側へ、限界でアームが半分の速度になるまでジョグしてください。パッドの下の行に名前と抜け方が出ます。その後 %1 戻ってください。</translation>
+        <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>開始すると手がツールを上から押します。3 秒以上記録して停止してください。グラフで力 Fz の大きさを読み、入力してください。</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>開始すると、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,7 +2116,7 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
+        <source>Maximum</source>
         <translation>最大</translation>
     </message>
     <message>
@@ -2168,8 +2168,8 @@
         <translation>このバージョンの Tiller にはステップ「%1」がありません。</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>プログラムは最上位のステップからのみ開始でき、一組の部分の途中からは開始できません。</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>プログラムは最上位のステップからのみ開始でき、If と Else のような部分の間からは開始できません。</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,11 +2200,11 @@
         <translation>呼び出しの入れ子が深すぎます。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効なツールを選ぶか、ステップを TCP 区間に入れてください。</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効な TCP を設定するか、ステップを TCP 区間に入れてください。</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
         <translation>この動作と前の動作のブレンド %1 と %2 は、間の距離 %3 を超えています。</translation>
     </message>
     <message>
@@ -2212,7 +2212,7 @@
         <translation>式が空です。</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
+        <source>An expression must be a single line.</source>
         <translation>式は 1 行にしてください。</translation>
     </message>
     <message>
@@ -2252,8 +2252,8 @@
         <translation>ステップが失敗し、プログラムが終了しました。</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>プログラムは %1 s 後も終了していません。</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>プログラムは %1 s 以内に終了しませんでした。</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>値</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、%3 個です。</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、指定は %3 個です。</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>それ以外</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>プログラムを終了</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>ベース</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>区間の座標系</translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation>開く</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>閉じる出力</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>開く出力</translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation>開閉には別の出力が必要です。</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>グリッパーが部品を保持していません。</translation>
     </message>
     <message>
@@ -2492,31 +2492,31 @@
         <translation>条件分岐</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>ループを抜ける</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
-        <translation>このステップを囲むループがありません。</translation>
+        <source>This step is not inside a loop.</source>
+        <translation>このステップはループの中にありません。</translation>
     </message>
     <message>
         <source>Loop</source>
         <translation>ループ</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>回数（0：無限）</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>繰り返し回数（0：無限）</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>カウンター</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>このループは終わらない可能性があり、時間のかかる処理がありません。「待機」を追加してください。</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>このループは終わらない可能性があり、待ち時間がありません。「待機」ステップを追加してください。</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation>ループの位置は 1〜%1 個です。現在 %2 個です。</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>経由</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>自由</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>円弧に固定</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>距離がゼロです。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>ウェイポイント「%1」はグリッパーを動かします。プログラムでは「グリッパー」ステップを使い、ウェイポイントの動作をオフにしてください。</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>ウェイポイント</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>手前の距離</translation>
+        <source>Approach distance</source>
+        <translation>アプローチ距離</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>到達しない場合</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>入力を設定してください。</translation>
+        <source>Select an input.</source>
+        <translation>入力を選択してください。</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>入力がオンになりませんでした。</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>接触がありませんでした。</translation>
+        <source>No contact was detected.</source>
+        <translation>接触が検出されませんでした。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,11 +2776,11 @@
         <translation>分岐</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
-        <translation>分岐にはケースが必要です。</translation>
+        <source>A Switch needs at least one Case.</source>
+        <translation>分岐にはケースが少なくとも 1 つ必要です。</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation>分岐の直下に置けるのはケースと既定だけです。</translation>
     </message>
     <message>
@@ -2804,8 +2804,8 @@
         <translation>条件を待つ</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>その時間の後</translation>
+        <source>On timeout</source>
+        <translation>タイムアウト時</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2863,7 +2863,7 @@
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>ロボットのデータが遅れています。戻るのを待っています。</translation>
+        <translation>ロボットのデータが遅れています。新しいデータを待っています。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2878,7 +2878,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>ファイル名は点で始まらない名前が必要です。</translation>
+        <translation>ファイル名は空にできず、ピリオドで始めることもできません。</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2897,7 +2897,7 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>アームを動かせます。停止前に準備したものは動きません：動作ごとに新しく押す必要があります。</translation>
+        <translation>アームを動かせます。停止前の動作は再開しません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2916,12 +2916,12 @@
         <translation>接続を待っています</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>アームを見た：誰も触れず、何も挟まっていない。</translation>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
+        <translation>アームを点検した：誰も触れておらず、何も挟まっていない。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
-        <translation>止めた原因が分かり、取り除いた。</translation>
+        <translation>停止の原因が分かり、取り除いた。</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
@@ -2933,7 +2933,7 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>アームとロボットのログを見た：原因が分かっている。</translation>
+        <translation>アームとロボットのログを確認した：原因が分かっている。</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
@@ -3045,15 +3045,15 @@
         <translation>切断</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>接続を終えます。こちらの動作は先に止まります。</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>Tiller による動作を止めてから接続を閉じます。</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>ロボットは接続されていません。</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -3066,7 +3066,7 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>ブレーキをかけ、アームの電源を切ります。プログラムは止まります。</translation>
+        <translation>プログラムを停止し、ブレーキをかけ、アームの電源を切ります。</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
@@ -3085,12 +3085,12 @@
         <translation>安全システムは停止を報告していません。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>違反や故障の後、原因が分かってから。アームの電源は切れたままです。</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>違反や故障の後、安全システムをリセットします。アームの電源は切れたままです。</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>違反か故障の後だけです。</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>違反または故障の後にのみ実行できます。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3122,19 +3122,19 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>動いているものすべてのソフトウェア停止。非常停止ではありません。</translation>
+        <translation>すべての動作のソフトウェア停止。非常停止ではありません。</translation>
     </message>
     <message>
         <source>Load program…</source>
         <translation>プログラムを読み込む…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>ロボット自身のプログラムを名前で読み込みます。</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>ロボット上のプログラムを名前で読み込みます。</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
-        <translation>読み込んだプログラムを開始、または一時停止から続けます：アームがすぐ動くことがあります。</translation>
+        <translation>読み込んだプログラムを開始、または一時停止中のプログラムを再開します：アームがすぐに動くことがあります。</translation>
     </message>
     <message>
         <source>Pauses the running program.</source>
@@ -3279,11 +3279,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP とペイロードはアームの静止中に設定します。静止させてください。</translation>
+        <translation>TCP とペイロードは静止中にのみ設定できます。アームが止まるまで待ってください。</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -3328,15 +3328,15 @@
         <translation>標準の視点、透視</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>正面と側面の間、少し上から、全体が入ります。</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>正面と側面の間、少し上から全体を見る。</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>正面から見る</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>ベースの X が右、Z が上。</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>側面から見る</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>ベースの Y が右、Z が上。</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>上から見る</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>ベースの X が右、Y が上。</translation>
     </message>
     <message>
@@ -3361,7 +3361,7 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>今見ている向きのまま、アーム、目標、ウェイポイントを収めます。</translation>
+        <translation>視線方向を変えずに、アーム、目標、ウェイポイントを画面に収めます。</translation>
     </message>
 </context>
 <context>
@@ -3388,8 +3388,8 @@
         <translation>%1 を書き込む</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>設定 &quot;%1&quot; の値が無効です。</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>設定「%1」の値が無効です。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
@@ -3405,7 +3405,7 @@
     </message>
     <message>
         <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>ファイルはより新しい Tiller が書いたものです。Tiller を更新してから取り込んでください。</translation>
+        <translation>このファイルは新しい Tiller で作成されました。Tiller を更新してから取り込んでください。</translation>
     </message>
     <message>
         <source>The file does not state its version.</source>
@@ -3416,8 +3416,8 @@
         <translation>ファイルに値の一覧がないか、長すぎます。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; は有効な設定名ではありません。</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>「%1」は有効な設定名ではありません。</translation>
     </message>
 </context>
 <context>
@@ -3841,8 +3841,8 @@
         <translation>この範囲には値の欠けがあります。欠けのない範囲を選んでください。</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>メモリが足りません。</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>メモリーが足りません：短い範囲を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -3951,14 +3951,14 @@
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>ロボットが応答しません。ケーブルと、アドレスがロボット自身のものか確認してください。</translation>
+        <translation>ロボットが応答しません。ケーブルとアドレスを確認してください。</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>データが届かなくなりました。ケーブルを確認してください。接続は自動で戻りますが、動作は戻りません。</translation>
+        <translation>データが届かなくなりました。ケーブルを確認してください。自動で再接続します。動作は再開しません。</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>応答が RTDE プロトコルに違反しています。アドレスとポートを確認してください。</translation>
     </message>
     <message>
@@ -3999,7 +3999,7 @@
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>ロボットは送られたプログラムを実行できませんでした。ロボットの言葉はログにあります。</translation>
+        <translation>ロボットはプログラムを実行できませんでした。コントローラーのメッセージはログにあります。</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
@@ -4223,19 +4223,19 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>押し続けている印がない</translation>
+        <translation>キーが押されていることを確認できない</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
         <translation>最大保持時間に達しました。もう一度押してください</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>10.11 より前の PolyScope X はこの指令をネットワークで受け付けません：タブレットを使ってください。</translation>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <translation>10.11 より前の PolyScope X は、これらの指令をネットワーク経由では受け付けません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X にはネットワークでポップアップを閉じる指令がありません：タブレットを使ってください。</translation>
+        <translation>PolyScope X ではポップアップをネットワーク経由で閉じられません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
@@ -4270,7 +4270,7 @@
         <translation>ディスクの空きを増やしてから、もう一度保存または記録してください。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>監視のみ：このウィンドウはロボットを変更しません。設定または --monitor-only で指定されています。</translation>
     </message>
     <message>
@@ -4337,20 +4337,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>「通しで移動」でアームが着いたとき、キーを押し続けている間だけ、この順に行われます。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>「ルート」でウェイポイントに着くと、キーを押している間、この順に実行されます。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>これらのウェイポイントの動作は異なります。「変更」を押すと、すべてが下の動作になります。</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>これらのウェイポイントの動作は異なります。「適用」を押すと、すべてが下の動作になります。</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>動作の順序</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4414,7 +4414,7 @@
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>その後は終わり、それを知らせます。0: キーを押し続けている間、最大1時間</translation>
+        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：キーを押している間、最大 1 時間待ちます</translation>
     </message>
 </context>
 <context>
@@ -4445,7 +4445,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1：%2
 右クリックか F2 で名前変更とスケール。</translation>
     </message>
@@ -4493,12 +4493,12 @@ Right click or F2 to rename and scale.</source>
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>その後、押している間だけ矢印キーがアームを動かし、ウィンドウの周りに枠が出ます。</translation>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>有効な間、押している矢印キーがアームを動かします。ウィンドウは枠で囲まれます。</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4686,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>床</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>オフの場合は表示も確認もされません。</translation>
     </message>
     <message>
@@ -4702,8 +4702,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>ジョグはアーム自身とセルからこの距離で停止します。それより近づく動作は拒否されます。</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>ジョグは、セルとの間およびアームの各部の間がこの距離になると停止します。それより近づく動作は拒否されます。</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4779,9 +4779,20 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>済み</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>まだ</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>アームのモデルとの比較</translation>
     </message>
     <message>
@@ -4812,7 +4823,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>アームのモデルと比較</translation>
     </message>
     <message>
@@ -4820,7 +4831,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。シミュレーションのアームには何も触れず、摩擦もありません。</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
+        <source>Arm model</source>
         <translation>アームのモデル</translation>
     </message>
     <message>
@@ -4861,6 +4872,13 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DeviceTrainer</name>
     <message>
         <source>Moves the arm (until Tiller is closed)</source>
@@ -4891,8 +4909,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>動く向き</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>キーボード（有効な間、Ctrl+J）：矢印 X と Y、PgUp と PgDn Z、Alt で回転、1〜6 と + − で関節、Home、End で整列、Backspace で戻る、F フリードライブ。Ctrl 遅く、Shift 速く。Space と Esc で停止。</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>キーボード（有効な間、Ctrl+J）：矢印：X と Y、PgUp、PgDn：Z、Alt 併用：回転、1〜6 と + −：関節、Home：ホーム、End：整列、Backspace：戻る、F：フリードライブ、Ctrl：遅く、Shift：速く。Space と Esc で停止。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4900,7 +4918,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+        <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4916,10 +4934,20 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>「%1」は採用されませんでした：%2〜%3。何も変わっていません。</translation>
+        <source>Nothing found</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>この条件では見つかりません。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>「%1」は見つかりません。
+検索を空にするとすべて表示します。</translation>
     </message>
 </context>
 <context>
@@ -4965,7 +4993,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>一覧は自動では戻りません。コマンド「最初のステップ」で戻せます。</translation>
+        <translation>一覧は自動では再表示されません。コマンド「最初のステップ」で表示できます。</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4984,7 +5012,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>ベースで。Return で適用します。動くのは座標系だけです。</translation>
+        <translation>ベース座標系での値。Return で適用します。変わるのは座標系だけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5104,7 +5132,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>「%1」はどのロボットにもある座標系です。別の名前を選んでください。</translation>
+        <translation>「%1」は組み込みの座標系です。別の名前を選んでください。</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
@@ -5393,16 +5421,16 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>繰り返し</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>ウェイポイントを巡る</translation>
+        <source>Run the route</source>
+        <translation>ルートを実行</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>巡る（押す）</translation>
+        <source>Run route (hold)</source>
+        <translation>ルート（押す）</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>巡る、押し続ける</translation>
+        <source>Run route, hold</source>
+        <translation>ルート実行、押し続ける</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5430,7 +5458,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>巡るウェイポイント、一覧の順</translation>
+        <translation>ルートのウェイポイントを一覧の順に選択します</translation>
     </message>
     <message>
         <source>From here</source>
@@ -5446,11 +5474,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>押している限り、最後の次は再び最初のウェイポイントです</translation>
+        <translation>キーを押している間、最後のウェイポイントの後に最初から繰り返します</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5577,19 +5605,19 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>一出力：オンで閉じる</translation>
+        <source>One output: on = closed</source>
+        <translation>1 出力：オン = 閉</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>二出力：開く、閉じる</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>閉じる出力</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>開く出力</translation>
     </message>
     <message>
@@ -5642,7 +5670,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>指の開き、0〜%1。「動かす」で送ります。</translation>
+        <translation>指の目標開度、0〜%1。「動かす」で動作を開始します。</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
@@ -5678,7 +5706,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>手首にあるものを選んでください。このロボットとともに記憶します。</translation>
+        <translation>取り付けたグリッパーを選んでください。選択はこのロボット用に保存されます。</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5726,7 +5754,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>このポートオフセットではグリッパーに届きません。</translation>
+        <translation>このポートオフセットではグリッパーに接続できません。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5746,7 +5774,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
-        <translation>指が一度開閉し、つかんだものは落ちます。指を入れないでください。</translation>
+        <translation>グリッパーの指が一度開閉し、つかんだ物体は落ちます。手の指を近づけないでください。</translation>
     </message>
     <message>
         <source>Opens the gripper and releases the object.</source>
@@ -5754,7 +5782,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Closes the gripper. Keep your fingers clear of it.</source>
-        <translation>グリッパーを閉じます。指を入れないでください。</translation>
+        <translation>グリッパーを閉じます。指を近づけないでください。</translation>
     </message>
     <message>
         <source>Moves the fingers to this opening.</source>
@@ -5825,7 +5853,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>動作中にデータが途切れました：どう止まったかは不明です。</translation>
+        <translation>アームの動作中にデータが途切れました：停止を測定できませんでした。</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5833,7 +5861,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>停止から静止まで、実測。原因：%1</translation>
+        <translation>停止指令から静止までの実測値。原因：%1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5850,17 +5878,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     <message>
         <source>MONITOR ONLY</source>
         <translation>監視のみ</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation>押す</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
 <context>
@@ -5883,7 +5900,18 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>ディスプレイサーバーが応答しません：キーを離した時が分かりません。</translation>
+        <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>押す</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
 <context>
@@ -5914,7 +5942,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>%1 s 前からのすべてが %2 にあります。この行をダブルクリックで開きます。</translation>
+        <translation>記録 %2 は停止の %1 s 前から始まります。この項目をダブルクリックすると開きます。</translation>
     </message>
 </context>
 <context>
@@ -5947,7 +5975,7 @@ Cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
     </message>
@@ -5979,8 +6007,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>グリッパー</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>I/O の部分</translation>
+        <source>Page of I/O</source>
+        <translation>I/O のページ</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6051,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>先に Tab キーで I/O タブの行に移ってください。</translation>
+        <translation>先に Tab キーで I/O タブの行を選択してください。</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -6047,7 +6075,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>これは再生です。まずライブに戻ってください。</translation>
+        <translation>再生中です：先にライブデータに戻ってください。</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6109,7 +6137,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>整列</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>押している間、選んだ座標系の最寄りの軸へツールを回します</translation>
     </message>
     <message>
@@ -6247,7 +6275,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>押している間、ツールが %1 N で何かに触れるまでゆっくり。もう一度クリックで他のステップ</translation>
+        <translation>押している間、接触力が %1 N に達するまでゆっくり動きます。もう一度クリックで他のステップ</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
@@ -6416,8 +6444,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ログ</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>表示する重大度</translation>
+        <source>Minimum severity</source>
+        <translation>最低の重大度</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6468,8 +6496,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>選択した行の記録を開く：インシデントにあります</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>選択した項目の記録を開く（インシデントのみ）</translation>
     </message>
 </context>
 <context>
@@ -6480,7 +6508,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>直線は経路の %1 で手首の特異点に入ります</translation>
+        <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
@@ -6488,23 +6516,23 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>直線は経路の %1 で肘が伸び切ります</translation>
+        <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>経路の %1 で肘が伸び切る近くのため低速</translation>
+        <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>直線は経路の %1 でベースの軸に入ります</translation>
+        <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>経路の %1 でベースの軸近くのため低速</translation>
+        <translation>経路の %1 で肩の特異点近くのため低速</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>経路の %1 で関節が一度に回る必要があります</translation>
+        <translation>経路の %1 で関節の急な変化が必要です</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
@@ -6547,11 +6575,11 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>ツール</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
         <translation>%1は%2に接触しており、この動作でさらに近づきます</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
         <translation>%1は%3まで%2しかなく、この動作でさらに近づきます</translation>
     </message>
     <message>
@@ -6565,23 +6593,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>“%1”</source>
         <translation>「%1」</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>見つかりません</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>この条件では見つかりません。</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>「%1」は見つかりません。
-検索を空にするとすべて表示します。</translation>
     </message>
 </context>
 <context>
@@ -6603,12 +6614,12 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>通知への応答</translation>
+        <source>Action of the notice</source>
+        <translation>通知の操作</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>通知への 2 番目の応答</translation>
+        <source>Second action of the notice</source>
+        <translation>通知の 2 番目の操作</translation>
     </message>
 </context>
 <context>
@@ -6645,7 +6656,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>経路の記録がひとりでに終わりました：データが途絶えたか、10 分続きました。</translation>
+        <translation>経路の記録が終了しました：データが途絶えたか、10 分の上限に達しました。</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
@@ -6665,11 +6676,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>記録を終え、経路をウェイポイントとして残します</translation>
+        <translation>記録を停止し、経路をウェイポイントとして保存します</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>もう一度押すまで、フリードライブやジョグでアームが導かれた道を記録し、ウェイポイントとして残します。何も動かしません。</translation>
+        <translation>もう一度押すまで、フリードライブやジョグでのアームの経路を記録し、ウェイポイントとして保存します。ロボットは動きません。</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6734,7 +6745,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>「%1」：%2 s を %3 個のウェイポイントに。記録した位置はすべて %4 と %5 以内です。</translation>
+        <translation>「%1」：%2 s、ウェイポイント %3 個。記録からの最大偏差：%4 と %5。</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
@@ -6807,7 +6818,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>層から次の層へ、ツールの向きと逆に。</translation>
+        <translation>層の間の距離。ツールの方向と逆向きです。</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6826,8 +6837,8 @@ Clear the search to see everything.</source>
         <translation>パターンを作成</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -6855,7 +6866,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 か所はパターンの上限 %2 を超えます。</translation>
+        <translation>パターンのセルは %1 個です。上限は %2 個です。</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
@@ -6933,7 +6944,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
@@ -6961,7 +6972,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg：軽すぎてセンサーが重心を示せません。数値で入力してください。</translation>
+        <translation>%1 kg：軽すぎて重心を測定できません。手動で入力してください。</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
@@ -7084,7 +7095,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+        <translation>Return でプロジェクトに適用します。ロボットのペイロードは変わりません。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -7160,7 +7171,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -7179,8 +7190,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>%1 kg でアームは静止時に %2 と %3 を受けています。</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>ペイロード %1 kg で、アームの測定値は %2 と %3 です。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7192,15 +7203,15 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>伝えられた値より約 %1 kg 重いです。</translation>
+        <translation>負荷は設定されたペイロードより約 %1 kg 重いです。</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>伝えられた値より約 %1 kg 軽いです。</translation>
+        <translation>負荷は設定されたペイロードより約 %1 kg 軽いです。</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>重心が別の所にあるか、何かがツールに触れています。</translation>
+        <translation>重心が異なるか、何かがツールに触れています。</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
@@ -7246,7 +7257,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>対</translation>
     </message>
     <message>
@@ -7274,7 +7285,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>この範囲にサンプルはありません。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
@@ -7296,7 +7307,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%nサンプル、%1個に1個</numerusform>
         </translation>
@@ -7318,7 +7329,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>アームのモデルとは比較していません：どのアームの記録か分かりません。</translation>
+        <translation>アームのモデルとは比較していません：記録にロボットの機種の情報がありません。</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
@@ -7405,7 +7416,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>ロボットが送るものを CSV ファイルに記録。隣のキーが内容と場所を示します</translation>
+        <translation>ロボットのデータを CSV ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7449,7 +7460,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>力を今の値から数えます。グラフの表示だけです：ロボット、記録、エクスポートの値は測定どおりです。</translation>
+        <translation>グラフの力から現在の値を差し引きます。ロボット、記録、エクスポートの値は変わりません。</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -7480,7 +7491,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>表示範囲を %1 にエクスポートしました</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>画像 (*.png)</translation>
     </message>
     <message>
@@ -7657,7 +7668,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>ロボットが伝えるすべて：グラフへドラッグ、端へなら独立したグラフ、またはダブルクリック</translation>
+        <translation>ロボットの全信号：グラフへドラッグするか、グラフの端へドラッグして新しいグラフを作るか、ダブルクリックします</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7717,7 +7728,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>ロボットが送るものをMCAPファイルに記録します。隣のキーで内容と場所を選べます</translation>
+        <translation>ロボットのデータを MCAP ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7734,7 +7745,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>アームのモデルと比較…</translation>
     </message>
 </context>
@@ -7752,8 +7763,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
-        <translation>グラフのページ</translation>
+        <source>Plot pages</source>
+        <translation>グラフページ</translation>
     </message>
     <message>
         <source>Name of the page</source>
@@ -7832,7 +7843,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>グラフをクリックして A、次に B を置くと、その間がここにまとまります。</translation>
+        <translation>グラフをクリックして A、次に B を置きます。その間の統計がここに表示されます。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -7882,8 +7893,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>時間に対するグラフ</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A と B でカーソルを置き、矢印キーで動かし、上下で読む信号を選びます。H で曲線を隠し、Ctrl+Delete で外します。プラスとマイナスで時間の幅、Ctrl で値の目盛り、Ctrl+0 で曲線に任せます。N でメモ、F で全体、End で最新のサンプルに戻ります</translation>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <translation>A と B でカーソルを置き、左右で動かし、上下でカーソルが読む信号を選びます。H で曲線を隠し、Ctrl+Delete で削除します。プラスとマイナスで時間範囲、Ctrl 併用で値の目盛りを変えます。Ctrl+0 で自動スケール。N でメモを追加、F で全データを表示、End で最新のサンプルに戻ります</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7944,12 +7955,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：押してからの移動</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：最後のキー操作からの移動</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>姿勢の表記は設定どおり。Δ：押してからの移動。クリック：ここをゼロに</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>姿勢の表記は設定どおり。Δ：最後のキー操作からの移動。クリック：ここをゼロに</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -7994,7 +8005,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1。Return で適用します。動くのは位置だけです。</translation>
+        <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
@@ -8118,7 +8129,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>ホームキーは通常のホームへ動きます：直立し、自身に触れません。</translation>
+        <translation>ホームキーは標準のホーム位置へ動かします：アームは直立し、自己衝突しません。</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
@@ -8141,7 +8152,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>アームは停止中です。先に復旧してください。</translation>
+        <translation>アームは安全システムにより停止しています。先に復旧してください。</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
@@ -8200,7 +8211,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>上の確認が認めると可能になります</translation>
+        <translation>上の確認に合格すると使えます</translation>
     </message>
 </context>
 <context>
@@ -8231,7 +8242,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>それでも接続すると、ある限りのデータを表示します。上の赤い項目は制御の取得を妨げたり、動作を途中で終えることがあります。</translation>
+        <translation>それでも接続すると、利用できるデータを表示します。上の赤い項目により、制御を取得できないことや、動作が停止することがあります。</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -8327,7 +8338,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
-        <translation>「%1」の写しを開きました。変更を残すにはファイルに保存してください。</translation>
+        <translation>「%1」のコピーを開きました。変更を残すにはファイルに保存してください。</translation>
     </message>
     <message>
         <source>“%1” is a copy with unsaved changes.</source>
@@ -8360,19 +8371,19 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>もう一方のウィンドウが%1を閉じました。このウィンドウの変更は再び保存されます。</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>もう一方のウィンドウが%1を閉じました。このウィンドウは再び変更を保存します。</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1は別のウィンドウで開かれています</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>%1が開いています。プロジェクトを引き継ぐまで、このウィンドウの変更はファイルに保存されません。</translation>
     </message>
     <message>
@@ -8392,12 +8403,12 @@ Release the key to stop the arm.</source>
         <translation>別のウィンドウまたはプログラムが%1を変更しました</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>このウィンドウには未保存の変更があります。再読み込みすると破棄されます。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>このウィンドウには未保存の変更があります。「再読み込み」で変更を破棄します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>再読み込みすると新しい内容を表示します。両方を残すと、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>「再読み込み」で新しい内容を表示します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8485,8 +8496,8 @@ Release the key to stop the arm.</source>
         <translation>別のロボットモデルのプロジェクト</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>姿勢を維持：関節位置を再計算し、ツールは同じ姿勢に到達します。関節を維持：アームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>「姿勢を維持」は関節位置を再計算し、ツールは同じ姿勢に到達します。「関節を維持」はアームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8501,15 +8512,15 @@ Release the key to stop the arm.</source>
         <translation>TCPがプロジェクトと異なります</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>ロボットのTCPでは、フランジが教示位置へ移動します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>ロボットのTCPでは、フランジは教示された姿勢に到達しますが、TCPは到達しません。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>「%1」をロボットに設定</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>ロボットのTCPを維持</translation>
     </message>
     <message>
@@ -8541,7 +8552,7 @@ Release the key to stop the arm.</source>
         <translation>選択…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>ロボットの機種がまだ不明です。ロボットが報告するまで待ってください。</translation>
     </message>
 </context>
@@ -8915,11 +8926,11 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>グリッパーを有効化中です：頼んだことはその後に行われます。</translation>
+        <translation>グリッパーを有効化中です。指令はその後に実行されます。</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
-        <translation>有効になる前にグリッパーが動かされました。「有効化」を押してください。</translation>
+        <translation>グリッパーは有効になる前に動作指令を受けました。「有効化」を押してください。</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
@@ -8927,7 +8938,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>グリッパーに 1 秒間何も届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
+        <translation>グリッパーに 1 秒間指令が届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
@@ -8961,8 +8972,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>巡るウェイポイントがありません。教示するか選択してください。</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>ルートにウェイポイントがありません。先に教示するか選択してください。</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -8970,7 +8981,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project.</source>
-        <translation>経路のウェイポイントがこのプロジェクトにもうありません。</translation>
+        <translation>ルートのウェイポイントがプロジェクトから削除されました。</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
@@ -8978,7 +8989,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>ウェイポイントが1つだけの繰り返しではどこにも進みません。ウェイポイントを増やすか、繰り返しなしで進めてください。</translation>
+        <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
     </message>
 </context>
 <context>
@@ -9003,7 +9014,7 @@ Release the key to stop the arm.</source>
         <translation>正面</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>正面から見る：ベースの X が右、Z が上</translation>
     </message>
     <message>
@@ -9011,7 +9022,7 @@ Release the key to stop the arm.</source>
         <translation>側面</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>側面から見る：ベースの Y が右、Z が上</translation>
     </message>
     <message>
@@ -9019,7 +9030,7 @@ Release the key to stop the arm.</source>
         <translation>上</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>上から見る：ベースの X が右、Y が上</translation>
     </message>
     <message>
@@ -9166,7 +9177,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>このロボットはシミュレーションです。動くのは画素だけです。</translation>
+        <translation>このロボットはシミュレーションです。実際のロボットは動きません。</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9291,7 +9302,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>フランジから。Return でプロジェクトに適用します。ロボットの値は変わりません。</translation>
+        <translation>フランジに対する値。Return でプロジェクトに適用します。ロボットの TCP は変わりません。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9379,7 +9390,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -9437,8 +9448,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP を教示</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>回転の姿勢を取る</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>回転用の姿勢を取る</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9496,7 +9507,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>今の位置でツールを取ります。以後回してはいけません：X、Y、Z だけジョグしてください。</translation>
+        <translation>現在の位置で姿勢を取ります。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
@@ -9508,11 +9519,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>回転を取りました：+Z に %1、横に %2。その間フランジは %3 回り、姿勢 %4 で最大。</translation>
+        <translation>回転を取りました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>フランジが途中で %1 回り、姿勢 %2 で最大でした。ツールを回さずに三つを取り直してください。</translation>
+        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を取り直してください。</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
@@ -9549,17 +9560,6 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
         <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation>済み</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>まだ</translation>
     </message>
 </context>
 <context>
@@ -9622,8 +9622,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>ビューが小さすぎて広げられません</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>ビューが小さすぎてこのカードを広げられません</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9638,7 +9638,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>ウェイポイントの座標系で。Return で適用します。動くのはウェイポイントだけです。</translation>
+        <translation>ウェイポイントの座標系での値。Return で適用します。変わるのはウェイポイントだけで、ロボットは動きません。</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -9654,7 +9654,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>与えられ、一緒に動く座標系。位置はそのままです。—：関節が優先</translation>
+        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。—：関節位置が優先</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9691,20 +9691,20 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>位置「%1」</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>通しで移動</translation>
+        <source>Run route</source>
+        <translation>ルート</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>数値の代わりに「通しで移動」のキーを表示します。</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>数値の代わりにルートのキーを表示します。</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>「通しで移動」のキーの代わりに数値を表示します。</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>ルートのキーの代わりに数値を表示します。</translation>
     </message>
 </context>
 <context>
@@ -9743,7 +9743,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>パターン「%1」を解消</translation>
+        <translation>パターン「%1」をウェイポイントに変換</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
@@ -9759,7 +9759,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>当時与えられていた座標系がプロジェクトにもうありません。</translation>
+        <translation>以前の版の座標系はプロジェクトから削除されています。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -9883,7 +9883,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>これより前に戻す</translation>
+        <translation>この変更前の版に戻す</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9959,7 +9959,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>それ以前は今と同じでした。</translation>
+        <translation>この変更前の版は現在の版と同じです。</translation>
     </message>
     <message>
         <source>Before this change:</source>
@@ -9994,7 +9994,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>ここからの直線がアームの到達範囲を出ます。MoveJ を使うか、別の場所から始めてください。</translation>
+        <translation>現在位置からの直線がアームの到達範囲を出ます。MoveJ を使うか、別の位置から始めてください。</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
@@ -10074,7 +10074,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>アームはそこへ行けません。「%1」はそのままです。</translation>
+        <translation>アームはこの姿勢に到達できません。「%1」は変更されていません。</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -10179,7 +10179,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>印を付けたものだけ変更します。</translation>
+        <translation>選択した属性だけを変更します。</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -10220,8 +10220,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ブレンド</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>変更</translation>
+        <source>Apply</source>
+        <translation>適用</translation>
     </message>
 </context>
 <context>
@@ -10315,7 +10315,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>アームが届きません：%1。何も動かしません。</translation>
+        <translation>アームは次の姿勢に到達できません：%1。何も移動しません。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -10328,7 +10328,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
     </message>
     <message>
@@ -10389,7 +10389,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>アームは制御下にありません。先に制御を取得してください。</translation>
+        <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
@@ -10397,7 +10397,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>選んだ位置をアームの現在位置で置き換え (U)</translation>
+        <translation>選択したウェイポイントを現在位置で置き換え (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -10591,15 +10591,15 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>ロボットなしでファイルのウェイポイント：動かす以外はすべてできます。</translation>
+        <translation>ロボットなしでファイルのウェイポイントを開きます：動作以外はすべて使えます。</translation>
     </message>
     <message>
         <source>Try the simulator</source>
         <translation>シミュレーターを試す</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>このプログラム内のシミュレートされた UR5e。すべて動き、何も傷つきません。</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>Tiller 内で動くシミュレートされた UR5e。すべての機能を危険なく使えます。</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10634,15 +10634,15 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>以前に接続したロボット</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>選んだロボットを一覧から外します (Delete)。ロボットは変わりません。</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>選択したロボットをこの一覧から削除します (Delete)。ロボット自体には影響しません。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
         <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>フォルダー %1 を作る：書き込める場所を選んでください</translation>
+        <translation>フォルダー %1 の作成：書き込み権限のあるフォルダーを選んでください</translation>
     </message>
     <message>
         <source>connect</source>
@@ -10709,8 +10709,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>記録を停止</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1：%2 s 以内に起きませんでした（%3）</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1：%2 s 以内に完了しませんでした（%3）</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10759,8 +10759,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ファイル                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>ウィンドウに &quot;%1&quot; というキーがありません</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>ウィンドウに「%1」というキーがありません</translation>
     </message>
 </context>
 <context>
@@ -10770,12 +10770,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>アームを動かすデバイス</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>試す…</translation>
+        <source>Test device…</source>
+        <translation>デバイスをテスト…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各デバイスの現在の値と、動く向き。</translation>
+        <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10799,7 +10799,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>ここまではスティックを倒しても何も動きません。</translation>
+        <translation>これ以下の傾きではアームは動きません。</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10835,11 +10835,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>ゲームパッドも SpaceMouse もありません。差し込むと自動で現れます。</translation>
+        <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>デッドマンを押している間だけです。記憶されません：起動後はどのデバイスもアームを動かしません。</translation>
+        <translation>デッドマンを押している間だけアームを動かします。保存されません：再起動後はどのデバイスもアームを動かしません。</translation>
     </message>
 </context>
 <context>
@@ -10876,11 +10876,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目次</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;このコンピューターにはマニュアルがありません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドした Tiller には、パッケージ python3-sphinx がインストールされていれば付きます。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。それまでは、ソースのフォルダー packaging/manual でテキストとして読めます。ジョグの決まりと全キーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;パッドのキーを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがキーから外れる、第二ボタンが押される、別の手が加わる；&lt;/li&gt;&lt;li&gt;押しているキーボードのキーの横で修飾キーや矛盾するキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、何かが上に開く、別の座標系、速度、ステップ、タブが選ばれる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが固まる、ロボットが「稼働中」、その安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、デバイスが抜かれるか黙る；&lt;/li&gt;&lt;li&gt;キーがまだ押されていると誰も証明できない：X11 ではボタンやキーが押されているかを毎秒 100 回ディスプレイサーバーに尋ね、「いいえ」または 100 ms の無応答で動作を終えます。尋ねる相手がいない場合はヘッダーと設定に示されます；&lt;/li&gt;&lt;li&gt;長く押された：ジョグは %1 s（設定）、フリードライブは 5 分、ある場所への移動は所要時間より 5 s。最後の 3 s は秒読みします。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;止まった動作には新しく押すことが必要です。制御中は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでも停止します。制御していないときはフォーカスのある部品のキーになります。他のクライアントのプログラムは &lt;b&gt;STOP&lt;/b&gt; をクリックして停止してください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; は十倍細かく、&lt;b&gt;Shift&lt;/b&gt; は三倍速くしますが、上限を超えません。ラテン文字のないキーボードでは、下の文字は US 配列でのその位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -10940,11 +10940,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>印の付いたものは %1 の内容で置き換えられます：</translation>
+        <translation>選択した設定は %1 の内容で置き換えられます：</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>印の付いたものは %1（Tiller %2 が作成）の内容で置き換えられます：</translation>
+        <translation>選択した設定は %1（Tiller %2 で作成）の内容で置き換えられます：</translation>
     </message>
     <message>
         <source>%1: identical</source>
@@ -10960,38 +10960,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>置き換えられるものは別のファイルに残り、再び取り込めます。</translation>
+        <translation>置き換えられる設定は別のファイルに保存され、再び取り込めます。</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>ファイルにはここにないものがありません。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation>最初のステップ</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>ビュー内の一覧：電源オンから記録まで。</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>練習課題</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>シミュレートされたロボットでの五つの課題、それぞれ確認付き。</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>練習はこのプログラムのシミュレートされたロボット専用です。これは「%1」です。</translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation>練習：「%1」を置く</translation>
+        <translation>ファイルの設定はすべて現在の設定と同じです。</translation>
     </message>
 </context>
 <context>
@@ -11001,7 +10974,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -11042,7 +11015,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 がアームを動かしている間に黙ったため、止めました。離してください。黙ったままなら差し直してください。</translation>
+        <translation>%1 はアームを動かしている間にデータを送らなくなりました。アームを停止しました。デバイスから手を離してください。繰り返す場合は接続し直してください。</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -11066,7 +11039,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>三つのプロジェクトのうち一つの写しをシミュレートされたロボットで試します。</translation>
+        <translation>シミュレートされたロボットで試せる三つのプロジェクトの一つをコピーとして開きます。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11102,7 +11075,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>I/O のグリッパーのページを手前に出します。</translation>
+        <translation>I/O タブのグリッパーのページを表示します。</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -11122,7 +11095,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>色をすぐに変えて記憶します。</translation>
+        <translation>配色をすぐに変更し、次回の起動時にも使います。</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11130,7 +11103,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>TCP の力を今の値から数えます。もう一度でロボットの測定どおり。</translation>
+        <translation>グラフの TCP の力から現在の値を差し引きます。もう一度押すと測定値を表示します。</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -11154,7 +11127,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして。</translation>
+        <translation>すべての設定を一つのファイルに保存します。別のコンピューター用、またはバックアップ用です。</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11162,7 +11135,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します。</translation>
+        <translation>置き換えられる内容を表示してから、ファイルの設定を取り込みます。</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11214,7 +11187,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>タブレットに表示されるロボットのプログラム名</translation>
+        <translation>ティーチペンダントに表示されるロボットのプログラム名</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
@@ -11226,7 +11199,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>記録中です。先に終えてください：欠けが出ないように。</translation>
+        <translation>記録中です。先に停止してください。</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -11239,7 +11212,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>セルの%n個の箱または平面はシミュレートされたロボットに伝わっていません。これ以上入りません。</numerusform>
+            <numerusform>セルの%n個の箱または平面は、シミュレートされたロボットの上限を超えるため無視されます。</numerusform>
         </translation>
     </message>
     <message>
@@ -11264,7 +11237,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>フォーカスのある部分のマニュアルのページ、全コマンドとキー、ジョグの決まり。</translation>
+        <translation>フォーカスのある部分のマニュアルのページ、コマンドとショートカットの一覧、ジョグの規則を開きます。</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -11299,24 +11272,24 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロボットでプログラムが実行中です。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>プログラム「%1」がロボットで一時停止中です。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>プログラム「%1」がロボットで実行中です。</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>制御を取得すると停止します。再開はできず、最初から開始するだけになります。</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>制御を取得するとプログラムは停止します。再開はできず、最初から開始するだけになります。</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
         <translation>停止して制御を取得</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>そのまま続ける</translation>
+        <source>Keep the program</source>
+        <translation>プログラムを維持</translation>
     </message>
 </context>
 <context>
@@ -11354,11 +11327,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>今のパネルの配置を現在のパースペクティブに。</translation>
+        <translation>現在のパネル配置を現在のパースペクティブに保存します。</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>このパースペクティブは組み込みです。自分の名前で保存してください。</translation>
+        <translation>このパースペクティブは組み込みです。別の名前で保存してください。</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -11366,7 +11339,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>今のパネルの配置を自分の名前で。</translation>
+        <translation>現在のパネル配置を新しい名前で保存します。</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -11386,7 +11359,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>このパースペクティブは組み込みで、名前は変わりません。</translation>
+        <translation>このパースペクティブは組み込みのため、名前を変更できません。</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -11394,11 +11367,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>現在のパースペクティブを忘れます。パネルはそのままです。</translation>
+        <translation>現在のパースペクティブを削除します。パネル配置は変わりません。</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>このパースペクティブは組み込みで、残ります。</translation>
+        <translation>このパースペクティブは組み込みのため、削除できません。</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -11476,7 +11449,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>パースペクティブ「%1」を表示できません：設定の配置が壊れています。パネルを並べて保存し直してください。</translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation>名前を入力してください。</translation>
     </message>
     <message>
@@ -11594,7 +11567,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>空きがこれより少なくなる前に、記録は正しく終わり、完全に残ります。</translation>
+        <translation>空き容量がこの値を下回る前に、記録を停止してファイルを完成させます。</translation>
     </message>
     <message>
         <source>Format</source>
@@ -11641,7 +11614,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>助けてくれる人に必要な情報をまとめた1つのファイルです。含まれるものはすべて下に表示されます。選んだ場所に保存され、Tillerがどこかへ送ることはありません。</translation>
+        <translation>サポートに必要な情報をまとめた一つのファイルです。内容はすべて下に表示されます。選んだ場所に保存され、Tiller が送信することはありません。</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -11664,7 +11637,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで通せます。写しで作業します：保存時に自分のファイルを尋ねます。</translation>
+        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存時に新しいファイルを指定します。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11707,7 +11680,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>記憶しているすべてを一つのファイルに。別のコンピューター用、または写しとして</translation>
+        <translation>すべての設定を一つのファイルに保存（別のコンピューター用、またはバックアップ用）</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11715,7 +11688,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>そのファイルの内容を引き継ぎます。置き換えるものを先に示します</translation>
+        <translation>置き換えられる内容を表示してから、ファイルの設定を取り込む</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11774,8 +11747,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロール、ピッチ、ヨー（度）</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>回転ベクトル（ラジアン）、スクリプトの書き方</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>回転ベクトル（ラジアン）、スクリプトと同じ</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11799,7 +11772,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>長さ、TCP の速度、姿勢の表示と入力の方法。グラフとファイルはメートル、ミリメートル、度のままです。</translation>
+        <translation>長さ、TCP の速度、姿勢の表示と入力の単位です。グラフとファイルでは常にメートル、ミリメートル、度を使います。</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11807,11 +11780,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>文字、キー、行、グラフ、ビュー、すべて同じ割合。</translation>
+        <translation>文字、操作部品、グラフ、ビューを拡大縮小します。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>Tiller の次の起動から有効です。画面には %1 % 分の余裕しかなく、その大きさになります。</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>Tiller の次回起動時に有効になります。この画面では %1 % までです。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11819,11 +11792,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も効きません。ヘッダーに示され、プログラム終了で終わります。</translation>
+        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も働きません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>このプログラムの動作は TCP でも肘でもこれを超えません。すぐに有効になり、動いているものを止めます。</translation>
+        <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -11847,11 +11820,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 はアームを止めるだけのキーです。</translation>
+        <translation>%1 はアームの停止用に予約されています。</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 は &quot;%2&quot; のキーです。先にそちらから外してください。</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 は「%2」に割り当てられています。先にそちらから外してください。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11866,12 +11839,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ウィンドウを開き直す</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>アームを止め、制御を返却して接続し直します。グラフの表示は新しく始まります。プロジェクトは保存されます。</translation>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
+        <translation>アームを止め、制御を返却して接続し直します。グラフは最初から表示されます。プロジェクトは保存されます。</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>ウィンドウと確認の言語です。ファイルとスクリプトはどの言語でも同じです。</translation>
+        <translation>ウィンドウと接続チェックの言語です。ファイルとスクリプトには影響しません。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -11923,6 +11896,33 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
         <translation>%1 から設定を取り込みました。以前の設定は %2 にあります</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>最初のステップ</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>ビューに電源オンから記録までのチェックリストを表示します。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>練習課題</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>シミュレートされたロボットでの五つの課題。それぞれに確認があります。</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>練習：「%1」を追加</translation>
     </message>
 </context>
 </TS>

@@ -5,19 +5,19 @@
     <name>ActionStep</name>
     <message>
         <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>此处该机器人没有夹爪。请在 I/O 的夹爪页中选择。</translation>
+        <translation>此机器人未配置夹爪。请在 I/O 的“夹爪”页中选择。</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>依次通过</translation>
+        <source>Run route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 未在 %2 s 内接通。请检查所等待的对象，然后再次按下。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后再次按下。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check what it depends on, then press again.</source>
-        <translation>%1 未在 %2 s 内断开。请检查所等待的对象，然后再次按下。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后再次按下。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -110,12 +110,12 @@
         <translation>%1 断开 %2 s</translation>
     </message>
     <message>
-        <source>Wait until %1 is on, %2 s at most</source>
-        <translation>等待 %1 接通，最长 %2 s</translation>
+        <source>Wait until %1 is on (max. %2 s)</source>
+        <translation>等待 %1 接通（最长 %2 s）</translation>
     </message>
     <message>
-        <source>Wait until %1 is off, %2 s at most</source>
-        <translation>等待 %1 断开，最长 %2 s</translation>
+        <source>Wait until %1 is off (max. %2 s)</source>
+        <translation>等待 %1 断开（最长 %2 s）</translation>
     </message>
     <message>
         <source>Wait until %1 is on</source>
@@ -170,7 +170,7 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>在模拟机器人上运行演示脚本，把文件留在此文件夹中，然后退出。</translation>
+        <translation>在模拟机器人上运行演示脚本，将文件写入此文件夹，然后退出。</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
@@ -213,8 +213,8 @@
         <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot except by STOP. Cannot be turned off in Settings.</source>
-        <translation>仅监视：除 STOP 外不更改机器人的任何状态。无法在设置中关闭。</translation>
+        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <translation>仅监视：不更改机器人的任何状态，只有 STOP 有效。无法在设置中关闭。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>%1: within %2 at all times, maximum %3 at %4 s</source>
-        <translation>%1：从未超过 %2，最大 %3（%4 s）</translation>
+        <translation>%1：始终在 %2 之内，最大 %3（%4 s）</translation>
     </message>
     <message>
         <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
@@ -278,27 +278,27 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>机械臂与模型在 %1 s 分离：%2 的电流与应有值相差 %3</translation>
+        <translation>机械臂与模型在 %1 s 分离：%2 的电流偏差 %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
         <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
     </message>
     <message>
-        <source>The arm moved as the model of a %1 does</source>
-        <translation>机械臂的运动与 %1 的模型一致</translation>
+        <source>The motion matches the model of a %1</source>
+        <translation>运动与 %1 的模型一致</translation>
     </message>
     <message>
         <source>Nothing to compare: the arm was powered off or guided by hand for the whole recording.</source>
-        <translation>无法比较：机械臂一直没有上电，或被手动引导。</translation>
+        <translation>无可比较内容：整个录制期间机械臂未上电或被手动引导。</translation>
     </message>
     <message>
-        <source>They differ from the first sample on: check the configured payload, the robot model, and contact with the arm.</source>
-        <translation>从一开始就不一致：请检查告知机器人的有效载荷、型号以及接触机械臂的物体。</translation>
+        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <translation>机械臂与模型从第一个样本起就不一致：请检查有效负载、机器人型号以及机械臂是否被触碰。</translation>
     </message>
     <message>
-        <source>From there on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
-        <translation>从那时起，有物体推动或挡住机械臂，负载不同，或某个关节没有跟随。</translation>
+        <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
+        <translation>从该时刻起，机械臂被推动或挡住，有效负载不同，或某个关节没有跟随目标。</translation>
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
@@ -309,7 +309,7 @@
         <translation>此记录无法与模型比较：行间隔过大。请记录每个数据包。</translation>
     </message>
     <message>
-        <source>Not compared with the model of the arm.</source>
+        <source>Not compared with the arm model.</source>
         <translation>未与机械臂模型比较。</translation>
     </message>
 </context>
@@ -321,11 +321,11 @@
     </message>
     <message>
         <source>A joint came close to the end of its range.</source>
-        <translation>某个关节接近其范围的终点。</translation>
+        <translation>某个关节接近其范围的末端。</translation>
     </message>
     <message>
         <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>把该关节点动回来，并让动作远离极限。</translation>
+        <translation>点动该关节返回，并使运动远离极限。</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -373,10 +373,10 @@
     </message>
     <message>
         <source>Jog individual joints out of it; use MoveJ through this region.</source>
-        <translation>单个关节点动离开；在此区域使用 MoveJ。</translation>
+        <translation>逐个点动关节离开奇异点；在此区域使用 MoveJ。</translation>
     </message>
     <message>
-        <source>Cannot hold its position</source>
+        <source>Cannot hold position</source>
         <translation>无法保持位置</translation>
     </message>
     <message>
@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>The measured forces do not match the payload, or the arm was pushed when Freedrive started.</source>
-        <translation>力与有效负载不符，或自由驱动开始时有东西推动机械臂。</translation>
+        <translation>测得的力与有效负载不符，或自由驱动开始时机械臂被推动。</translation>
     </message>
     <message>
         <source>Correct payload and mounting, release the arm, and try again.</source>
@@ -405,7 +405,7 @@
     </message>
     <message>
         <source>A joint needed more torque than the motion requires.</source>
-        <translation>某个关节需要的力矩超出动作所能解释的范围。</translation>
+        <translation>某个关节所需的力矩超出运动所需。</translation>
     </message>
     <message>
         <source>Remove the obstacle; if there was none, check the payload.</source>
@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
-        <translation>让程序从机械臂所在处开始，并保持较小的伺服步长。</translation>
+        <translation>请从机械臂的当前位置启动程序，并保持较小的伺服步长。</translation>
     </message>
     <message>
         <source>Sudden change of target speed</source>
@@ -469,15 +469,15 @@
     </message>
     <message>
         <source>Protective stop requested by a program</source>
-        <translation>程序引发的保护性停止</translation>
+        <translation>程序请求的保护性停止</translation>
     </message>
     <message>
         <source>The running program requested the stop.</source>
         <translation>正在运行的程序请求了停止。</translation>
     </message>
     <message>
-        <source>See the messages of the program before this one.</source>
-        <translation>查看程序此前的消息。</translation>
+        <source>See the preceding messages of the program.</source>
+        <translation>请查看程序此前的消息。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
-        <translation>已发送脚本，但机器人只听从示教器。</translation>
+        <translation>已发送脚本，但机器人只接受来自示教器的命令。</translation>
     </message>
     <message>
         <source>Switch to Remote control on the teach pendant.</source>
@@ -496,8 +496,8 @@
         <translation>控制器消息 C%1</translation>
     </message>
     <message>
-        <source>The controller reported this number.</source>
-        <translation>控制器报告了此编号。</translation>
+        <source>The controller reported this message code.</source>
+        <translation>控制器报告了此消息代码。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -512,7 +512,7 @@
     </message>
     <message>
         <source>There is no signal “%1”. See the signal list for the names.</source>
-        <translation>没有信号“%1”。信号列表显示名称。</translation>
+        <translation>没有信号“%1”。名称见信号列表。</translation>
     </message>
     <message>
         <source>The expression contains no signal.</source>
@@ -524,7 +524,7 @@
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
-        <translation>结果必须是一个数。</translation>
+        <translation>表达式的结果必须是一个数。</translation>
     </message>
     <message>
         <source>The text is too long.</source>
@@ -532,15 +532,15 @@
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>写成名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <translation>请输入名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>There is one equals sign too many. For a comparison, use ==</source>
-        <translation>多了一个等号；比较用两个：==</translation>
+        <source>Too many equals signs. For a comparison, use ==</source>
+        <translation>等号过多。比较请使用 ==</translation>
     </message>
     <message>
         <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>时间段在 0.001 至 60 秒之间。</translation>
+        <translation>时间窗口必须在 0.001 至 60 秒之间。</translation>
     </message>
 </context>
 <context>
@@ -570,11 +570,11 @@
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
-        <translation>查看机械臂，消除原因，然后恢复：页眉中的“恢复…”，或在示教器上操作。</translation>
+        <translation>检查机械臂，消除原因，然后恢复：按页眉中的“恢复…”，或使用示教器。</translation>
     </message>
     <message>
         <source>Power on and release the brakes with the button in the header.</source>
-        <translation>上电并松开制动器：页眉中的按钮会引导您。</translation>
+        <translation>用页眉中的按钮上电并松开制动器。</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not answer</source>
@@ -585,8 +585,8 @@
         <translation>端口 %1 上的服务不使用 RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller hangs: close other programs, then restart the controller.</source>
-        <translation>RTDE 客户端过多，或控制器卡住：关闭其他程序，然后重启控制器。</translation>
+        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <translation>RTDE 客户端过多，或控制器没有响应：请关闭其他程序，然后重启控制器。</translation>
     </message>
     <message>
         <source>Check the address: this is another device, or another program uses the port.</source>
@@ -605,8 +605,8 @@
         <translation>结束控制此机器人的另一个程序（另一个窗口、ROS、ur_rtde）。</translation>
     </message>
     <message>
-        <source>this software has no registers 24 to 47</source>
-        <translation>此软件没有寄存器 24 至 47</translation>
+        <source>this software version has no registers 24 to 47</source>
+        <translation>此软件版本没有寄存器 24 至 47</translation>
     </message>
     <message>
         <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
@@ -653,12 +653,12 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted, and requested by real-time loops</source>
-        <translation>已允许，由有优先级的循环请求</translation>
+        <source>permitted; real-time loops request it</source>
+        <translation>已允许，由实时循环请求</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delays loops</source>
-        <translation>处理器可能深度休眠，循环会延后开始</translation>
+        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <translation>CPU 可能进入深度睡眠状态，使循环延迟</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -670,7 +670,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
-        <translation>&quot;%1&quot; 不是地址，也没有已知的同名主机</translation>
+        <translation>&quot;%1&quot; 不是地址，也未找到同名主机</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -686,19 +686,19 @@
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
-        <translation>检查机器人是否已开机、网线是否插好、中间是否有防火墙。</translation>
+        <translation>检查机器人是否已开机、网线是否插好，以及防火墙是否阻止连接。</translation>
     </message>
     <message>
         <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
     </message>
     <message>
-        <source>%1 answers, but offers none of a robot&apos;s services</source>
-        <translation>%1 应答，但没有机器人的任何服务</translation>
+        <source>%1 answers, but provides no robot services</source>
+        <translation>%1 有应答，但不提供机器人服务</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>检查这是否为机器人自己的地址。刚开机的机器人还需要一分钟。</translation>
+        <translation>检查这是否为机器人的地址。刚开机的机器人还需要一分钟。</translation>
     </message>
     <message>
         <source>%1 answers</source>
@@ -726,11 +726,11 @@
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>防火墙吞掉了此端口：允许到机器人的 TCP 端口 %1。</translation>
+        <translation>防火墙阻止了此端口：请允许到机器人的 TCP 端口 %1。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
-        <translation>在示教器右上角把机器人切换到远程控制。否则 Tiller 只能监视。</translation>
+        <translation>在示教器右上角把机器人切换到远程控制。在此之前 Tiller 只能监视。</translation>
     </message>
     <message>
         <source>the dashboard accepts connections but does not answer</source>
@@ -738,11 +738,11 @@
     </message>
     <message>
         <source>the service on port %1 is not a dashboard server</source>
-        <translation>端口 %1 上应答的不是仪表板</translation>
+        <translation>端口 %1 上的服务不是仪表板服务器</translation>
     </message>
     <message>
         <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
-        <translation>重启机器人的控制器；若仍如此，查看其日志。</translation>
+        <translation>重启机器人的控制器；若问题仍存在，请查看其日志。</translation>
     </message>
     <message>
         <source>Check the address, and check that no other program uses this port.</source>
@@ -762,7 +762,7 @@
     </message>
     <message>
         <source>neither the dashboard (port %1) nor the Robot API (port %2) is available</source>
-        <translation>仪表板（端口 %1）和 Robot API（端口 %2）都不存在</translation>
+        <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
         <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
@@ -770,19 +770,19 @@
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1，端口 %2；弹窗在平板上关闭</translation>
+        <translation>Robot API %1，端口 %2；弹窗须在示教器上关闭</translation>
     </message>
     <message>
         <source>the primary interface does not describe the arm</source>
-        <translation>主接口没有描述机械臂</translation>
+        <translation>主接口没有提供机械臂的信息</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
-        <translation>检查这是否为机器人自己的地址，并重启其控制器。</translation>
+        <translation>检查这是否为机器人的地址，并重启其控制器。</translation>
     </message>
     <message>
         <source>robot type %1 is not known to this version of Tiller</source>
-        <translation>机器人型号 %1 比本程序更新</translation>
+        <translation>此版本的 Tiller 不支持机器人型号 %1</translation>
     </message>
     <message>
         <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
@@ -841,7 +841,7 @@
         <translation>电源与制动器</translation>
     </message>
     <message>
-        <source>Registers for control free</source>
+        <source>Control registers free</source>
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
@@ -857,7 +857,7 @@
         <translation>本 PC 的实时优先级</translation>
     </message>
     <message>
-        <source>Timer wake-ups of this PC</source>
+        <source>Timer wake-ups on this PC</source>
         <translation>本 PC 的定时器唤醒</translation>
     </message>
     <message>
@@ -880,52 +880,37 @@
         <translation>仅方向</translation>
     </message>
     <message>
-        <source>Plane X Y</source>
-        <translation>平面 X Y</translation>
+        <source>XY plane</source>
+        <translation>XY 平面</translation>
     </message>
     <message>
-        <source>Line Z</source>
-        <translation>直线 Z</translation>
+        <source>Z only</source>
+        <translation>仅 Z</translation>
     </message>
     <message>
-        <source>Wait until the arm is at standstill before Freedrive.</source>
-        <translation>自由驱动前请让机械臂静止。</translation>
+        <source>Wait for standstill before you start Freedrive.</source>
+        <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
         <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>有效负载为 %2 kg 时机械臂感受到 %1：它会自行移动。松开工具，或更正有效负载和 TCP。</translation>
+        <translation>有效负载为 %2 kg 时机械臂测得 %1，会漂移。请松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
 <context>
     <name>Gamepad</name>
     <message>
-        <source>left shoulder</source>
+        <source>left bumper</source>
         <translation>左肩键</translation>
     </message>
     <message>
-        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right shoulder to rotate with both sticks.</source>
-        <translation>左摇杆 X 和 Y，右摇杆 Z 和旋转。右肩键：摇杆旋转。</translation>
-    </message>
-</context>
-<context>
-    <name>HoldWitness</name>
-    <message>
-        <source>Key-state check unavailable on this platform (%1): held keys are known from window events only.</source>
-        <translation>此屏幕没有第二见证者（%1）：按键是否仍被按住只能从窗口事件得知。</translation>
-    </message>
-    <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>每 10 ms 询问一次显示服务器按钮或按键是否仍被按下。</translation>
-    </message>
-    <message>
-        <source>Key-state check unavailable: no second connection to the display server. Held keys are known from window events only.</source>
-        <translation>无法再次询问显示服务器：按键是否仍被按住只能从窗口事件得知。</translation>
+        <source>Left stick: X and Y. Right stick: Z and rotation. Hold the right bumper to rotate with both sticks.</source>
+        <translation>左摇杆：X 和 Y。右摇杆：Z 和旋转。按住右肩键可用两个摇杆旋转。</translation>
     </message>
 </context>
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase &quot;Interface size&quot; in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
         <translation>此屏幕分辨率较高。增大设置中的“界面大小”可放大文字、按键和曲线图。</translation>
     </message>
 </context>
@@ -944,8 +929,8 @@
         <translation>启用或停用键盘</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a frame surrounds the window. Disarms after 30 s without use.</source>
-        <translation>启用后方向键移动机械臂，窗口四周出现边框。半分钟后自动结束。</translation>
+        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <translation>启用后，方向键移动机械臂，窗口四周出现边框。30 秒未使用后停用。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,15 +938,15 @@
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各设备当前的数值，以及将移动的方向。</translation>
+        <translation>显示各设备的当前数值，以及机械臂将移动的方向。</translation>
     </message>
     <message>
         <source>Zero here</source>
         <translation>此处归零</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last press.</source>
-        <translation>从当前位置起计 TCP 的行程；再次：恢复为自按下以来。</translation>
+        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <translation>从当前位置测量 TCP 位移。再次按下则从最后一次按键起测量。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
@@ -969,7 +954,7 @@
     </message>
     <message>
         <source>Moves by this distance, only while the key is held.</source>
-        <translation>仅在按住按键时移动这么多。</translation>
+        <translation>仅在按住按键时移动此距离。</translation>
     </message>
     <message>
         <source>Moves by this distance at each press.</source>
@@ -981,7 +966,7 @@
     </message>
     <message>
         <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>按住时缓慢移动，工具遇到此力时结束。</translation>
+        <translation>按住按键时缓慢移动，工具受力达到此值时停止。</translation>
     </message>
     <message>
         <source>Jog speed, other…</source>
@@ -989,7 +974,7 @@
     </message>
     <message>
         <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>询问 TCP 的速度；旋转和关节按比例。</translation>
+        <translation>输入 TCP 速度。旋转和关节速度按比例变化。</translation>
     </message>
     <message>
         <source>Jog step, other…</source>
@@ -997,15 +982,15 @@
     </message>
     <message>
         <source>Asks for the step length. The step angle does not change.</source>
-        <translation>询问步长的长度；旋转角度不变。</translation>
+        <translation>输入步长。步进角度不变。</translation>
     </message>
     <message>
-        <source>Jog turn, other…</source>
+        <source>Jog angle, other…</source>
         <translation>其他旋转步长…</translation>
     </message>
     <message>
         <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>询问转动工具或关节的角度；长度不变。</translation>
+        <translation>输入工具和关节旋转的步进角度。步长不变。</translation>
     </message>
     <message>
         <source>Jog until contact, other force…</source>
@@ -1013,7 +998,7 @@
     </message>
     <message>
         <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>询问结束动作的力（N）。</translation>
+        <translation>输入结束运动的接触力（N）。</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1021,7 +1006,7 @@
     </message>
     <message>
         <source>Selects the axes that can be moved by hand during Freedrive.</source>
-        <translation>按住自由驱动时手可以移动的方向。</translation>
+        <translation>选择自由驱动时可用手移动的轴。</translation>
     </message>
 </context>
 <context>
@@ -1067,13 +1052,28 @@
     </message>
 </context>
 <context>
+    <name>KeyStateProbe</name>
+    <message>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件判断按键是否被按住。</translation>
+    </message>
+    <message>
+        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器查询按钮或按键是否仍被按下。</translation>
+    </message>
+    <message>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件判断按键是否被按住。</translation>
+    </message>
+</context>
+<context>
     <name>LimiterAdvice</name>
     <message>
         <source>Elbow almost straight</source>
         <translation>肘部几乎伸直</translation>
     </message>
     <message>
-        <source>Elbow almost straight: %1 of the speed</source>
+        <source>Elbow almost straight: %1 speed</source>
         <translation>肘部几乎伸直：速度的 %1</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@
         <translation>手腕位于基座轴上方</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 of the speed</source>
+        <source>Wrist above the base axis: %1 speed</source>
         <translation>手腕位于基座轴上方：速度的 %1</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@
         <translation>手腕 2 接近 0° 或 180°</translation>
     </message>
     <message>
-        <source>Wrist 2 near 0° or 180°: %1 of the speed</source>
+        <source>Wrist 2 near 0° or 180°: %1 speed</source>
         <translation>手腕 2 接近 0° 或 180°：速度的 %1</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@
         <translation>点动 %1</translation>
     </message>
     <message>
-        <source>%1 is %2 from %3: %4 of the speed</source>
+        <source>%1 is %2 from %3: %4 speed</source>
         <translation>%1 距 %3 %2：速度的 %4</translation>
     </message>
     <message>
@@ -1260,11 +1260,11 @@
     </message>
     <message>
         <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>指令耗时超过 20 ms：机械臂明显滞后于按键。请慢速点动。</translation>
+        <translation>命令耗时超过 20 ms：机械臂对按键的响应有延迟。请慢速点动。</translation>
     </message>
     <message>
         <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>良好：机械臂立即跟随按键，连接断开会在四分之一秒内停止。</translation>
+        <translation>良好：机械臂立即响应按键，连接中断时在 250 ms 内停止。</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>迟到指数据包比其时刻晚半个周期以上。</translation>
+        <translation>数据包比预期时间晚半个周期以上到达时计为迟到。</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1344,10 +1344,10 @@
     </message>
     <message>
         <source>Select the simulator or enter the address of a robot</source>
-        <translation>选择模拟器或机器人的地址</translation>
+        <translation>选择模拟器或输入机器人的地址</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -1355,8 +1355,8 @@
         <translation>机械臂可能下沉几毫米。请保持距离。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.</source>
-        <translation>显示是什么停止了机械臂、最后五秒和返回的方法。不会有任何移动。</translation>
+        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <translation>显示机械臂停止的原因、最后五秒和恢复步骤。机械臂不会移动。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1415,7 +1415,7 @@
     </message>
     <message>
         <source>The arm is powered and initializing. Wait a moment.</source>
-        <translation>机械臂已上电，正在准备。请稍候。</translation>
+        <translation>机械臂已上电，正在初始化。请稍候。</translation>
     </message>
     <message>
         <source>Idle</source>
@@ -1446,8 +1446,8 @@
         <translation>更新固件</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until it is done.</source>
-        <translation>正在更新关节固件。完成前请勿断电。</translation>
+        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <translation>正在更新关节固件。更新完成前请勿断电。</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1487,7 +1487,7 @@
     </message>
     <message>
         <source>A safeguard is open. Close it and, if a reset is configured, press the reset button.</source>
-        <translation>防护装置打开。请关闭；若配置了复位，请按下。</translation>
+        <translation>安全防护已打开。请关闭；若配置了复位，请按复位按钮。</translation>
     </message>
     <message>
         <source>System emergency stop</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
-        <translation>程序继续：机械臂可能移动。</translation>
+        <translation>程序正在恢复：机械臂可能移动。</translation>
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
@@ -1690,7 +1690,7 @@
     <name>OutputGripper</name>
     <message>
         <source>The robot did not confirm the outputs. Another program or the installation may control them.</source>
-        <translation>机器人没有确认输出。可能由另一个程序或安装设置占用。</translation>
+        <translation>机器人没有确认输出。它们可能由其他程序或安装设置控制。</translation>
     </message>
     <message>
         <source>Gripper: close</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>把机器人的每个数据包写入 CSV 文件，直到停止。</translation>
+        <translation>将机器人的每个数据包写入 CSV 文件，直到停止录制。</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1753,7 +1753,7 @@
     </message>
     <message>
         <source>Stops the recording and completes its file.</source>
-        <translation>结束录制；文件完整。</translation>
+        <translation>停止录制并完成文件。</translation>
     </message>
     <message>
         <source>No recording is running.</source>
@@ -1765,19 +1765,19 @@
     </message>
     <message>
         <source>Freezes the plots while data and recording continue. Press again to return to the newest samples.</source>
-        <translation>冻结曲线图；数据和录制继续。再次：回到最新样本。</translation>
+        <translation>冻结曲线图，数据和录制继续。再次按下返回最新样本。</translation>
     </message>
     <message>
         <source>Export the plots…</source>
         <translation>导出曲线图…</translation>
     </message>
     <message>
-        <source>Saves the visible range as an image, a drawing, a page or values.</source>
-        <translation>将显示的范围保存为图片、矢量图、页面或数值。</translation>
+        <source>Saves the visible range as an image, PDF page or table of values.</source>
+        <translation>将显示的范围保存为图片、PDF 页面或数值表。</translation>
     </message>
     <message>
-        <source>Plots show %1</source>
-        <translation>曲线图显示 %1</translation>
+        <source>Plots: last %1</source>
+        <translation>曲线图：最近 %1</translation>
     </message>
     <message>
         <source>Sets the time range of the plots.</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>Applies to the focused row of the I/O tab.</source>
-        <translation>具有焦点的 I/O 选项卡行。</translation>
+        <translation>作用于 I/O 选项卡中具有焦点的行。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>具有焦点的 I/O 选项卡输出：打开，或再关闭。</translation>
+        <translation>打开或关闭 I/O 选项卡中具有焦点的输出。</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
@@ -1813,7 +1813,7 @@
     </message>
     <message>
         <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>具有焦点的 I/O 选项卡输出：打开半秒，然后关闭。</translation>
+        <translation>将 I/O 选项卡中具有焦点的输出打开 0.5 s，然后关闭。</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1821,15 +1821,15 @@
     </message>
     <message>
         <source>Shows only entries that contain these words.</source>
-        <translation>只显示含有这些词的行。</translation>
+        <translation>只显示含有这些词的条目。</translation>
     </message>
     <message>
         <source>Log: show all</source>
         <translation>日志：全部显示</translation>
     </message>
     <message>
-        <source>Log: show warnings or worse</source>
-        <translation>日志：显示警告及更严重</translation>
+        <source>Log: show warnings and errors</source>
+        <translation>日志：显示警告和错误</translation>
     </message>
     <message>
         <source>Log: show errors</source>
@@ -1845,7 +1845,7 @@
     </message>
     <message>
         <source>Copies the selected entries, or all visible entries.</source>
-        <translation>复制所选行，或所有显示的行。</translation>
+        <translation>复制所选条目，或所有可见条目。</translation>
     </message>
     <message>
         <source>Export the log…</source>
@@ -1861,15 +1861,15 @@
     </message>
     <message>
         <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
-        <translation>打开机器人所报告一切的列表：用拖动、双击或回车加到曲线图。</translation>
+        <translation>打开所有信号的列表。拖动、双击或按回车可将信号加到曲线图。</translation>
     </message>
     <message>
-        <source>New page of plots</source>
+        <source>New plot page</source>
         <translation>新建曲线图页</translation>
     </message>
     <message>
         <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>在其他页之后的空白页；所有页显示相同时间。</translation>
+        <translation>在其他页之后添加空白页。所有页共用时间轴。</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1877,7 +1877,7 @@
     </message>
     <message>
         <source>Shows all data in memory and scales each plot automatically.</source>
-        <translation>内存中的全部，每个图用最佳刻度。</translation>
+        <translation>显示内存中的全部数据，并自动缩放每个图。</translation>
     </message>
 </context>
 <context>
@@ -1903,7 +1903,7 @@
         <translation>在游标处读取 %1</translation>
     </message>
     <message>
-        <source>Move %1 to a plot of its own</source>
+        <source>Move %1 to a separate plot</source>
         <translation>把 %1 移到单独的图</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>Norm of the curves of this plot</source>
+        <source>Norm of the curves in this plot</source>
         <translation>此图各曲线的模</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@
         <translation>移除此曲线图</translation>
     </message>
     <message>
-        <source>Scale to the curves</source>
+        <source>Scale to curves</source>
         <translation>按曲线缩放</translation>
     </message>
     <message>
@@ -1963,7 +1963,7 @@
     </message>
     <message>
         <source>The arm is in a protective stop. Press Recover… in the header.</source>
-        <translation>机械臂处于保护性停止。按页眉中的“恢复”。</translation>
+        <translation>机械臂处于保护性停止。请按页眉中的“恢复…”。</translation>
     </message>
     <message>
         <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
@@ -1978,8 +1978,8 @@
         <translation>机械臂在运行，并再次受您控制。</translation>
     </message>
     <message>
-        <source>No new frame yet. Use 3 points in the Frames tab.</source>
-        <translation>还没有新坐标系。“三点”在坐标系选项卡中。</translation>
+        <source>No new frame yet. Use “3 points” in the Frames tab.</source>
+        <translation>还没有新坐标系。请使用坐标系选项卡中的“三点”。</translation>
     </message>
     <message>
         <source>“%1” meets the requirements.</source>
@@ -1987,15 +1987,15 @@
     </message>
     <message>
         <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>“%1”：其 Z 与基座的 Z 偏差 %2°。第三点位于 +Y 一侧。</translation>
+        <translation>“%1”：其 Z 轴与基座 Z 轴相差 %2°。第三点必须位于 +Y 一侧。</translation>
     </message>
     <message>
         <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>“%1”：其 X 与基座的 Y 偏差 %2°。</translation>
+        <translation>“%1”：其 X 轴与基座 Y 轴相差 %2°。</translation>
     </message>
     <message>
-        <source>“%1” was not taught with the arm: the TCP has not been at its origin.</source>
-        <translation>“%1”不是用机械臂取得的：TCP 没有到过其原点。</translation>
+        <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
+        <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
         <source>The waypoint was deleted. Start adds a new one.</source>
@@ -2003,31 +2003,31 @@
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
-        <translation>“%1”在原处。机械臂沿 X 距其 %2。</translation>
+        <translation>“%1”没有改变。机械臂沿 X 距其 %2。</translation>
     </message>
     <message>
         <source>“%1” has moved by %2 and is %3 from the expected position.</source>
-        <translation>“%1”移动了 %2，距应在的位置 %3。</translation>
+        <translation>“%1”移动了 %2，距预期位置 %3。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the tool orientation changed.</source>
-        <translation>“%1”已到位，但工具被转动了。</translation>
+        <translation>“%1”在预期位置，但工具方向改变了。</translation>
     </message>
     <message>
-        <source>“%1” is at the part again.</source>
-        <translation>“%1”又在工件处了。</translation>
+        <source>“%1” matches the part again.</source>
+        <translation>“%1”再次与工件位置一致。</translation>
     </message>
     <message>
         <source>“%1” is at the expected position, but the arm is not. Touch up the waypoint with the arm at the part.</source>
-        <translation>“%1”已到位，但机械臂不在那里。请把机械臂移到工件处再修正示教。</translation>
+        <translation>“%1”在预期位置，但机械臂不在。请将机械臂移到工件处再修正示教路点。</translation>
     </message>
     <message>
         <source>Slowed down to %1. Continue.</source>
         <translation>已减速到 %1。继续。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will name it.</source>
-        <translation>还没有极限。操作盘下方的行会指出它。</translation>
+        <source>No limit reached yet. The line below the pad will show it.</source>
+        <translation>尚未达到极限。操作盘下方的行会显示它。</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
@@ -2035,7 +2035,7 @@
     </message>
     <message>
         <source>You reached the limit and moved out of it again.</source>
-        <translation>找到了，也已退出。</translation>
+        <translation>您已到达极限并退出。</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2050,12 +2050,12 @@
         <translation>还没有录制。请按曲线图上方的“录制”。</translation>
     </message>
     <message>
-        <source>Recorded. Enter the force that the plot shows.</source>
-        <translation>已录制。输入曲线图显示的力。</translation>
+        <source>Recorded. Enter the force shown in the plot.</source>
+        <translation>已录制。请输入曲线图中显示的力。</translation>
     </message>
     <message>
         <source>%1 does not match the recording. Look at the Fz curve.</source>
-        <translation>%1 不是录制的值。请看曲线 Fz。</translation>
+        <translation>%1 与录制不符。请看 Fz 曲线。</translation>
     </message>
     <message>
         <source>Correct: it was %1.</source>
@@ -2082,24 +2082,24 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Start makes the simulated arm collide and enter a protective stop. Find out what stopped it, wait five seconds, unlock it and take control again.</source>
-        <translation>“开始”会让模拟机械臂碰撞并进入保护性停止。查看停止的原因，等待五秒，解锁并再次获取控制。</translation>
+        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>“开始”模拟一次碰撞，引发保护性停止。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>在坐标系选项卡中用三点示教坐标系。其 X 沿基座的 Y+，Z 向上：先取原点，再取沿 Y+ 的点，再取沿 X− 的点。</translation>
+        <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
         <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>“开始”在机械臂所在处放置路点“工件”。此后工件沿基座的 X+ 移动了 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
+        <translation>“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>从基座向外点动，直到某个极限使机械臂减到一半速度。操作盘下方的行会指出极限和出路。然后点动返回 %1。</translation>
+        <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>“开始”会让一只手从上方压工具。至少录制三秒后停止。在曲线图中读出力 Fz 的大小并输入。</translation>
+        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2116,8 +2116,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>At most</source>
-        <translation>最多</translation>
+        <source>Maximum</source>
+        <translation>最大值</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2168,8 +2168,8 @@
         <translation>此版本的 Tiller 没有步骤“%1”。</translation>
     </message>
     <message>
-        <source>A program can begin only at a step of its top level, and not between parts that belong together.</source>
-        <translation>程序只能从顶层步骤开始，且不能从成组部分之间开始。</translation>
+        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <translation>程序只能从顶层步骤开始，不能从“如果”与“否则”等部分之间开始。</translation>
     </message>
     <message>
         <source>The project has no such program.</source>
@@ -2200,11 +2200,11 @@
         <translation>调用嵌套过深。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before. Choose an active tool, or put the step in a TCP section.</source>
-        <translation>“%1”与之前路点使用的 TCP 不同。请选择活动工具，或将步骤放入 TCP 段。</translation>
+        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>“%1”与之前路点使用的 TCP 不同。请设置当前 TCP，或将步骤放入 TCP 段。</translation>
     </message>
     <message>
-        <source>The blends of this move and the one before, %1 and %2, are longer than the %3 between them.</source>
+        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
         <translation>此移动与前一移动的交融半径 %1 和 %2 超过两者间距 %3。</translation>
     </message>
     <message>
@@ -2212,7 +2212,7 @@
         <translation>表达式为空。</translation>
     </message>
     <message>
-        <source>An expression is a single line.</source>
+        <source>An expression must be a single line.</source>
         <translation>表达式只能是一行。</translation>
     </message>
     <message>
@@ -2252,8 +2252,8 @@
         <translation>步骤失败并结束了程序。</translation>
     </message>
     <message>
-        <source>The program has not ended after %1 s.</source>
-        <translation>程序在 %1 s 后仍未结束。</translation>
+        <source>The program did not end within %1 s.</source>
+        <translation>程序未在 %1 s 内结束。</translation>
     </message>
     <message>
         <source>The preview was cancelled.</source>
@@ -2340,8 +2340,8 @@
         <translation>值</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 values separated by commas, and has %3.</source>
-        <translation>程序“%1”需要 %2 个以逗号分隔的值，现有 %3 个。</translation>
+        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <translation>程序“%1”需要 %2 个以逗号分隔的值，但只给出 %3 个。</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2372,7 +2372,7 @@
         <translation>否则</translation>
     </message>
     <message>
-        <source>End the program</source>
+        <source>End program</source>
         <translation>结束程序</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@
         <translation>基座</translation>
     </message>
     <message>
-        <source>Frame of the section</source>
+        <source>Frame of section</source>
         <translation>段的坐标系</translation>
     </message>
     <message>
@@ -2460,11 +2460,11 @@
         <translation>打开</translation>
     </message>
     <message>
-        <source>Output that closes</source>
+        <source>Closing output</source>
         <translation>关闭用输出</translation>
     </message>
     <message>
-        <source>Output that opens</source>
+        <source>Opening output</source>
         <translation>打开用输出</translation>
     </message>
     <message>
@@ -2484,7 +2484,7 @@
         <translation>打开和关闭需要不同的输出。</translation>
     </message>
     <message>
-        <source>The gripper does not hold a part.</source>
+        <source>The gripper is not holding a part.</source>
         <translation>夹爪未夹持工件。</translation>
     </message>
     <message>
@@ -2492,11 +2492,11 @@
         <translation>如果</translation>
     </message>
     <message>
-        <source>Leave the loop</source>
+        <source>Exit loop</source>
         <translation>退出循环</translation>
     </message>
     <message>
-        <source>There is no loop around this step.</source>
+        <source>This step is not inside a loop.</source>
         <translation>此步骤不在循环中。</translation>
     </message>
     <message>
@@ -2504,19 +2504,19 @@
         <translation>循环</translation>
     </message>
     <message>
-        <source>Times (0: without end)</source>
-        <translation>次数（0：无限）</translation>
+        <source>Repetitions (0: endless)</source>
+        <translation>重复次数（0：无限）</translation>
     </message>
     <message>
         <source>Counter</source>
         <translation>计数器</translation>
     </message>
     <message>
-        <source>This loop may never end, and nothing in it takes time. Add a Wait.</source>
-        <translation>此循环可能永不结束，且其中没有耗时步骤。请添加“等待”。</translation>
+        <source>This loop may never end and contains no delay. Add a Wait step.</source>
+        <translation>此循环可能永不结束且不含等待时间。请添加“等待”步骤。</translation>
     </message>
     <message>
-        <source>A loop can have 1 to %1 places; this one has %2.</source>
+        <source>A loop can have 1 to %1 positions; this loop has %2.</source>
         <translation>循环可有 1 至 %1 个位置；现有 %2 个。</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@
         <translation>MoveC</translation>
     </message>
     <message>
-        <source>Through</source>
+        <source>Via</source>
         <translation>经过</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@
         <translation>自由</translation>
     </message>
     <message>
-        <source>Fixed to the arc</source>
+        <source>Fixed to arc</source>
         <translation>相对圆弧固定</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@
         <translation>距离为零。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the step Gripper and turn the actions of the waypoint off.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
         <translation>路点“%1”会移动夹爪。在程序中请使用“夹爪”步骤，并关闭路点的动作。</translation>
     </message>
     <message>
@@ -2624,8 +2624,8 @@
         <translation>路点</translation>
     </message>
     <message>
-        <source>Distance before it</source>
-        <translation>之前的距离</translation>
+        <source>Approach distance</source>
+        <translation>接近距离</translation>
     </message>
     <message>
         <source>Actions of the waypoint</source>
@@ -2672,20 +2672,20 @@
         <translation>方向</translation>
     </message>
     <message>
-        <source>If it is not reached</source>
+        <source>If not reached</source>
         <translation>如果未到达</translation>
     </message>
     <message>
-        <source>Set the input.</source>
-        <translation>请设置输入。</translation>
+        <source>Select an input.</source>
+        <translation>请选择一个输入。</translation>
     </message>
     <message>
         <source>The input did not switch on.</source>
         <translation>输入未接通。</translation>
     </message>
     <message>
-        <source>There was no contact.</source>
-        <translation>没有接触。</translation>
+        <source>No contact was detected.</source>
+        <translation>未检测到接触。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2776,11 +2776,11 @@
         <translation>选择</translation>
     </message>
     <message>
-        <source>A Switch needs a Case in it.</source>
-        <translation>“选择”中需要至少一个“情况”。</translation>
+        <source>A Switch needs at least one Case.</source>
+        <translation>“选择”至少需要一个“情况”。</translation>
     </message>
     <message>
-        <source>Directly in a Switch there are only Case and Default.</source>
+        <source>A Switch can directly contain only Case and Default.</source>
         <translation>“选择”中只能直接包含“情况”和“默认”。</translation>
     </message>
     <message>
@@ -2804,8 +2804,8 @@
         <translation>等待条件</translation>
     </message>
     <message>
-        <source>After that time</source>
-        <translation>超过该时间后</translation>
+        <source>On timeout</source>
+        <translation>超时后</translation>
     </message>
     <message>
         <source>The condition did not become true in time.</source>
@@ -2863,7 +2863,7 @@
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>机器人数据迟到。等待其恢复。</translation>
+        <translation>机器人数据迟到。正在等待新数据。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2878,7 +2878,7 @@
     <name>RecordingChoice</name>
     <message>
         <source>A file name must not be empty or begin with a period.</source>
-        <translation>文件需要一个不以点开头的名称。</translation>
+        <translation>文件名不能为空，也不能以点开头。</translation>
     </message>
     <message>
         <source>A file name cannot contain “%1”.</source>
@@ -2897,7 +2897,7 @@
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>机械臂可以移动。停止前准备的动作不会移动它：每个动作都需要重新按下。</translation>
+        <translation>机械臂可以移动。停止前的运动不会恢复：每次运动都需要重新按下。</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2916,8 +2916,8 @@
         <translation>等待连接</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one touches it and nothing is trapped.</source>
-        <translation>我查看了机械臂：没有人触碰它，没有东西被夹住。</translation>
+        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
+        <translation>我检查了机械臂：没有人触碰它，也没有东西被夹住。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and removed.</source>
@@ -2933,7 +2933,7 @@
     </message>
     <message>
         <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>我查看了机械臂和机器人的日志：原因已知。</translation>
+        <translation>我检查了机械臂和机器人的日志：原因已知。</translation>
     </message>
     <message>
         <source>The cause is removed, and no one is within reach of the arm.</source>
@@ -2990,7 +2990,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>go back: no recorded motion left</source>
+        <source>back: no recorded motion left</source>
         <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
@@ -3034,7 +3034,7 @@
     </message>
     <message>
         <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>检查本 PC 与机器人之间的一切，并给出各自的解决办法。</translation>
+        <translation>检查本 PC 与机器人之间的所有环节，并给出解决办法。</translation>
     </message>
     <message>
         <source>Select a robot first.</source>
@@ -3045,15 +3045,15 @@
         <translation>断开</translation>
     </message>
     <message>
-        <source>Stops our motion, then closes the connection.</source>
-        <translation>结束连接；我们的动作会先停止。</translation>
+        <source>Stops Tiller&apos;s motion, then closes the connection.</source>
+        <translation>停止 Tiller 的运动，然后关闭连接。</translation>
     </message>
     <message>
         <source>No robot is connected.</source>
         <translation>没有连接机器人。</translation>
     </message>
     <message>
-        <source>Powers the arm. Brakes stay engaged.</source>
+        <source>Powers the arm on. Brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -3066,7 +3066,7 @@
     </message>
     <message>
         <source>Stops programs, engages the brakes and powers the arm off.</source>
-        <translation>抱紧制动器并切断机械臂电源；程序停止。</translation>
+        <translation>停止程序，抱紧制动器并切断机械臂电源。</translation>
     </message>
     <message>
         <source>The arm is powered off.</source>
@@ -3085,12 +3085,12 @@
         <translation>安全系统没有报告停止。</translation>
     </message>
     <message>
-        <source>After a violation or a fault, once the cause is found. The arm stays powered off.</source>
-        <translation>违规或故障后，找到原因之后。机械臂保持断电。</translation>
+        <source>Resets the safety system after a violation or fault. The arm stays powered off.</source>
+        <translation>在违规或故障后重置安全系统。机械臂保持断电。</translation>
     </message>
     <message>
-        <source>Only after a violation or a fault.</source>
-        <translation>仅在违规或故障之后。</translation>
+        <source>Possible only after a violation or fault.</source>
+        <translation>仅在违规或故障后可用。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3122,15 +3122,15 @@
     </message>
     <message>
         <source>Software stop of all motion. Not an emergency stop.</source>
-        <translation>对一切运动的软件停止。不是紧急停止。</translation>
+        <translation>所有运动的软件停止。不是紧急停止。</translation>
     </message>
     <message>
         <source>Load program…</source>
         <translation>加载程序…</translation>
     </message>
     <message>
-        <source>Loads a program stored on the robot by name.</source>
-        <translation>按名称加载机器人自己的程序。</translation>
+        <source>Loads a program on the robot by its name.</source>
+        <translation>按名称加载机器人上的程序。</translation>
     </message>
     <message>
         <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
@@ -3197,7 +3197,7 @@
     </message>
     <message>
         <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
-        <translation>脉冲由机器人计时，需要控制权。请先获取控制，或手动打开和关闭输出。</translation>
+        <translation>脉冲由机器人计时，需要控制。请先获取控制，或手动打开和关闭输出。</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -3279,11 +3279,11 @@
     <name>RobotTooling</name>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>TCP and payload can be set only at standstill. Wait until the arm has stopped.</source>
-        <translation>TCP 和有效负载在机械臂静止时设定。请让其静止。</translation>
+        <translation>TCP 和有效负载只能在静止时设置。请等待机械臂停止。</translation>
     </message>
     <message>
         <source>TCP set on the robot: %1</source>
@@ -3302,7 +3302,7 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>从供料器取工件，放入托盘六个位置之一。位置在托盘坐标系中给出，随其移动。</translation>
+        <translation>从供料器取工件，放入六个料盘格位之一。格位在料盘坐标系中定义，随其移动。</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
@@ -3310,7 +3310,7 @@
     </message>
     <message>
         <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>沿圆角盖的周边，缓慢走直线。交融使喷嘴在拐角处保持运动。</translation>
+        <translation>沿圆角盖的周边以直线缓慢涂胶。交融使喷嘴在拐角处保持运动。</translation>
     </message>
     <message>
         <source>Measuring</source>
@@ -3328,15 +3328,15 @@
         <translation>默认视图，透视</translation>
     </message>
     <message>
-        <source>From between front and side, slightly above, with everything visible.</source>
-        <translation>介于正面与侧面之间，略高，包含全部。</translation>
+        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <translation>从正面与侧面之间略高处观察，显示全部。</translation>
     </message>
     <message>
         <source>Look from the front</source>
         <translation>从正面看</translation>
     </message>
     <message>
-        <source>X of the base to the right, Z up.</source>
+        <source>Base X to the right, Z up.</source>
         <translation>基座的 X 向右，Z 向上。</translation>
     </message>
     <message>
@@ -3344,7 +3344,7 @@
         <translation>从侧面看</translation>
     </message>
     <message>
-        <source>Y of the base to the right, Z up.</source>
+        <source>Base Y to the right, Z up.</source>
         <translation>基座的 Y 向右，Z 向上。</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>从上方看</translation>
     </message>
     <message>
-        <source>X of the base to the right, Y up.</source>
+        <source>Base X to the right, Y up.</source>
         <translation>基座的 X 向右，Y 向上。</translation>
     </message>
     <message>
@@ -3361,7 +3361,7 @@
     </message>
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
-        <translation>保持当前方向，把机械臂、目标和路点纳入画面。</translation>
+        <translation>不改变观察方向，将机械臂、目标和路点纳入画面。</translation>
     </message>
 </context>
 <context>
@@ -3388,12 +3388,12 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Invalid value for the setting &quot;%1&quot;.</source>
-        <translation>设置 &quot;%1&quot; 的值无效。</translation>
+        <source>Invalid value for the setting “%1”.</source>
+        <translation>设置“%1”的值无效。</translation>
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>作为设置，文件太大。</translation>
+        <translation>文件过大，不是设置文件。</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -3416,8 +3416,8 @@
         <translation>文件没有数值列表，或列表太长。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid setting name.</source>
-        <translation>&quot;%1&quot; 不是有效的设置名称。</translation>
+        <source>“%1” is not a valid setting name.</source>
+        <translation>“%1”不是有效的设置名称。</translation>
     </message>
 </context>
 <context>
@@ -3841,8 +3841,8 @@
         <translation>此范围内缺少数值：请选择没有缺口的范围。</translation>
     </message>
     <message>
-        <source>Not enough memory.</source>
-        <translation>内存不足。</translation>
+        <source>Not enough memory: select a shorter range.</source>
+        <translation>内存不足：请选择较短的范围。</translation>
     </message>
 </context>
 <context>
@@ -3935,7 +3935,7 @@
     <name>Texts</name>
     <message>
         <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>检查地址：如 192.168.0.10 的四个数字，或网络已知的名称。</translation>
+        <translation>检查地址：四个数字，例如 192.168.0.10，或主机名。</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -3951,23 +3951,23 @@
     </message>
     <message>
         <source>The robot does not answer. Check the cable and the address.</source>
-        <translation>机器人不应答。检查网线，以及地址是否为机器人自己的。</translation>
+        <translation>机器人不应答。请检查网线和地址。</translation>
     </message>
     <message>
         <source>No more data received. Check the cable. Tiller reconnects automatically; motion does not resume.</source>
-        <translation>数据不再到达。检查网线；连接会自行恢复，动作不会。</translation>
+        <translation>不再收到数据。请检查网线。Tiller 会自动重连；运动不会恢复。</translation>
     </message>
     <message>
-        <source>The answer violates the RTDE protocol. Check address and port.</source>
+        <source>The response violates the RTDE protocol. Check address and port.</source>
         <translation>应答不符合 RTDE 协议。请检查地址和端口。</translation>
     </message>
     <message>
         <source>The robot&apos;s software is too old for this.</source>
-        <translation>机器人的软件对此来说太旧。</translation>
+        <translation>机器人的软件版本过旧，不支持此功能。</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
-        <translation>机器人的软件没有此数值。</translation>
+        <translation>机器人的软件不提供此数值。</translation>
     </message>
     <message>
         <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
@@ -3999,7 +3999,7 @@
     </message>
     <message>
         <source>The robot could not run the program. See the log for the message of the controller.</source>
-        <translation>机器人无法运行发送的程序。其自身的说明见日志。</translation>
+        <translation>机器人无法运行程序。控制器的消息见日志。</translation>
     </message>
     <message>
         <source>Check that the file exists and that you have permission to read it.</source>
@@ -4223,19 +4223,19 @@
     </message>
     <message>
         <source>no confirmation that the key is still held</source>
-        <translation>没有仍被按住的迹象</translation>
+        <translation>无法确认按键仍被按住</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
         <translation>已达到最长按住时间；请重新按下</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept such commands over the network: use the teach pendant.</source>
-        <translation>10.11 之前的 PolyScope X 不通过网络接受此类指令：请使用平板。</translation>
+        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <translation>10.11 之前的 PolyScope X 不接受通过网络发送的这些命令：请使用示教器。</translation>
     </message>
     <message>
         <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
-        <translation>PolyScope X 没有通过网络关闭弹窗的指令：请使用平板。</translation>
+        <translation>PolyScope X 无法通过网络关闭弹窗：请使用示教器。</translation>
     </message>
     <message>
         <source>Monitoring. Take control to move the arm.</source>
@@ -4270,7 +4270,7 @@
         <translation>请释放一些磁盘空间，然后重新保存或录制。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. It is set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
         <translation>仅监视：此窗口不更改机器人的任何状态。由设置或 --monitor-only 指定。</translation>
     </message>
     <message>
@@ -4337,20 +4337,20 @@
         </translation>
     </message>
     <message>
-        <source>Runs in this order when “Go through” reaches the waypoint, and only while its key is held.</source>
-        <translation>当“依次通过”把机械臂带到该处后按此顺序执行，且仅在按住按键时执行。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <translation>“运行路线”到达路点时，在按住按键期间按此顺序执行动作。</translation>
     </message>
     <message>
-        <source>These waypoints have different actions. “Change” replaces them all with the actions below.</source>
-        <translation>这些路点的动作各不相同。“更改”会让它们全部使用下面的动作。</translation>
+        <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
+        <translation>这些路点的动作各不相同。“应用”会将它们全部替换为下面的动作。</translation>
     </message>
     <message>
         <source>Actions in order</source>
         <translation>按顺序的动作</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4414,7 +4414,7 @@
     </message>
     <message>
         <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>到时结束并提示。0：按住按键期间，最长一小时</translation>
+        <translation>超过此时间则等待失败并显示消息。0：按住按键期间等待，最长一小时</translation>
     </message>
 </context>
 <context>
@@ -4445,7 +4445,7 @@
     </message>
     <message>
         <source>%1: %2
-Right click or F2 to rename and scale.</source>
+Right-click or F2 to rename and scale.</source>
         <translation>%1：%2
 右键或 F2 可重命名和缩放。</translation>
     </message>
@@ -4493,12 +4493,12 @@ Right click or F2 to rename and scale.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.</source>
-        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待半分钟：键盘停用。</translation>
+        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A frame surrounds the window.</source>
-        <translation>之后按住方向键时移动机械臂；窗口四周出现边框。</translation>
+        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>启用后，按住方向键时移动机械臂。窗口四周出现边框。</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4686,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>地面</translation>
     </message>
     <message>
-        <source>When off, it is not drawn and not checked.</source>
+        <source>When off, it is neither drawn nor checked.</source>
         <translation>关闭时不绘制也不检查。</translation>
     </message>
     <message>
@@ -4702,8 +4702,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>安全距离</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are refused.</source>
-        <translation>点动在距机械臂自身和单元此距离处停止。更接近的运动会被拒绝。</translation>
+        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>点动在距单元以及机械臂各部分之间达到此距离时停止。更接近的运动会被拒绝。</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4779,9 +4779,20 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ChecklistItem</name>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>未完成</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ComparisonBand</name>
     <message>
-        <source>Comparison with the model of the arm</source>
+        <source>Comparison with the arm model</source>
         <translation>与机械臂模型的比较</translation>
     </message>
     <message>
@@ -4812,16 +4823,16 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::ComparisonDialog</name>
     <message>
-        <source>Compare with the model of the arm</source>
+        <source>Compare with the arm model</source>
         <translation>与机械臂模型比较</translation>
     </message>
     <message>
         <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>将关节收到的指令交给仿真机械臂，并把它的表现与记录比较。仿真机械臂不受任何接触，也没有摩擦。</translation>
+        <translation>模拟机械臂跟随录制的关节目标，并将其运动与录制的运动比较。模型没有接触，也没有摩擦。</translation>
     </message>
     <message>
-        <source>Model of the arm</source>
-        <translation>机械臂型号</translation>
+        <source>Arm model</source>
+        <translation>机械臂模型</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4853,11 +4864,18 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Signals with a limit of 0 are not compared.</source>
-        <translation>限值为 0 的项目不参与比较。</translation>
+        <translation>限值为 0 的信号不参与比较。</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::DecimalSpinBox</name>
+    <message>
+        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <translation>“%1”超出范围（%2 至 %3）。没有任何更改。</translation>
     </message>
 </context>
 <context>
@@ -4891,8 +4909,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>将移动</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, Shift faster. Space and Esc stop.</source>
-        <translation>键盘（启用时，Ctrl+J）：方向键 X 和 Y，PgUp 和 PgDn Z，加 Alt 旋转，1 至 6 加 + 和 − 关节，Home 原位，End 对齐，Backspace 返回，F 自由驱动。Ctrl 更慢，Shift 更快。Space 和 Esc 停止。</translation>
+        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>键盘（启用时，Ctrl+J）：方向键：X 和 Y；PgUp、PgDn：Z；加 Alt：旋转；1 至 6 加 + 和 −：关节；Home：原位；End：对齐；Backspace：返回；F：自由驱动；Ctrl：更慢；Shift：更快。Space 和 Esc 停止。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4900,7 +4918,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
+        <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
         <source>● held (%1)</source>
@@ -4916,10 +4934,20 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
 </context>
 <context>
-    <name>tiller::FigureBox</name>
+    <name>tiller::EmptyState</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>未采用“%1”：%2 至 %3。没有任何更改。</translation>
+        <source>Nothing found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>Nothing found with these filters.</source>
+        <translation>以这些过滤条件未找到。</translation>
+    </message>
+    <message>
+        <source>Nothing found for “%1”.
+Clear the search to see everything.</source>
+        <translation>未找到“%1”。
+清空搜索以查看全部。</translation>
     </message>
 </context>
 <context>
@@ -4965,7 +4993,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>该列表不会自行再出现。命令“第一步”可将其恢复。</translation>
+        <translation>该列表不会再次出现。使用命令“第一步”可显示它。</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -4984,7 +5012,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>在基座中。回车应用；只有坐标系移动。</translation>
+        <translation>基座坐标系中的值。按回车应用。只有坐标系改变；机器人不移动。</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5076,7 +5104,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     <message numerus="yes">
         <source>%n waypoints use this frame. They keep their positions and are converted to Base.</source>
         <translation>
-            <numerusform>%n 个路点在其中给出。它们保持原位，改在基座中给出。</numerusform>
+            <numerusform>%n 个路点使用此坐标系。它们保持位置，并转换到基座坐标系。</numerusform>
         </translation>
     </message>
     <message>
@@ -5104,7 +5132,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>“%1”是每台机器人都有的坐标系。请选择其他名称。</translation>
+        <translation>“%1”是内置坐标系。请选择其他名称。</translation>
     </message>
     <message>
         <source>Another frame is named “%1”. Choose another name.</source>
@@ -5234,7 +5262,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Jog the tip to the origin of the frame and take the point (P).</source>
-        <translation>把尖端点动到坐标系的起点并取点 (P)。</translation>
+        <translation>将尖端点动到坐标系的原点并取点 (P)。</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
@@ -5299,7 +5327,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人的数据太旧。请等待新数据。</translation>
+        <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -5307,7 +5335,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
-        <translation>在 TCP 处、以工具轴建立坐标系 (Shift+T)</translation>
+        <translation>在 TCP 处以工具轴创建坐标系 (Shift+T)</translation>
     </message>
     <message>
         <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
@@ -5315,7 +5343,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
-        <translation>所选坐标系移到 TCP 处 (Shift+U)</translation>
+        <translation>将所选坐标系移到 TCP 处 (Shift+U)</translation>
     </message>
     <message>
         <source>Select a frame to touch up.</source>
@@ -5393,16 +5421,16 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>循环</translation>
     </message>
     <message>
-        <source>Go through the waypoints</source>
-        <translation>依次前往各路点</translation>
+        <source>Run the route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
-        <source>Go through (hold)</source>
-        <translation>依次前往（按住）</translation>
+        <source>Run route (hold)</source>
+        <translation>运行路线（按住）</translation>
     </message>
     <message>
-        <source>Go through, hold</source>
-        <translation>依次前往，按住</translation>
+        <source>Run route, hold</source>
+        <translation>运行路线，按住</translation>
     </message>
     <message>
         <source>Previous waypoint, hold</source>
@@ -5430,7 +5458,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>依次前往哪些路点，按列表顺序</translation>
+        <translation>按列表顺序选择路线的路点</translation>
     </message>
     <message>
         <source>From here</source>
@@ -5446,11 +5474,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>按住期间，最后一个路点之后又是第一个</translation>
+        <translation>按住按键期间，到达最后一个路点后从第一个重新开始</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5577,20 +5605,20 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>Robotiq %1</translation>
     </message>
     <message>
-        <source>One output: on closes</source>
-        <translation>一个输出：开则关闭</translation>
+        <source>One output: on = closed</source>
+        <translation>一个输出：接通 = 关闭</translation>
     </message>
     <message>
         <source>Two outputs: open, close</source>
         <translation>两个输出：打开、关闭</translation>
     </message>
     <message>
-        <source>Output that closes</source>
-        <translation>关闭的输出</translation>
+        <source>Closing output</source>
+        <translation>关闭用输出</translation>
     </message>
     <message>
-        <source>Output that opens</source>
-        <translation>打开的输出</translation>
+        <source>Opening output</source>
+        <translation>打开用输出</translation>
     </message>
     <message>
         <source>Target opening</source>
@@ -5642,7 +5670,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Target opening of the fingers, 0 to %1. “Move” starts the motion.</source>
-        <translation>手指应打开多少，0 至 %1。“移动”将其送到那里。</translation>
+        <translation>手指的目标开度，0 至 %1。“移动”启动运动。</translation>
     </message>
     <message>
         <source>Speed of the next motion. 0 % is about %1, 100 % about %2.</source>
@@ -5666,7 +5694,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>请先连接机器人：每台机器人记住自己的夹爪。</translation>
+        <translation>请先连接机器人：夹爪按机器人分别保存。</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5678,7 +5706,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Select the mounted gripper. The choice is stored for this robot.</source>
-        <translation>选择手腕上装的是什么。与此机器人一起记住。</translation>
+        <translation>选择所安装的夹爪。选择会为此机器人保存。</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5726,7 +5754,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The gripper cannot be reached with this port offset.</source>
-        <translation>以此端口偏移无法到达夹爪。</translation>
+        <translation>使用此端口偏移无法连接夹爪。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5825,7 +5853,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Data stopped while the arm was moving: the stop could not be measured.</source>
-        <translation>机械臂移动时数据中断：如何停止未知。</translation>
+        <translation>机械臂移动时数据中断：无法测量停止过程。</translation>
     </message>
     <message>
         <source>%1 ms · %2</source>
@@ -5833,7 +5861,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Measured from stop command to standstill. Cause: %1</source>
-        <translation>从停止到静止，实测。原因：%1</translation>
+        <translation>从停止命令到静止的测量值。原因：%1</translation>
     </message>
     <message>
         <source>No stop measured yet</source>
@@ -5850,17 +5878,6 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     <message>
         <source>MONITOR ONLY</source>
         <translation>仅监视</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::HoldButton</name>
-    <message>
-        <source>hold</source>
-        <translation>按住</translation>
-    </message>
-    <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>请按住此键：仅在按住时移动机械臂。</translation>
     </message>
 </context>
 <context>
@@ -5883,7 +5900,18 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>显示服务器不应答：无法得知何时松开按键。</translation>
+        <translation>显示服务器不响应：无法检测按键是否松开。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::HoldToRunButton</name>
+    <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Hold this key: the arm moves only while it is held.</source>
+        <translation>请按住此键：仅在按住时移动机械臂。</translation>
     </message>
 </context>
 <context>
@@ -5906,7 +5934,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The incident (%1) could not be recorded.</source>
-        <translation>事件（%1）无法录制。</translation>
+        <translation>无法录制事件（%1）。</translation>
     </message>
     <message>
         <source>Incident recorded: %1</source>
@@ -5914,7 +5942,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
-        <translation>此前 %1 s 起的全部在 %2 中。双击此行即可打开。</translation>
+        <translation>录制 %2 从停止前 %1 s 开始。双击此条目可打开。</translation>
     </message>
 </context>
 <context>
@@ -5947,7 +5975,7 @@ Cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
+Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>
 点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
     </message>
@@ -5979,8 +6007,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>夹爪</translation>
     </message>
     <message>
-        <source>Part of I/O</source>
-        <translation>I/O 的部分</translation>
+        <source>Page of I/O</source>
+        <translation>I/O 页面</translation>
     </message>
 </context>
 <context>
@@ -6023,7 +6051,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Select a row of the I/O tab with the Tab key first.</source>
-        <translation>请先用 Tab 键移到 I/O 选项卡的一行。</translation>
+        <translation>请先用 Tab 键选择 I/O 选项卡的一行。</translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
@@ -6031,7 +6059,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Another program or the installation may control it.</source>
-        <translation>可能由另一个程序或安装设置占用。</translation>
+        <translation>可能由其他程序或安装设置控制。</translation>
     </message>
     <message>
         <source>Analog</source>
@@ -6047,7 +6075,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Replay is active: return to live data first.</source>
-        <translation>这是回放：请先返回实时状态。</translation>
+        <translation>正在回放：请先返回实时数据。</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6109,7 +6137,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>对齐</translation>
     </message>
     <message>
-        <source>Turns the tool to the nearest axis of the chosen frame while held</source>
+        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
         <translation>按住时把工具转到所选坐标系最近的轴</translation>
     </message>
     <message>
@@ -6118,7 +6146,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Retraces the last motion while held</source>
-        <translation>按住时沿原路返回</translation>
+        <translation>按住时沿上一次运动的路径返回</translation>
     </message>
     <message>
         <source>home</source>
@@ -6247,7 +6275,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>按住时缓慢移动，直到工具以 %1 N 接触物体。再点击可选其他步长</translation>
+        <translation>按住时缓慢移动，直到接触力达到 %1 N。再点击可选其他步长</translation>
     </message>
     <message>
         <source>One step per press: %1. Click again for other steps</source>
@@ -6416,8 +6444,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>日志</translation>
     </message>
     <message>
-        <source>Show from severity</source>
-        <translation>显示的严重程度</translation>
+        <source>Minimum severity</source>
+        <translation>最低严重程度</translation>
     </message>
     <message>
         <source>Filter the log by text</source>
@@ -6433,7 +6461,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>Copy the selected entries, or all visible entries (Ctrl+C)</source>
-        <translation>复制所选行，或所有显示的行 (Ctrl+C)</translation>
+        <translation>复制所选条目，或所有可见条目 (Ctrl+C)</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6468,8 +6496,8 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>打开录制</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents have a recording)</source>
-        <translation>打开所选行的录制：事件带有录制</translation>
+        <source>Open the recording of the selected entry (incidents only)</source>
+        <translation>打开所选条目的录制（仅限事件）</translation>
     </message>
 </context>
 <context>
@@ -6480,31 +6508,31 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>The path enters the wrist singularity after %1 of its length</source>
-        <translation>直线在行程 %1 后进入手腕奇异点</translation>
+        <translation>路径在 %1 处进入手腕奇异点</translation>
     </message>
     <message>
         <source>Slow near the wrist singularity at %1 of the path</source>
-        <translation>在行程 %1 处接近手腕奇异点而减速</translation>
+        <translation>在路径 %1 处因接近手腕奇异点而减速</translation>
     </message>
     <message>
         <source>The path enters the elbow singularity after %1 of its length</source>
-        <translation>直线在行程 %1 后使肘部伸直</translation>
+        <translation>路径在 %1 处进入肘部奇异点</translation>
     </message>
     <message>
         <source>Slow near the elbow singularity at %1 of the path</source>
-        <translation>在行程 %1 处接近肘部伸直而减速</translation>
+        <translation>在路径 %1 处因接近肘部奇异点而减速</translation>
     </message>
     <message>
         <source>The path enters the shoulder singularity after %1 of its length</source>
-        <translation>直线在行程 %1 后进入基座轴</translation>
+        <translation>路径在 %1 处进入肩部奇异点</translation>
     </message>
     <message>
         <source>Slow near the shoulder singularity at %1 of the path</source>
-        <translation>在行程 %1 处接近基座轴而减速</translation>
+        <translation>在路径 %1 处因接近肩部奇异点而减速</translation>
     </message>
     <message>
         <source>A joint would have to jump after %1 of the path</source>
-        <translation>在行程 %1 后某关节须突然转动</translation>
+        <translation>在路径 %1 处某关节须突变</translation>
     </message>
     <message>
         <source>%1 exceeds its range after %2 of the path</source>
@@ -6512,7 +6540,7 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     </message>
     <message>
         <source>The path leaves the reach of the arm after %1 of its length</source>
-        <translation>直线在行程 %1 后超出机械臂可达范围</translation>
+        <translation>路径在 %1 处超出机械臂可达范围</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6547,12 +6575,12 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
         <translation>工具</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move leads closer</source>
-        <translation>%1 与 %2 接触，而该运动会更接近</translation>
+        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <translation>%1 与 %2 接触，该运动会使其更接近</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move leads closer</source>
-        <translation>%1 距 %3 仅 %2，而该运动会更接近</translation>
+        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <translation>%1 距 %3 仅 %2，该运动会使其更接近</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -6565,23 +6593,6 @@ Click to switch it %1. P: pulse. Right click: pulse, rename.</source>
     <message>
         <source>“%1”</source>
         <translation>“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::NothingFound</name>
-    <message>
-        <source>Nothing found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>Nothing found with these filters.</source>
-        <translation>以这些过滤条件未找到。</translation>
-    </message>
-    <message>
-        <source>Nothing found for “%1”.
-Clear the search to see everything.</source>
-        <translation>未找到“%1”。
-清空搜索以查看全部。</translation>
     </message>
 </context>
 <context>
@@ -6603,12 +6614,12 @@ Clear the search to see everything.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Answer of the notice</source>
-        <translation>通知的应答</translation>
+        <source>Action of the notice</source>
+        <translation>通知的操作</translation>
     </message>
     <message>
-        <source>Second answer of the notice</source>
-        <translation>通知的第二个应答</translation>
+        <source>Second action of the notice</source>
+        <translation>通知的第二个操作</translation>
     </message>
 </context>
 <context>
@@ -6645,7 +6656,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
-        <translation>路径录制自行结束：数据中断，或已满十分钟。</translation>
+        <translation>路径录制已停止：数据中断，或已达到十分钟的上限。</translation>
     </message>
     <message>
         <source>The path recorded so far is kept.</source>
@@ -6665,11 +6676,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
-        <translation>结束录制并把路径保留为路点</translation>
+        <translation>停止录制并将路径保存为路点</translation>
     </message>
     <message>
         <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>录制机械臂经自由驱动或点动所走的路，直到再次按下，并保留为路点。它不移动任何东西。</translation>
+        <translation>录制机械臂在自由驱动或点动时的路径，直到再次按下，并保存为路点。机器人不移动。</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6714,7 +6725,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>未读取：正在录制路径。请先结束。</translation>
+        <translation>拒绝导入：正在录制路径。请先停止该录制。</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
@@ -6734,7 +6745,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>“%1”: %2 s, %3 waypoints. Maximum deviation from the recording: %4 and %5.</source>
-        <translation>“%1”：%2 s，%3 个路点。每个录制的位置都在其 %4 和 %5 之内。</translation>
+        <translation>“%1”：%2 s，%3 个路点。与录制的最大偏差：%4 和 %5。</translation>
     </message>
     <message numerus="yes">
         <source>%n packets were lost.</source>
@@ -6748,7 +6759,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>“%1” is out of reach. Touch it up, or remove it.</source>
-        <translation>“%1”不可达。请修正示教或略去。</translation>
+        <translation>“%1”不可达。请修正示教或移除。</translation>
     </message>
 </context>
 <context>
@@ -6807,7 +6818,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Distance between layers, opposite to the tool direction.</source>
-        <translation>从一层到下一层，与工具方向相反。</translation>
+        <translation>层间距离，方向与工具方向相反。</translation>
     </message>
     <message>
         <source>Order</source>
@@ -6826,8 +6837,8 @@ Clear the search to see everything.</source>
         <translation>创建阵列</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
     <message>
         <source>A pattern needs a name.</source>
@@ -6839,7 +6850,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>选择每个角的路点。没有时请先示教三个角。</translation>
+        <translation>为每个角选择路点。请先示教三个角。</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6855,7 +6866,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>%1 个位置超过阵列可有的 %2 个。</translation>
+        <translation>阵列有 %1 个格位；上限为 %2。</translation>
     </message>
     <message>
         <source>All cells are excluded.</source>
@@ -6890,7 +6901,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>点击位置可略去或恢复。第一个角在左下。</translation>
+        <translation>点击格位可排除或包含它。第一个角在左下。</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6933,7 +6944,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
@@ -6953,15 +6964,15 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
-        <translation>%1 这不够好：位姿 %2 最不吻合。请移除并另取一个。</translation>
+        <translation>%1 精度较低：位姿 %2 偏差最大。请移除它并另取一个位姿。</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
-        <translation>各位姿之间工具转动太少。请转到另一侧再取一个。</translation>
+        <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg：太轻，传感器无法得出重心。请用数值输入。</translation>
+        <translation>%1 kg：太轻，无法测量重心。请手动输入。</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
@@ -7048,7 +7059,7 @@ Clear the search to see everything.</source>
         <source>No payloads yet.
 Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation>还没有有效负载。
-按“取自机器人”保留其现有的，或按“称重…”用机械臂求得。</translation>
+按“取自机器人”保存当前有效负载，或按“称重…”用机械臂测量。</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7084,7 +7095,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
-        <translation>回车应用到项目；机器人保持其自己的值。</translation>
+        <translation>按回车应用到项目。机器人的有效负载不变。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -7160,7 +7171,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>Delete the payload “%1”</source>
@@ -7176,11 +7187,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>机器人不发送力：无法检查其有效负载。</translation>
+        <translation>机器人不发送力：无法验证有效负载。</translation>
     </message>
     <message>
-        <source>With %1 kg, the arm measures %2 and %3 at standstill.</source>
-        <translation>以 %1 kg 计，机械臂静止时感受到 %2 和 %3。</translation>
+        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <translation>有效负载为 %1 kg 时，机械臂测得 %2 和 %3。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7192,19 +7203,19 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
-        <translation>实际比告知的约重 %1 kg。</translation>
+        <translation>负载比配置的有效负载约重 %1 kg。</translation>
     </message>
     <message>
         <source>The load is about %1 kg lighter than the configured payload.</source>
-        <translation>实际比告知的约轻 %1 kg。</translation>
+        <translation>负载比配置的有效负载约轻 %1 kg。</translation>
     </message>
     <message>
         <source>The centre of gravity differs, or something is touching the tool.</source>
-        <translation>其重心在别处，或有东西触碰工具。</translation>
+        <translation>重心不同，或有物体触碰工具。</translation>
     </message>
     <message>
         <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零只会掩盖错误，直到工具转动。</translation>
+        <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零会掩盖错误的有效负载，直到工具转动。</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
@@ -7220,7 +7231,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1；机器人被告知 %2 kg，重心 %3</translation>
+        <translation>%1；机器人为 %2 kg，重心 %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -7246,7 +7257,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>XY</translation>
     </message>
     <message>
-        <source>over</source>
+        <source>vs.</source>
         <translation>对</translation>
     </message>
     <message>
@@ -7274,7 +7285,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>此范围内没有采样。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that no gap is between them.</source>
+        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
         <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
@@ -7296,7 +7307,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sample(s), every %1th shown</source>
+        <source>%n sample(s), 1 of %1 shown</source>
         <translation>
             <numerusform>%n 个采样，每 %1 个显示一个</numerusform>
         </translation>
@@ -7307,7 +7318,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>这两个信号不属于同一记录：请将光标 A 和 B 放在更短的区间上。</translation>
+        <translation>这些信号来自不同的录制：请用光标 A 和 B 选择更短的范围。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7318,7 +7329,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <name>tiller::PlotComparison</name>
     <message>
         <source>Not compared with the arm model: the recording does not state the robot model.</source>
-        <translation>未与机械臂模型比较：不知道这是哪种机械臂。</translation>
+        <translation>未与机械臂模型比较：录制中没有机器人型号。</translation>
     </message>
     <message>
         <source>Arm and model diverge: %1</source>
@@ -7373,7 +7384,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>曲线图显示多长时间。在曲线图上滚轮缩放；在左侧数值上或按住 Ctrl 则缩放数值，在那里双击则重新由曲线决定。</translation>
+        <translation>曲线图的时间范围。滚轮缩放时间轴；在数值轴上或按住 Ctrl 时缩放数值。双击数值轴可自动缩放。</translation>
     </message>
     <message>
         <source>Pause the plots</source>
@@ -7405,7 +7416,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>把机器人发送的内容录制到 CSV 文件；旁边的键说明内容和位置</translation>
+        <translation>将机器人数据录制到 CSV 文件。旁边的箭头按钮设置信号和文件夹</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7449,7 +7460,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
-        <translation>从当前值起计力。仅影响曲线图的显示：机器人、录制和导出的数值保持测量值。</translation>
+        <translation>在曲线图中减去当前的力。机器人、录制和导出的数值不变。</translation>
     </message>
     <message>
         <source>● REC %1</source>
@@ -7480,7 +7491,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>可见范围已导出到 %1</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
+        <source>Image (*.png)</source>
         <translation>图片 (*.png)</translation>
     </message>
     <message>
@@ -7657,7 +7668,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>机器人报告的一切：拖到图上，拖到边缘则为单独的图，或双击</translation>
+        <translation>机器人的所有信号：拖到图上，拖到图的边缘以创建新图，或双击</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7717,7 +7728,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>把机器人发送的内容录制到 MCAP 文件；旁边的按键说明内容和位置</translation>
+        <translation>将机器人数据录制到 MCAP 文件。旁边的箭头按钮设置信号和文件夹</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7734,7 +7745,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
     </message>
     <message>
-        <source>Compare with the model of the arm…</source>
+        <source>Compare with the arm model…</source>
         <translation>与机械臂模型比较…</translation>
     </message>
 </context>
@@ -7752,7 +7763,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotPages</name>
     <message>
-        <source>Pages of plots</source>
+        <source>Plot pages</source>
         <translation>曲线图页</translation>
     </message>
     <message>
@@ -7832,7 +7843,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>在曲线图中点击放置 A，然后 B：其间的内容在此汇总。</translation>
+        <translation>在曲线图中点击放置 A，然后 B。两者之间范围的统计显示在此。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -7867,7 +7878,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Fixed scale · double-click the axis to scale automatically</source>
-        <translation>刻度固定 · 双击轴可释放</translation>
+        <translation>刻度固定 · 双击轴自动缩放</translation>
     </message>
     <message>
         <source>No samples yet: connect to a robot</source>
@@ -7882,8 +7893,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>随时间的曲线图</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal they read. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A 和 B 放置游标，方向键移动它们，上下选择读取的信号；H 隐藏其曲线，Ctrl+Delete 去除；加减改变时间窗口，按住 Ctrl 改变数值刻度，Ctrl+0 重新由曲线决定；N 写记录；F 全部显示；End 回到最新样本</translation>
+        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <translation>A 和 B 放置游标，左右键移动游标，上下键选择游标读取的信号。H 隐藏其曲线，Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -7944,12 +7955,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the press</source>
-        <translation>方向按设置中的选择。Δ₀：自归零的行程。点击：自按下的行程</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <translation>方向按设置显示。Δ₀：自归零起的位移。点击：自最后一次按键起的位移</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the press. Click: zero here</source>
-        <translation>方向按设置中的选择。Δ：自按下的行程。点击：此处归零</translation>
+        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <translation>方向按设置显示。Δ：自最后一次按键起的位移。点击：此处归零</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -7994,11 +8005,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
-        <translation>%1。回车应用；只有该位置改变。</translation>
+        <translation>%1。按回车应用。只有保存的位置改变；机器人不移动。</translation>
     </message>
     <message>
         <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
-        <translation>在基座坐标系中其上方没有任何东西：TCP 可在那里横向移动。</translation>
+        <translation>基座坐标系中的高度，其上方没有障碍物：TCP 可在其上方横向移动。</translation>
     </message>
     <message>
         <source>Here</source>
@@ -8006,7 +8017,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
-        <translation>安全高度为 TCP 当前所在处</translation>
+        <translation>将安全高度设为 TCP 的当前高度</translation>
     </message>
     <message>
         <source>Set home here</source>
@@ -8046,7 +8057,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人的数据太旧。请等待新数据。</translation>
+        <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -8054,7 +8065,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Set “%1” to the current position of the arm?</source>
-        <translation>将“%1”设为机械臂所在处？</translation>
+        <translation>将“%1”设为机械臂的当前位置？</translation>
     </message>
     <message>
         <source>The Home key will move the arm there.</source>
@@ -8118,7 +8129,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>“原位”键移到通常的原位：直立，与自身无干涉。</translation>
+        <translation>“原位”键移到默认原位：机械臂直立，无自碰撞。</translation>
     </message>
     <message>
         <source>%1: target of the Home key</source>
@@ -8141,7 +8152,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>机械臂处于停止状态。请先恢复。</translation>
+        <translation>机械臂已被安全系统停止。请先恢复。</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
@@ -8200,7 +8211,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Available after the check above has passed</source>
-        <translation>上面的检查认可后才可用</translation>
+        <translation>通过上面的检查后可用</translation>
     </message>
 </context>
 <context>
@@ -8231,7 +8242,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>若仍然连接，窗口会显示现有数据。上面的红色项可能妨碍获取控制，或使动作中途结束。</translation>
+        <translation>若仍然连接，窗口会显示可用的数据。上面的红色项可能妨碍获取控制，或停止正在进行的运动。</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -8360,19 +8371,19 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>%1 is saved again</source>
+        <source>Saving of %1 resumed</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
-        <source>The other window closed %1. Changes in this window are saved again.</source>
-        <translation>另一个窗口已关闭 %1。此窗口中的更改会重新保存。</translation>
+        <source>The other window closed %1. This window saves changes again.</source>
+        <translation>另一个窗口已关闭 %1。此窗口恢复保存更改。</translation>
     </message>
     <message>
         <source>%1 is open in another window</source>
         <translation>%1 已在另一个窗口中打开</translation>
     </message>
     <message>
-        <source>Opened by %1. Changes in this window are not saved to the file until you take the project over.</source>
+        <source>Opened by %1. Changes in this window are not saved to the file until you take over the project.</source>
         <translation>由 %1 打开。在您接管项目之前，此窗口中的更改不会保存到文件。</translation>
     </message>
     <message>
@@ -8392,12 +8403,12 @@ Release the key to stop the arm.</source>
         <translation>另一个窗口或程序更改了 %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. Reload discards them. Keep both saves the project of this window to a second file.</source>
-        <translation>此窗口有未保存的更改。重新加载会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
+        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
+        <translation>此窗口有未保存的更改。“重新加载”会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
     </message>
     <message>
-        <source>Reload shows the new content. Keep both saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>重新加载会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
+        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
+        <translation>“重新加载”会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -8485,8 +8496,8 @@ Release the key to stop the arm.</source>
         <translation>其他机器人型号的项目</translation>
     </message>
     <message>
-        <source>Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>保持位姿：Tiller 重新计算关节位置，工具到达相同的位姿。保持关节：机械臂保持其构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>“保持位姿”重新计算关节位置，工具到达相同的位姿。“保持关节”保持机械臂的构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
         <source>Keep poses</source>
@@ -8501,15 +8512,15 @@ Release the key to stop the arm.</source>
         <translation>TCP 与项目不同</translation>
     </message>
     <message>
-        <source>With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>使用机器人的 TCP 时，法兰会移动到示教位置。在您决定之前，不能移动到项目中的位置。</translation>
+        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <translation>使用机器人的 TCP 时，法兰会到达示教的位姿，但 TCP 不会。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
         <translation>在机器人上设置“%1”</translation>
     </message>
     <message>
-        <source>Keep the robot’s TCP</source>
+        <source>Keep the robot&apos;s TCP</source>
         <translation>保持机器人的 TCP</translation>
     </message>
     <message>
@@ -8541,7 +8552,7 @@ Release the key to stop the arm.</source>
         <translation>选择…</translation>
     </message>
     <message>
-        <source>The model of the robot is not known yet. Wait until the robot has reported it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports it.</source>
         <translation>尚不知道机器人的型号。请等待机器人报告。</translation>
     </message>
 </context>
@@ -8632,7 +8643,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
-        <translation>可疑关节：%1，其电流偏离目标最远。</translation>
+        <translation>可疑关节：%1（电流与目标偏差最大）。</translation>
     </message>
     <message>
         <source> (%1 s)</source>
@@ -8702,7 +8713,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>显示机器人当前的动作；录制仍在曲线图中打开</translation>
+        <translation>显示机器人的当前状态。录制仍在曲线图中打开</translation>
     </message>
 </context>
 <context>
@@ -8867,7 +8878,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
-        <translation>夹爪没有数值。请给机械臂上电；若仍如此，检查手腕处的夹爪电缆。</translation>
+        <translation>夹爪没有发送数值。请给机械臂上电；若问题仍存在，检查手腕处的夹爪电缆。</translation>
     </message>
     <message>
         <source>The gripper answers again</source>
@@ -8911,11 +8922,11 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
-        <translation>夹爪没有接受。请激活它；若已激活，查看机器人安装设置中的页面。</translation>
+        <translation>夹爪没有接受命令。请激活它；若已激活，请检查机器人安装设置中的页面。</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
-        <translation>正在激活夹爪：所要求的随后执行。</translation>
+        <translation>夹爪正在激活；随后执行命令。</translation>
     </message>
     <message>
         <source>The gripper received a motion command before it was active. Press Activate.</source>
@@ -8927,7 +8938,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
-        <translation>夹爪一秒钟没有收到信息。检查手腕处的电缆，然后按“激活”。</translation>
+        <translation>夹爪一秒内没有收到命令。检查手腕处的电缆，然后按“激活”。</translation>
     </message>
     <message>
         <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
@@ -8961,8 +8972,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
-        <source>There are no waypoints to go through. Teach or select waypoints first.</source>
-        <translation>没有可依次前往的路点。请示教或选择。</translation>
+        <source>The route has no waypoints. Teach or select waypoints first.</source>
+        <translation>路线中没有路点。请先示教或选择路点。</translation>
     </message>
     <message>
         <source>This is the first waypoint.</source>
@@ -8978,7 +8989,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
-        <translation>只有一个路点的循环哪里也到不了。请选择更多路点，或不用循环。</translation>
+        <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
     </message>
 </context>
 <context>
@@ -9003,7 +9014,7 @@ Release the key to stop the arm.</source>
         <translation>正面</translation>
     </message>
     <message>
-        <source>Look from the front: X of the base to the right, Z up</source>
+        <source>Look from the front: base X to the right, Z up</source>
         <translation>从正面看：基座的 X 向右，Z 向上</translation>
     </message>
     <message>
@@ -9011,7 +9022,7 @@ Release the key to stop the arm.</source>
         <translation>侧面</translation>
     </message>
     <message>
-        <source>Look from the side: Y of the base to the right, Z up</source>
+        <source>Look from the side: base Y to the right, Z up</source>
         <translation>从侧面看：基座的 Y 向右，Z 向上</translation>
     </message>
     <message>
@@ -9019,7 +9030,7 @@ Release the key to stop the arm.</source>
         <translation>顶部</translation>
     </message>
     <message>
-        <source>Look from above: X of the base to the right, Y up</source>
+        <source>Look from above: base X to the right, Y up</source>
         <translation>从上方看：基座的 X 向右，Y 向上</translation>
     </message>
     <message>
@@ -9039,7 +9050,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>拖动或用方向键从另一侧观察，按住 Shift 或用右键移动画面，滚轮或加减靠近，双击或 Home 回到第一视图。这里的任何操作都不会移动机器人。</translation>
+        <translation>拖动或用方向键旋转视图；按住 Shift 或右键平移。用滚轮或加减键缩放。双击或按 Home 恢复默认视图。这里的任何操作都不会移动机器人。</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -9166,7 +9177,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>This robot is simulated. No real robot moves.</source>
-        <translation>此机器人是模拟的。移动的只有像素。</translation>
+        <translation>此机器人是模拟的。没有真实机器人移动。</translation>
     </message>
     <message>
         <source>SIMULATION</source>
@@ -9283,7 +9294,7 @@ Release the key to stop the arm.</source>
         <source>No TCPs yet.
 Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
         <translation>还没有 TCP。
-按“取自机器人”保留其现有的，或按“示教…”用机械臂求得。</translation>
+按“取自机器人”保存当前 TCP，或按“示教…”用机械臂示教。</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -9291,7 +9302,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
-        <translation>从法兰起。回车应用到项目；机器人保持其自己的值。</translation>
+        <translation>相对于法兰。按回车应用到项目。机器人的 TCP 不变。</translation>
     </message>
     <message>
         <source>Set on robot</source>
@@ -9379,7 +9390,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>Delete the TCP “%1”</source>
@@ -9437,8 +9448,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Take a pose of the rotation</source>
-        <translation>取旋转的位姿</translation>
+        <source>Take a pose for the rotation</source>
+        <translation>取一个用于旋转的位姿</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9466,7 +9477,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>各位姿之间工具转动太少。请向另一侧倾斜 30° 以上再取一个。</translation>
+        <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the poses again.</source>
@@ -9488,7 +9499,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>转动工具直到竖直向下，且其 X 沿基座的 X；然后取。</translation>
+        <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
         <source>Rotation taken. Take it again to replace it.</source>
@@ -9496,35 +9507,35 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>在当前位置取工具。此后不得转动：只点动 X、Y 和 Z。</translation>
+        <translation>在当前位置取位姿。此后不要转动工具：只点动 X、Y 和 Z。</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>沿工具自身的 +Z 远离法兰移动至少 %1，并取。</translation>
+        <translation>沿工具的 +Z 方向远离法兰移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>现在向其 +X 一侧移动至少 %1，并取。</translation>
+        <translation>现在沿工具的 +X 方向移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
         <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>已取旋转：沿 +Z %1，侧向 %2；期间法兰转动 %3，位姿 %4 处最大。</translation>
+        <translation>已取旋转：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>途中法兰转动 %1，位姿 %2 处最大。请不转动工具重取三个。</translation>
+        <translation>法兰最多转动了 %1（位姿 %2）。请在不转动工具的情况下重取三个位姿。</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>沿 +Z 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+        <translation>沿 +Z 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
         <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>朝 +X 的距离仅 %1。请相距至少 %2 重取三个。</translation>
+        <translation>沿 +X 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
         <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
-        <translation>三个位姿在一条线上：第三个仅偏 %1。请重取三个。</translation>
+        <translation>三个位姿共线：第三个距该直线仅 %1。请重取三个位姿。</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Take the three poses again.</source>
@@ -9548,18 +9559,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Poses can be taken only while the robot sends data.</source>
-        <translation>机器人发送数据时可以取位姿。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::TickLine</name>
-    <message>
-        <source>done</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>not done yet</source>
-        <translation>未完成</translation>
+        <translation>只有机器人发送数据时才能取位姿。</translation>
     </message>
 </context>
 <context>
@@ -9622,8 +9622,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The view is too small to expand this</source>
-        <translation>视图太小，无法展开</translation>
+        <source>The view is too small to expand this card</source>
+        <translation>视图太小，无法展开此卡片</translation>
     </message>
     <message>
         <source>Expand</source>
@@ -9638,7 +9638,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
-        <translation>在路点的坐标系中。回车应用；只有路点移动。</translation>
+        <translation>路点坐标系中的值。按回车应用。只有路点改变；机器人不移动。</translation>
     </message>
     <message>
         <source>Selected waypoint</source>
@@ -9654,7 +9654,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>给出它并随之移动的坐标系。位置保持不变。—：以关节为准</translation>
+        <translation>路点的参考坐标系。空间位置不变。—：以关节位置为准</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9691,20 +9691,20 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>位置“%1”</translation>
     </message>
     <message>
-        <source>Go through</source>
-        <translation>依次通过</translation>
+        <source>Run route</source>
+        <translation>运行路线</translation>
     </message>
     <message>
-        <source>Shows the Go through controls instead of the values.</source>
-        <translation>在数值的位置显示“依次通过”的按键。</translation>
+        <source>Shows the route controls instead of the values.</source>
+        <translation>显示路线的按键而不是数值。</translation>
     </message>
     <message>
         <source>Values</source>
         <translation>数值</translation>
     </message>
     <message>
-        <source>Shows the values instead of the Go through controls.</source>
-        <translation>在“依次通过”的按键位置显示数值。</translation>
+        <source>Shows the values instead of the route controls.</source>
+        <translation>显示数值而不是路线的按键。</translation>
     </message>
 </context>
 <context>
@@ -9743,7 +9743,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Convert the pattern “%1” to waypoints</source>
-        <translation>解散阵列“%1”</translation>
+        <translation>将阵列“%1”转换为路点</translation>
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
@@ -9759,7 +9759,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>当时给出它的坐标系已不在项目中。</translation>
+        <translation>早期版本的坐标系已从项目中删除。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -9787,7 +9787,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
-        <translation>作为路点列表，%1 太大。</translation>
+        <translation>%1 过大，不是路点文件。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9883,7 +9883,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Restore the version before this change</source>
-        <translation>回到此前</translation>
+        <translation>恢复此更改之前的版本</translation>
     </message>
     <message>
         <source>Name: “%1”, now “%2”</source>
@@ -9959,7 +9959,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The version before this change equals the current version.</source>
-        <translation>此前与现在相同。</translation>
+        <translation>此更改之前的版本与当前版本相同。</translation>
     </message>
     <message>
         <source>Before this change:</source>
@@ -9994,7 +9994,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>从此处的直线超出机械臂的可达范围。使用 MoveJ，或从别处开始。</translation>
+        <translation>从当前位置出发的直线超出机械臂的可达范围。请使用 MoveJ，或从其他位置开始。</translation>
     </message>
     <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
@@ -10074,7 +10074,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>机械臂无法到达那里。“%1”保持原样。</translation>
+        <translation>机械臂无法到达此位姿。“%1”没有更改。</translation>
     </message>
     <message>
         <source>Change the pose of “%1”</source>
@@ -10179,7 +10179,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Only the selected properties are changed.</source>
-        <translation>只更改勾选的内容。</translation>
+        <translation>只更改所选的属性。</translation>
     </message>
     <message>
         <source>Properties of “%1”</source>
@@ -10220,8 +10220,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>交融</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>更改</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
 </context>
 <context>
@@ -10315,7 +10315,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>机械臂无法到达：%1。不会移动任何东西。</translation>
+        <translation>机械臂无法到达这些位姿：%1。不会移动任何内容。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another one.</source>
@@ -10328,7 +10328,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored at the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
     </message>
     <message>
@@ -10377,7 +10377,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人的数据太旧。请等待新数据。</translation>
+        <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
         <source>No robot is connected. Connect one, or try the simulator.</source>
@@ -10389,15 +10389,15 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
-        <translation>机械臂未受控制。请先获取控制。</translation>
+        <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
         <source>Add the current position after the selection (T)</source>
-        <translation>在所选之后添加机械臂所在的位置 (T)</translation>
+        <translation>在所选项之后添加当前位置 (T)</translation>
     </message>
     <message>
         <source>Replace the selected waypoint with the current position (U)</source>
-        <translation>用机械臂所在位置替换所选位置 (U)</translation>
+        <translation>用当前位置替换所选路点 (U)</translation>
     </message>
     <message>
         <source>Select a waypoint to touch up.</source>
@@ -10598,8 +10598,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>试用模拟器</translation>
     </message>
     <message>
-        <source>A simulated UR5e in this program. All functions are available without risk.</source>
-        <translation>本程序内的模拟 UR5e。一切可用，不会伤到任何东西。</translation>
+        <source>A simulated UR5e that runs in Tiller. All functions are available without risk.</source>
+        <translation>在 Tiller 中运行的模拟 UR5e。所有功能均可无风险使用。</translation>
     </message>
     <message>
         <source>Starts the simulated robot and opens a project with taught waypoints.</source>
@@ -10634,8 +10634,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>以前连接过的机器人</translation>
     </message>
     <message>
-        <source>Removes the selected robot from this list (Delete). The robot does not change.</source>
-        <translation>从列表中移除所选机器人 (Delete)。机器人上不会有变化。</translation>
+        <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
+        <translation>从此列表中移除所选机器人 (Delete)。机器人本身不受影响。</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止录制</translation>
     </message>
     <message>
-        <source>%1: did not happen within %2 s (%3)</source>
-        <translation>%1：%2 s 内没有发生（%3）</translation>
+        <source>%1: not completed within %2 s (%3)</source>
+        <translation>%1：未在 %2 s 内完成（%3）</translation>
     </message>
     <message>
         <source>the robot reported no reason</source>
@@ -10759,8 +10759,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文件                </translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot; in the window</source>
-        <translation>窗口中没有按键 &quot;%1&quot;</translation>
+        <source>there is no key “%1” in the window</source>
+        <translation>窗口中没有按键“%1”</translation>
     </message>
 </context>
 <context>
@@ -10770,12 +10770,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>移动机械臂的设备</translation>
     </message>
     <message>
-        <source>Try it out…</source>
-        <translation>试用…</translation>
+        <source>Test device…</source>
+        <translation>测试设备…</translation>
     </message>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
-        <translation>各设备当前的数值，以及将移动的方向。</translation>
+        <translation>显示各设备的当前数值，以及机械臂将移动的方向。</translation>
     </message>
     <message>
         <source>Moves the arm</source>
@@ -10799,7 +10799,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deflection below which the device does not move the arm.</source>
-        <translation>摇杆偏转到此为止不移动任何东西。</translation>
+        <translation>偏转小于此值时设备不移动机械臂。</translation>
     </message>
     <message>
         <source>Curve of the %1</source>
@@ -10811,7 +10811,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
-        <translation>1：均匀。更高：中间柔和，行程末端快。</translation>
+        <translation>1：线性。数值越大：中心附近越精细，满偏转时越快。</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -10835,18 +10835,18 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
-        <translation>没有手柄和 SpaceMouse。插上即自动出现。</translation>
+        <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
         <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>仅在按住其使能键时。不会记住：启动后没有设备移动机械臂。</translation>
+        <translation>仅在按住使能键时移动机械臂。不保存：重启后没有设备移动机械臂。</translation>
     </message>
 </context>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
         <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
-        <translation>这里没有面板。在右下角选择视角布局，或用“视图”菜单显示面板。</translation>
+        <translation>没有显示面板。请在右下角选择视角布局，或用“视图”菜单显示面板。</translation>
     </message>
 </context>
 <context>
@@ -10876,11 +10876,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目录</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not on this computer&lt;/h2&gt;&lt;p&gt;It comes with the Debian package of Tiller. A Tiller that you built yourself has it when the package python3-sphinx is installed:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. Until then its pages can be read as text in the folder packaging/manual of the sources. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;本机上没有手册&lt;/h2&gt;&lt;p&gt;手册随 Tiller 的 Debian 软件包提供。自行编译的 Tiller 在安装了软件包 python3-sphinx 时才有手册:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。在此之前,可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
+        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, header and Settings show it;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they belong to the focused control; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止。没有控制时，它们属于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -10940,11 +10940,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1:</source>
-        <translation>勾选的内容将由 %1 的内容替换：</translation>
+        <translation>所选设置将由 %1 中的设置替换：</translation>
     </message>
     <message>
         <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
-        <translation>勾选的内容将由 %1（Tiller %2 写入）的内容替换：</translation>
+        <translation>所选设置将由 %1（由 Tiller %2 写入）中的设置替换：</translation>
     </message>
     <message>
         <source>%1: identical</source>
@@ -10960,38 +10960,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
-        <translation>被替换的内容保存在单独的文件中，可以再次导入。</translation>
+        <translation>被替换的设置会保存到单独的文件，可以再次导入。</translation>
     </message>
     <message>
         <source>All settings in the file match the current settings.</source>
-        <translation>文件中没有此处没有的内容。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::app::Lessons</name>
-    <message>
-        <source>First steps</source>
-        <translation>第一步</translation>
-    </message>
-    <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>视图中的清单：从上电到录制。</translation>
-    </message>
-    <message>
-        <source>Practice tasks</source>
-        <translation>练习任务</translation>
-    </message>
-    <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>模拟机器人上的五个任务，各有检查。</translation>
-    </message>
-    <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>练习仅用于本程序的模拟机器人。这是“%1”。</translation>
-    </message>
-    <message>
-        <source>Practice: place “%1”</source>
-        <translation>练习：放置“%1”</translation>
+        <translation>文件中的所有设置与当前设置相同。</translation>
     </message>
 </context>
 <context>
@@ -11001,8 +10974,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z，加 Alt 旋转，1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
+        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -11042,7 +11015,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
-        <translation>%1 在移动机械臂时没有声息，机械臂已停止。请松开；若仍无声息，请重新插入。</translation>
+        <translation>%1 在移动机械臂时停止发送数据。机械臂已停止。请松开设备；若问题仍存在，请重新连接。</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -11066,7 +11039,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>三个项目之一的副本，在模拟机器人上试用。</translation>
+        <translation>打开三个示例项目之一的副本，在模拟机器人上试用。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11074,7 +11047,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves to this file now and saves all further changes automatically.</source>
-        <translation>现在保存到此文件，以后的每次更改也保存。</translation>
+        <translation>立即保存到此文件，并自动保存以后的所有更改。</translation>
     </message>
     <message>
         <source>Show waypoints</source>
@@ -11102,7 +11075,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows the Gripper page of the I/O tab.</source>
-        <translation>把 I/O 的夹爪页面置于前面。</translation>
+        <translation>显示 I/O 选项卡的夹爪页。</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -11110,7 +11083,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Restores the panel layout of the current perspective.</source>
-        <translation>所有面板回到当前视角布局的位置。</translation>
+        <translation>恢复当前视角布局的面板排列。</translation>
     </message>
     <message>
         <source>Light colours</source>
@@ -11122,7 +11095,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Changes the colour theme now and for the next start.</source>
-        <translation>立即更改颜色并记住。</translation>
+        <translation>立即更改配色，下次启动时也使用。</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11130,7 +11103,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Subtracts the current TCP force in the plots. Press again to show the measured force.</source>
-        <translation>从当前值起计 TCP 力；再次：按机器人测量值。</translation>
+        <translation>在曲线图中减去当前的 TCP 力。再次按下显示测量值。</translation>
     </message>
     <message>
         <source>Commands…</source>
@@ -11146,7 +11119,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>颜色、大小、单位、速度上限、设备，以及每个命令的按键。</translation>
+        <translation>配色、大小、单位、速度上限、设备和快捷键。</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -11154,7 +11127,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves all settings to one file, for another computer or as a backup.</source>
-        <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本。</translation>
+        <translation>将所有设置保存到一个文件，用于另一台计算机或作为备份。</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11162,7 +11135,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>采用此类文件的内容；先说明会替换什么。</translation>
+        <translation>显示将被替换的内容后，从文件导入设置。</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11186,11 +11159,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
-        <translation>使其成为独立窗口，用于第二屏幕，或放回。</translation>
+        <translation>将面板移到独立窗口（例如用于第二屏幕），或移回。</translation>
     </message>
     <message>
         <source>Moves this panel to that side of the main window.</source>
-        <translation>把此面板移到其他面板的那一侧。</translation>
+        <translation>将此面板移到主窗口的那一侧。</translation>
     </message>
     <message>
         <source>%1 to the left</source>
@@ -11214,7 +11187,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Name of the program on the robot, as shown on the teach pendant</source>
-        <translation>机器人上程序的名称，如平板所示</translation>
+        <translation>机器人上程序的名称，如示教器所示</translation>
     </message>
     <message>
         <source>Name of the program on the robot, e.g. pick.urp</source>
@@ -11226,7 +11199,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
-        <translation>正在录制。请先结束：以免缺失任何内容。</translation>
+        <translation>正在录制。请先停止。</translation>
     </message>
     <message>
         <source>Waypoints, Frames, Tools, I/O, Log</source>
@@ -11239,7 +11212,7 @@ Jog the arm to a position and press Teach here (T).</source>
     <message numerus="yes">
         <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
         <translation>
-            <numerusform>工作单元中有 %n 个方块或平面未告知模拟机器人：已无更多空间。</numerusform>
+            <numerusform>单元中有 %n 个长方体或平面超出模拟机器人的上限，将被忽略。</numerusform>
         </translation>
     </message>
     <message>
@@ -11248,7 +11221,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>一个包含版本、日志和设置的文件，供协助者使用；先显示其内容。</translation>
+        <translation>显示内容后，将版本、日志和设置保存到一个文件，供技术支持使用。</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11264,7 +11237,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
-        <translation>焦点所在部分的手册页面、所有命令及其按键,以及点动规则。</translation>
+        <translation>打开焦点所在部分的手册页面、命令和快捷键列表，以及点动规则。</translation>
     </message>
     <message>
         <source>The settings could not be saved. %1</source>
@@ -11299,24 +11272,24 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人上有一个程序正在运行。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is paused on the robot.</source>
+        <source>The program “%1” is paused on the robot.</source>
         <translation>程序“%1”已在机器人上暂停。</translation>
     </message>
     <message>
-        <source>The program &quot;%1&quot; is running on the robot.</source>
+        <source>The program “%1” is running on the robot.</source>
         <translation>程序“%1”正在机器人上运行。</translation>
     </message>
     <message>
-        <source>Taking control stops it. It cannot be resumed, only started again.</source>
-        <translation>获取控制会停止它。无法继续，只能重新启动。</translation>
+        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <translation>获取控制会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
         <source>Stop it and take control</source>
         <translation>停止并获取控制</translation>
     </message>
     <message>
-        <source>Keep it running</source>
-        <translation>让它继续</translation>
+        <source>Keep the program</source>
+        <translation>保留程序</translation>
     </message>
 </context>
 <context>
@@ -11335,7 +11308,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Closes this panel. Use the View menu to show it again.</source>
-        <translation>关闭此面板。“视图”菜单可恢复。</translation>
+        <translation>关闭此面板。可用“视图”菜单再次显示。</translation>
     </message>
     <message>
         <source>Move, float or close %1</source>
@@ -11354,11 +11327,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation>把面板现在的位置存入当前视角布局。</translation>
+        <translation>将当前面板排列保存到当前视角布局。</translation>
     </message>
     <message>
         <source>This perspective is built in. Save it under another name.</source>
-        <translation>此视角布局是内置的。请以自己的名称保存。</translation>
+        <translation>此视角布局是内置的。请以其他名称保存。</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -11366,7 +11339,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout under a new name.</source>
-        <translation>以自己的名称保存面板现在的位置。</translation>
+        <translation>以新名称保存当前面板排列。</translation>
     </message>
     <message>
         <source>Save perspective as</source>
@@ -11386,7 +11359,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>This perspective is built in and cannot be renamed.</source>
-        <translation>此视角布局是内置的，名称不变。</translation>
+        <translation>此视角布局是内置的，无法重命名。</translation>
     </message>
     <message>
         <source>Delete perspective…</source>
@@ -11394,11 +11367,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Deletes the current perspective. The panel layout does not change.</source>
-        <translation>忘记当前视角布局。面板保持原样。</translation>
+        <translation>删除当前视角布局。面板排列不变。</translation>
     </message>
     <message>
         <source>This perspective is built in and cannot be deleted.</source>
-        <translation>此视角布局是内置的，会保留。</translation>
+        <translation>此视角布局是内置的，无法删除。</translation>
     </message>
     <message>
         <source>Perspective %1</source>
@@ -11406,7 +11379,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Perspective %1. Select a panel layout, or save the current one.</source>
-        <translation>视角布局 %1。选择面板的位置，或保存现在的位置。</translation>
+        <translation>视角布局 %1。选择面板排列，或保存当前排列。</translation>
     </message>
     <message>
         <source>Name of the perspective</source>
@@ -11465,18 +11438,18 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows only the plots, as large as possible.</source>
-        <translation>只显示曲线图，尽窗口之大。</translation>
+        <translation>只显示曲线图，并尽可能大。</translation>
     </message>
     <message>
         <source>Shows the panels as you saved them.</source>
-        <translation>按您保存的样子显示面板。</translation>
+        <translation>按您保存的排列显示面板。</translation>
     </message>
     <message>
         <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
         <translation>无法显示视角布局“%1”：其在设置中的布局已损坏。请排列面板并重新保存。</translation>
     </message>
     <message>
-        <source>Type a name.</source>
+        <source>Enter a name.</source>
         <translation>请输入名称。</translation>
     </message>
     <message>
@@ -11485,7 +11458,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
-        <translation>视角布局已达可保存的数量。请先删除一个。</translation>
+        <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
     <message>
         <source>A perspective with this name exists. Choose another name.</source>
@@ -11586,7 +11559,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>
-        <translation>磁盘保留的空闲兆字节</translation>
+        <translation>要保留的磁盘空间（MB）</translation>
     </message>
     <message>
         <source> MB</source>
@@ -11594,7 +11567,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>A recording stops and is completed before the free disk space falls below this value.</source>
-        <translation>在磁盘空闲空间低于此值之前，录制会正常结束并保持完整。</translation>
+        <translation>在磁盘剩余空间低于此值之前，录制会停止并完成文件。</translation>
     </message>
     <message>
         <source>Format</source>
@@ -11641,7 +11614,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
-        <translation>一个文件，包含协助者需要知道的内容。下面显示其中的全部内容。它保存在您选择的位置；Tiller 不会发送到任何地方。</translation>
+        <translation>一个包含技术支持所需信息的文件。完整内容列在下面。文件保存在您选择的位置；Tiller 不会发送它。</translation>
     </message>
     <message>
         <source>Tiller report %1.zip</source>
@@ -11664,7 +11637,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>每个都是为 UR5e 示教的，可用模拟机器人走一遍。您使用的是副本：保存时会询问您自己的文件。</translation>
+        <translation>每个项目都是为 UR5e 示教的，可在模拟机器人上运行。您使用的是副本：保存时会要求指定新文件。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11707,7 +11680,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Save all settings to one file, for another computer or as a backup</source>
-        <translation>包含所有记住内容的一个文件，用于另一台计算机或作为副本</translation>
+        <translation>将所有设置保存到一个文件，用于另一台计算机或作为备份</translation>
     </message>
     <message>
         <source>Import settings…</source>
@@ -11715,7 +11688,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Import settings from a file after showing what will be replaced</source>
-        <translation>采用此类文件的内容；先说明会替换什么</translation>
+        <translation>显示将被替换的内容后，从文件导入设置</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -11774,8 +11747,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>横滚、俯仰、偏航（度）</translation>
     </message>
     <message>
-        <source>Rotation vector in radians, as scripts write it</source>
-        <translation>旋转矢量（弧度），如脚本所写</translation>
+        <source>Rotation vector in radians, as in scripts</source>
+        <translation>旋转矢量（弧度），与脚本相同</translation>
     </message>
     <message>
         <source>Speed cap of this program</source>
@@ -11791,15 +11764,15 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>此时间后点动结束，需重新按下按键。自由驱动为五分钟，前往某处为所需时间加 5 s。</translation>
+        <translation>超过此时间后点动停止，须重新按下按键。自由驱动：五分钟。移动到某位置：所需时间加 5 s。</translation>
     </message>
     <message>
         <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>触摸：手指所需的高度。在低于 %1 px 的窗口中，关节键、选项卡和标题栏保持较小。</translation>
+        <translation>触摸：大小适合手指。在高度低于 %1 px 的窗口中，关节键、选项卡和标题栏保持较小。</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>长度、TCP 速度和方向的显示与输入方式。曲线图和文件保持米、毫米和度。</translation>
+        <translation>长度、TCP 速度和方向的显示与输入单位。曲线图和文件始终使用米、毫米和度。</translation>
     </message>
     <message>
         <source>Speed cap</source>
@@ -11807,11 +11780,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Scales text, controls, plots and the view.</source>
-        <translation>文字、按键、行、曲线图和视图，一律相同。</translation>
+        <translation>缩放文字、控件、曲线图和视图。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller. This screen supports at most %1 %, which will be used.</source>
-        <translation>从下次启动 Tiller 起生效。屏幕只容得下 %1 %，届时即为此大小。</translation>
+        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <translation>下次启动 Tiller 时生效，在此屏幕上最大为 %1 %。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller.</source>
@@ -11819,11 +11792,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ 高于 %1。没有其他东西限制来自 PC 的点动：手动模式和示教器的使能装置都不行。页眉会说明，并随程序结束而失效。</translation>
+        <translation>▲ 高于 %1。从 PC 点动没有其他限制：手动模式和示教器的使能装置都不起作用。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>本程序的任何动作在 TCP 和肘部都不会超过它。立即生效，并停止正在移动的一切。</translation>
+        <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -11847,11 +11820,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>%1 is reserved for stopping the arm.</source>
-        <translation>%1 只用于停止机械臂。</translation>
+        <translation>%1 保留用于停止机械臂。</translation>
     </message>
     <message>
-        <source>%1 is assigned to &quot;%2&quot;. Remove it there first.</source>
-        <translation>%1 属于 &quot;%2&quot;。请先在那里去除。</translation>
+        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <translation>%1 已分配给“%2”。请先在那里移除。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11866,12 +11839,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>重新打开窗口</translation>
     </message>
     <message>
-        <source>Stops the arm, gives control back and reconnects. The plots start again. The project is saved.</source>
-        <translation>停止机械臂、交还控制并重新连接；曲线图的显示重新开始。项目会保存。</translation>
+        <source>Stops the arm, gives control back and reconnects. The plots restart. The project is saved.</source>
+        <translation>停止机械臂，交还控制并重新连接。曲线图重新开始。项目会保存。</translation>
     </message>
     <message>
         <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>窗口和检查的语言。文件和脚本在所有语言中相同。</translation>
+        <translation>窗口和连接检查的语言。文件和脚本与语言无关。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -11922,7 +11895,34 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>已从 %1 导入设置。此前的内容在 %2 中</translation>
+        <translation>已从 %1 导入设置。先前的设置已保存到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::app::Tutorial</name>
+    <message>
+        <source>First steps</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <translation>在视图中显示从上电到录制的清单。</translation>
+    </message>
+    <message>
+        <source>Practice tasks</source>
+        <translation>练习任务</translation>
+    </message>
+    <message>
+        <source>Five tasks on the simulated robot, each with a check.</source>
+        <translation>模拟机器人上的五个任务，每个任务都有检查。</translation>
+    </message>
+    <message>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <translation>练习仅适用于内置的模拟机器人。当前机器人是“%1”。</translation>
+    </message>
+    <message>
+        <source>Practice: add “%1”</source>
+        <translation>练习：添加“%1”</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# TillerHdf5::hdf5, where the HDF5 library is installed. Used by the build and by the installed package; not
-# find_package(HDF5), because that needs a C compiler.
+# Defines TillerHdf5::hdf5 if the HDF5 library is installed. Used by the build and by the installed package.
+# find_package(HDF5) is not used, because it needs a C compiler.
 find_path(TILLER_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial)
 find_library(TILLER_HDF5_LIBRARY NAMES hdf5_serial hdf5)
 mark_as_advanced(TILLER_HDF5_INCLUDE TILLER_HDF5_LIBRARY)

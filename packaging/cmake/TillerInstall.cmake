@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-# What other projects get: find_package(tiller) with tiller::robot (the backend), tiller::simulator and tiller::ur_rtde.
-# `cmake --install BUILD --component development` puts it in place.
+# Installed files for other projects: find_package(tiller) with tiller::robot (the backend), tiller::simulator
+# and tiller::ur_rtde. Install them with `cmake --install BUILD --component development`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# What programs written for ur_rtde include; the rest of that room is not theirs.
+# Headers included by programs written for ur_rtde; the other headers of that folder are private.
 set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.h robot_state.h robotiq_gripper.h
     rtde.h rtde_control_interface.h rtde_export.h rtde_io_interface.h rtde_path.h rtde_receive_interface.h
     rtde_utility.h script_client.h)
 
-# Of the simulated controller, what starts one in a process and steps it.
+# Public headers of the simulated controller: to start one in a process and to step it.
 set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
 
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics collision project recording doctor)
-# Components that need more packages than the backend. Each has its own export, which tillerConfig.cmake loads when the
-# component is asked for and its packages are installed.
+# Components that need more packages than the backend. Each has a separate export, which tillerConfig.cmake
+# loads if the component is requested and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
-# Folders that start the simulated arm or controller.
+# Folders needed to start the simulated arm or controller.
 set(tiller_simulating urscript pendant arm simulator testing divergence)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
@@ -54,7 +54,7 @@ endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
-    # Internal to the programs for now.
+    # Private to the programs for now.
     PATTERN "station" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})
@@ -71,7 +71,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/tillerConfigVersion.cmake C
 install(FILES ${CMAKE_BINARY_DIR}/tillerConfig.cmake ${CMAKE_BINARY_DIR}/tillerConfigVersion.cmake
     ${CMAKE_SOURCE_DIR}/packaging/cmake/TillerHdf5.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller COMPONENT development)
-# Of the ur_rtde that the interface is.
+# The version of the ur_rtde interface.
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake VERSION 1.5.8
     COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/cmake/ur_rtdeConfig.cmake ${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake
@@ -81,8 +81,10 @@ install(FILES ${CMAKE_SOURCE_DIR}/packaging/cmake/ur_rtdeConfig.cmake ${CMAKE_BI
 file(RELATIVE_PATH tiller_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 cmake_path(SET tiller_pc_prefix NORMALIZE "${tiller_pc_prefix}")
 
-# tiller_pkg_config(<name> DESCRIPTION <text> ARCHIVES <folders...> REQUIRES <packages...> LIBRARIES <flags...>)
-# ARCHIVES are in the order of the linker: users before what they use. libtiller holds them all where it is installed.
+# tiller_pkg_config(<name> DESCRIPTION <text> ARCHIVES <folders...> REQUIRES <packages...> LIBRARIES
+# <flags...>)
+# ARCHIVES are in link order: dependent archives before their dependencies. If libtiller is installed, it
+# replaces all of them.
 function(tiller_pkg_config name)
     cmake_parse_arguments(ARG "" "DESCRIPTION" "ARCHIVES;REQUIRES;LIBRARIES" ${ARGN})
     if(TILLER_SHARED)

@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: MIT
-# The three functions every folder's CMakeLists.txt is written with.
+# Functions used by the CMakeLists.txt of every folder.
 
-# Two hundred test programs are linked: GNU binutils' other linker takes a quarter of the time.
+# The gold linker links the two hundred test programs in a quarter of the time of the default linker.
 find_program(TILLER_GOLD ld.gold)
 mark_as_advanced(TILLER_GOLD)
 if(TILLER_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT TILLER_SANITIZE)
     add_link_options(-fuse-ld=gold)
 endif()
 
-# What every target of ours is compiled with. Errors, not warnings: see packaging/reference/contributing.md.
+# Compiler options for all targets of this project. Warnings are errors: see
+# packaging/reference/contributing.md.
 add_library(tiller_options INTERFACE)
 target_compile_features(tiller_options INTERFACE cxx_std_20)
 target_include_directories(tiller_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(tiller_options INTERFACE QT_NO_KEYWORDS QT_NO_FOREACH)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # The compiler's garbage collector walks through the whole precompiled header each time: seldom is a tenth quicker.
+    # The garbage collector of GCC scans the whole precompiled header; running it less often saves a tenth of
+    # the time.
     target_compile_options(tiller_options INTERFACE --param=ggc-min-expand=100 --param=ggc-min-heapsize=600000)
 endif()
 if(NOT MSVC)
@@ -26,7 +28,7 @@ endif()
 if(TILLER_SANITIZE)
     target_compile_options(tiller_options INTERFACE
         -fsanitize=${TILLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-        # With a sanitizer gcc sees uninitialized values in std::variant and std::optional that are not.
+        # With a sanitizer, GCC reports false uninitialized values in std::variant and std::optional.
         -Wno-maybe-uninitialized)
     target_link_options(tiller_options INTERFACE -fsanitize=${TILLER_SANITIZE})
 endif()
@@ -35,11 +37,12 @@ if(TILLER_BUILD_FUZZERS)
     target_link_options(tiller_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# Most of a compilation is Qt's, Eigen's and the standard headers: they are parsed once for each kind of target.
-# A folder says `set(TILLER_PRECOMPILED <kind>)`, the name of a header in packaging/cmake/precompiled.
+# Most of the compile time is spent in the headers of Qt, Eigen and the standard library. They are precompiled
+# once for each kind of target. A folder selects the kind with `set(TILLER_PRECOMPILED <kind>)`, the name of a
+# header in packaging/cmake/precompiled.
 option(TILLER_PRECOMPILE "Parse the common headers once (off shows what a file forgot to include)" ON)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # What ccache wants to handle a precompiled header; packaging/prepare sets the rest.
+    # Required by ccache for precompiled headers; packaging/prepare sets the other options.
     target_compile_options(tiller_options INTERFACE -fpch-preprocess)
 endif()
 function(tiller_precompile target)
@@ -62,16 +65,16 @@ function(tiller_precompile target)
             ${CMAKE_SOURCE_DIR}/packaging/cmake/precompiled/${TILLER_PRECOMPILED}.h)
     endif()
     target_precompile_headers(${target} REUSE_FROM ${owner})
-    # The same code model as the owner's: a precompiled header of -fPIC is not taken by -fPIE.
+    # Use the same code model as the owner: a header precompiled with -fPIC cannot be used with -fPIE.
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
     target_compile_options(${target} PRIVATE -fPIC)
 endfunction()
 
 # tiller_moc(<target> <sources...>)
-# What AUTOMOC does for a library, at a small part of its cost: each .cpp includes what moc makes of its header
-# (moc_x.cpp), or of itself (x.moc). moc reads this one file, without what it includes: no class of ours is declared by
-# somebody's macro. Every header of a .cpp is given to moc, which takes it a hundredth of a second: one that comes to
-# need it is not forgotten.
+# A faster replacement of AUTOMOC for libraries: each .cpp includes the moc output of its header (moc_x.cpp)
+# or of itself (x.moc). moc processes only this file without its includes, because no class of this project is
+# declared by an external macro. moc runs for every header with a .cpp, which takes 10 ms per header, so that
+# a header with a new Q_OBJECT cannot be missed.
 function(tiller_moc target)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/moc_${target})
     set(mocs "")
@@ -96,15 +99,15 @@ function(tiller_moc target)
             list(APPEND mocs ${moc})
         endif()
     endforeach()
-    # A target of its own needs no library: moc does not wait for those that this one is linked with, nor do its files.
+    # A separate target without library dependencies: moc and its output do not wait for the linked libraries.
     if(mocs)
         add_custom_target(${target}_moc DEPENDS ${mocs})
         add_dependencies(${target} ${target}_moc)
     endif()
 endfunction()
 
-# tiller_module(NAME <room> SOURCES <files...> DEPENDS <targets...>)
-# A static library tiller_<room>, known to others as tiller::<room>.
+# tiller_module(NAME <module> SOURCES <files...> DEPENDS <targets...>)
+# Adds the static library tiller_<module> with the alias tiller::<module>.
 function(tiller_module)
     cmake_parse_arguments(ARG "" "NAME" "SOURCES;DEPENDS" ${ARGN})
     add_library(tiller_${ARG_NAME} STATIC ${ARG_SOURCES})
@@ -118,15 +121,15 @@ function(tiller_module)
 endfunction()
 
 # tiller_test_surroundings(<name> <timeout s> [<variable=value>...])
-# What every Qt Test program of ctest finds around it, and its time, of which a sanitizer gets more.
+# Sets the environment and the timeout of a Qt Test program in ctest; the timeout is longer with a sanitizer.
 function(tiller_test_surroundings name timeout)
     if(TILLER_SANITIZE)
         math(EXPR timeout "${timeout} * 8")
     endif()
-    # Qt Test's own, of one function [ms]: five minutes unless it is told, and a busy machine is no failure.
+    # Timeout of Qt Test for one function [ms]. Its default of five minutes is too short for a busy machine.
     set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
-    # Those that may take long begin first, so that the last minutes do not wait for one of them alone.
+    # Tests with a long timeout start first, so that the last minutes are not spent on a single one of them.
     math(EXPR cost "${timeout} / 10")
     set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS 4
         ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
@@ -135,8 +138,8 @@ LSAN_OPTIONS=suppressions=${support}/lsan.supp;${patience}${ARGN}")
 endfunction()
 
 # tiller_test_moc(<name> <sources...>)
-# What AUTOMOC does for the program, at a tenth of its cost, which two hundred programs add up to minutes: each .cpp
-# of the name tst_* includes its own .moc, and listed headers with Q_OBJECT get theirs.
+# A replacement of AUTOMOC for test programs at a tenth of its cost, which saves minutes for two hundred
+# programs: each .cpp named tst_* includes its own .moc, and listed headers with Q_OBJECT get a moc file.
 function(tiller_test_moc name)
     target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
     foreach(source ${ARGN})
@@ -159,14 +162,16 @@ function(tiller_test_moc name)
     endforeach()
 endfunction()
 
-# tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [WAITS] [TIMEOUT s] [COST s]
+# tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [SERIAL] [WAITS] [TIMEOUT s]
+# [COST s]
 #             [PARTS n])
-# A Qt Test program, run by ctest under the name <last folder>/<tst_x>.
-# OFFSCREEN runs it on Qt's offscreen platform; SERIAL keeps other tests away from the machine while it runs.
-# ctest runs four jobs per processor. A test takes all four of one processor, or one if it WAITS for real time most of
-# the time.
-# COST is the measured time: tests with a large one begin first. Without it the timeout counts a tenth.
-# PARTS runs the functions and rows of the test as so many tests of ctest, side by side.
+# Adds a Qt Test program, run by ctest under the name <last folder>/<tst_x>.
+# OFFSCREEN runs it on Qt's offscreen platform; SERIAL prevents other tests from running at the same time.
+# ctest runs four jobs per processor. A test takes four jobs, or one job with WAITS, for tests that mostly
+# wait for real time.
+# COST is the measured run time [s]: tests with a high cost start first. The default is a tenth of the
+# timeout.
+# PARTS splits the functions and rows of the test into this number of parallel ctest tests.
 function(tiller_test)
     cmake_parse_arguments(ARG "OFFSCREEN;SERIAL;WAITS" "NAME;TIMEOUT;COST;PARTS" "SOURCES;DEPENDS;LABELS" ${ARGN})
     add_executable(${ARG_NAME} ${ARG_SOURCES})

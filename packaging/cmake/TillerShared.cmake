@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# One shared library of all rooms and the simulated controller, for distributions: libtiller. It exports what the
-# installed headers declare and nothing else, and takes the place of the rooms' archives in what is installed;
-# find_package(tiller) gives the same names.
+# One shared library (libtiller) with all modules and the simulated controller, for distributions. It exports
+# exactly the declarations of the installed headers and is installed instead of the archives of the modules;
+# find_package(tiller) defines the same targets.
 #
-# The rule of its ABI: TILLER_ABI is counted up whenever something that was exported in a released version goes or
-# changes; additions leave it alone.
+# ABI rule: increase TILLER_ABI whenever an exported symbol of a released version is removed or changed, but
+# not for additions.
 set(TILLER_ABI 1)
 
 set(tiller_objects)
@@ -18,7 +18,7 @@ foreach(header ${simulator_headers})
 endforeach()
 
 # tiller_exports(<target> <headers...> ARCHIVES <files...> DEPENDS <targets...>)
-# The linker gets a list of the symbols that these headers declare; all others stay inside.
+# Limits the exported symbols of the target to the declarations of these headers.
 function(tiller_exports target)
     cmake_parse_arguments(ARG "" "" "ARCHIVES;DEPENDS" ${ARGN})
     set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}.exports)
@@ -36,7 +36,7 @@ endfunction()
 add_library(tiller_shared SHARED ${tiller_objects})
 set_target_properties(tiller_shared PROPERTIES OUTPUT_NAME tiller EXPORT_NAME tiller LINKER_LANGUAGE CXX
     VERSION ${TILLER_ABI}.${PROJECT_VERSION} SOVERSION ${TILLER_ABI})
-# The archives give nothing more themselves, but what they need from elsewhere.
+# The objects of the archives are already included; this adds their external dependencies.
 target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen Threads::Threads PRIVATE
     ${tiller_archive_targets})
 target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
@@ -47,7 +47,7 @@ tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive 
     ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
 
-# The face of ur_rtde stands on it, as any other program does.
+# The ur_rtde library uses libtiller, like any other program.
 set_property(TARGET ur_rtde_library PROPERTY LINK_LIBRARIES)
 target_link_libraries(ur_rtde_library PUBLIC tiller_shared)
 target_include_directories(ur_rtde_library PUBLIC $<INSTALL_INTERFACE:include/tiller/robot>)
@@ -55,7 +55,7 @@ list(TRANSFORM ur_rtde_headers PREPEND robot/ur_rtde/ OUTPUT_VARIABLE ur_rtde_ex
 tiller_exports(ur_rtde_library ${ur_rtde_exported} ARCHIVES $<TARGET_FILE:tiller_ur_rtde> DEPENDS tiller_ur_rtde)
 set_target_properties(ur_rtde_library PROPERTIES EXPORT_NAME ur_rtde)
 
-# The names that programs know: tiller::control, tiller::robot ...
+# The target names used by programs: tiller::control, tiller::robot ...
 set(tiller_names robot ${tiller_rooms} ${tiller_extras} testing divergence simulator)
 foreach(name ${tiller_names})
     add_library(tiller_name_${name} INTERFACE)

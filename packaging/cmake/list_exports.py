@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Writes a version script for the linker: of the archives' symbols, those that the public headers declare.
+"""Writes a version script for the linker with the symbols of the archives that are declared in public headers.
 
-A symbol is public when every part of its name (namespace, class, function) stands in a public header, none of them is
-only declared there and defined elsewhere (a hidden implementation), and none is in a `detail` namespace. Weak symbols are
-among them: a template that a header only declares is instantiated in the library.
+A symbol is public if every part of its name (namespace, class, function) occurs in a public header, no part is only
+forward-declared there (a hidden implementation), and no part is in a `detail` namespace. Weak symbols are included,
+because a template that is only declared in a header is instantiated in the library.
 """
 import argparse
 import pathlib
@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-# What moc adds to a class that says Q_OBJECT.
+# Members added by moc to a class with Q_OBJECT.
 META_OBJECT = {"metaObject", "qt_metacast", "qt_metacall", "qt_static_metacall", "staticMetaObject"}
 ABOUT = re.compile(r"^(vtable|typeinfo|typeinfo name|VTT|construction vtable|guard variable|non-virtual thunk|virtual thunk)"
                    r"(?: for| to) ")
@@ -27,11 +27,11 @@ def headers_of(top, names):
 
 
 def declared(texts):
-    """The identifiers of these headers, and the classes that they only announce."""
+    """The identifiers in these headers, and the classes that are only forward-declared."""
     text = "\n".join(re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"", " ", part, flags=re.DOTALL) for part in texts)
     names = set(re.findall(r"[A-Za-z_]\w*", text))
     announced = set(re.findall(r"\b(?:class|struct)\s+(\w+)\s*;", text))
-    # With its attributes, bases and `final`.
+    # With attributes, bases and `final`.
     defined = set(re.findall(r"\b(?:class|struct)\s+(?:\[\[[^\]]*\]\]\s*|[A-Z_]+\s+)?(\w+)[^;{}()]*\{", text))
     if "Q_OBJECT" in names:
         names |= META_OBJECT
@@ -39,7 +39,7 @@ def declared(texts):
 
 
 def without_arguments(symbol):
-    """tiller::Result<int>::value() const& -> tiller::Result::value; operators keep their sign out of it."""
+    """tiller::Result<int>::value() const& -> tiller::Result::value; the symbols of operators are removed."""
     symbol = re.sub(r"operator(?:\(\)|<=>|<<|>>|->\*?|<=?|>=?)", "operator", symbol)
     name, depth = "", 0
     for letter in symbol:
@@ -81,7 +81,7 @@ def main():
                             capture_output=True, text=True, check=True).stdout.splitlines() for more in ([], ["-C"])]
     exported = set()
     for raw, readable in zip(*lists):
-        # posix: name, kind, value, size; a readable name has blanks of its own.
+        # posix format: name, kind, value, size; a demangled name contains spaces itself.
         fields = raw.split(" ")
         if len(fields) < 3:
             continue

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# For projects written for ur_rtde: find_package(ur_rtde) and ur_rtde::rtde give them Tiller's interface of that name.
+# For projects written for ur_rtde: find_package(ur_rtde) and the target ur_rtde::rtde use Tiller's
+# implementation of this interface.
 include(CMakeFindDependencyMacro)
 find_dependency(tiller HINTS "${CMAKE_CURRENT_LIST_DIR}/../tiller")
 if(NOT TARGET ur_rtde::rtde)

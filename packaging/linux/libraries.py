@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What programs load, and what it takes to carry it along: for the wheels and for the portable archive."""
+"""Finds the libraries loaded by programs and their licences, for the wheels and the portable archive."""
 import os
 import pathlib
 import re
@@ -9,12 +9,12 @@ import sys
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 COMMON = pathlib.Path("/usr/share/common-licenses")
-# Every Linux that is not older has these, and a second copy of them in a process would be a fault.
+# Every newer Linux has these libraries, and a second copy in the same process would be an error.
 SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so\.\d+)$")
 
 
 def want_tools(*programs):
-    """Ends with a hint where one is missing."""
+    """Exits with a hint if one of these programs is missing."""
     missing = [program for program in programs if not shutil.which(program)]
     if missing:
         sys.exit(f"{os.path.basename(sys.argv[0])} needs {', '.join(missing)}: apt-get install patchelf binutils")
@@ -25,7 +25,7 @@ def said(*command):
 
 
 def libraries_of(paths):
-    """Everything they load, directly or not, by name: where it is."""
+    """The path of each library they load, directly or indirectly, by name."""
     found = {}
     for path in paths:
         loaded = said("ldd", str(path))
@@ -39,7 +39,7 @@ def libraries_of(paths):
 
 
 def newest_symbols(prefix, paths):
-    """The newest version of these symbols that any of them wants: newest_symbols("GLIBC", ...) is (2, 36)."""
+    """The newest version of these symbols required by any of the files: newest_symbols("GLIBC", ...) is (2, 36)."""
     newest = (0,)
     for path in paths:
         for version in re.findall(rf"\b{prefix}_(\d+(?:\.\d+)+)\b", said("objdump", "-T", str(path))):
@@ -48,10 +48,10 @@ def newest_symbols(prefix, paths):
 
 
 def packages_of(places):
-    """The Debian package each of these files is of, and its version."""
+    """The Debian package and its version for each of these files."""
     owner = {}
-    # By name: a library may be recorded under /lib and be found under /usr/lib, which are one folder. Out of dpkg's
-    # lists, each read once: dpkg-query goes through all of them for each name.
+    # By name, because a library may be recorded under /lib and found under /usr/lib, which are the same
+    # folder. From dpkg's lists, each read once, because dpkg-query searches all of them for each name.
     names = {os.path.basename(place) for place in places}
     for listed in sorted(pathlib.Path("/var/lib/dpkg/info").glob("*.list")):
         for path in listed.read_text(encoding="utf-8", errors="replace").splitlines():
@@ -66,8 +66,8 @@ def packages_of(places):
 
 
 def take_common_licences(folder):
-    """Copies into the folder the texts that the files there only name, because every Debian has them."""
-    named = {"GPL-3"}  # what the LGPL 3 adds to
+    """Copies common licence texts to the folder that its files only refer to, because every Debian system has them."""
+    named = {"GPL-3"}  # the LGPL 3 refers to it
     for path in folder.iterdir():
         text = path.read_text(encoding="utf-8", errors="replace")
         named.update(re.findall(rf"{COMMON}/([\w.+-]*\w)", text))
@@ -77,19 +77,19 @@ def take_common_licences(folder):
 
 
 def take_own_licences(folder):
-    """Copies Tiller's into the folder, each where LICENSE says it is."""
+    """Copies Tiller's licences to the folder, with the paths stated in LICENSE."""
     for name in ("LICENSE", "robot/LICENSE", "app/LICENSE"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(TOP / name, folder / name)
 
 
 def take_licences(places, folder):
-    """Copies into the folder what the licence of each of these files is, and a list of what is from which package.
+    """Copies the licence of each of these files to the folder, with a list of files and packages.
 
-    places  by the name they are given: where they are on this system
+    places  path of each file on this system, by its name in the archive
     """
     folder.mkdir(parents=True)
-    # One of ours, of a build of shared libraries, has no other's licence.
+    # Tiller's own shared libraries have no licence of another project.
     places = {name: place for name, place in places.items() if not pathlib.Path(place).is_relative_to(TOP)}
     packages = packages_of(sorted(set(places.values())))
     lines = []

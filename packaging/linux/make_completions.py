@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Writes completions for bash, zsh and fish from what a program says of itself: make_completions.py PROGRAM FOLDER.
+"""Writes completions for bash, zsh and fish from the help of a program: make_completions.py PROGRAM FOLDER.
 
-`PROGRAM --help` lists its commands under "Commands:", and its options; `PROGRAM COMMAND --help` those of a command.
+`PROGRAM --help` lists the commands below "Commands:" and the options; `PROGRAM COMMAND --help` lists the options of a
+command.
 """
 import os
 import re
@@ -19,7 +20,7 @@ def help_of(*words):
 
 
 def options_of(text):
-    """Of each option: its name, whether it takes a value, and its first line."""
+    """For each option: its name, whether it takes a value, and the first line of its help."""
     found = {}
     for line in text.splitlines():
         match = OPTION.match(line)

@@ -15,8 +15,8 @@ html_show_sphinx = False
 html_copy_source = False
 nitpicky = True
 
-# As the window shows it (-t window): text and links, without what a browser has around them.
-if tags.has("window"):  # noqa: F821: Sphinx gives it
+# For the window (-t window): text and links, without the page elements for browsers.
+if tags.has("window"):  # noqa: F821: defined by Sphinx
     html_theme = "window"
     html_theme_path = ["theme"]
     html_theme_options = {}
@@ -25,7 +25,7 @@ if tags.has("window"):  # noqa: F821: Sphinx gives it
 
 
 def give_pictures_a_line(app, doctree, page):
-    """The window's help puts a picture between paragraphs into the line of the heading above it."""
+    """Puts pictures into paragraphs: the help of the window would draw them in the line of the heading above."""
     for picture in list(doctree.findall(nodes.image)):
         if isinstance(picture.parent, nodes.section):
             paragraph = nodes.paragraph()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Completes a manual page with what each command says of itself: man_page.py PROGRAM PAGE.rst, to standard output."""
+"""Adds the help of each command to a manual page: man_page.py PROGRAM PAGE.rst, to standard output."""
 import re
 import subprocess
 import sys
@@ -17,7 +17,7 @@ def main(program, page):
     for command in re.findall(r"^  ([a-z][a-z-]*)", part, re.MULTILINE):
         lines = "".join(f"    {line}".rstrip() + "\n" for line in said(program, command).splitlines())
         sections += f"{command}\n{'=' * len(command)}\n\n::\n\n{lines}\n"
-    before, mark, after = text.partition(".. The page of the package goes on here")
+    before, mark, after = text.partition(".. The page of the package continues here")
     if not mark or not sections:
         sys.exit(f"{page} has no place for the commands, or {program} has none")
     print(before + sections + after.partition("\n\n")[2], end="")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Makes the reference of the C++ library with Doxygen: make_reference.py OUTPUT. A warning is an error.
+"""Creates the reference of the C++ library with Doxygen: make_reference.py OUTPUT. Warnings are errors.
 
-Doxygen reads copies in which comments are as it wants them: the paragraph at the head of a file is about the class that
-the file is named after, what stands indented stays as it is, and the columns of a comment ("speed   [m/s]", "Returns  a
-handle") are a list.
+Doxygen reads copies of the headers with converted comments: the paragraph at the start of a file describes the class
+with the name of the file, indented text is kept as it is, and columns in a comment ("speed   [m/s]", "Returns  a handle")
+become a list.
 """
 import os
 import pathlib
@@ -14,21 +14,21 @@ import sys
 import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
-# As packaging/cmake/TillerInstall.cmake installs them.
+# The same folders as excluded in packaging/cmake/TillerInstall.cmake.
 HIDDEN = {"python", "detail", "examples", "simulator", "ur_rtde", "station"}
 SIMULATOR = ("assumptions.h", "simulator.h", "simulator_options.h", "arm/arm_state.h", "arm/environment.h",
              "box/personality.h")
 
 
 def headers():
-    """What is installed for programs that use the library, relative to the top."""
+    """The installed public headers, relative to the top folder."""
     robot = TOP / "robot"
     found = [path.relative_to(TOP) for path in robot.rglob("*.h") if not HIDDEN & set(path.relative_to(robot).parts)]
     return sorted(found + [pathlib.Path("robot/simulator", name) for name in SIMULATOR])
 
 
 def block(lines):
-    """One comment of lines that begin with "///", in which what is indented stays as it is."""
+    """Converts lines that begin with "///" to one comment; indented text is kept as it is."""
     out, inside = ["/**"], False
     for line in (line[3:] for line in lines):
         indented = line.startswith("   ") or (inside and not line)
@@ -51,7 +51,7 @@ def for_doxygen(text, name):
         elif line.strip():
             at_head = at_head and not head
         rest.append(line)
-    # The class that the file is named after, or else the first that has no words of its own.
+    # The class with the name of the file, otherwise the first class without a comment.
     opens = [(at, match[1]) for at, line in enumerate(rest)
              if (match := re.match(r"(?:class|struct|enum class) (?:\[\[\w+\]\] )?(\w+)[^;]*$", line))]
     named = [at for at, what in opens if what.lower() == name.replace("_", "")]

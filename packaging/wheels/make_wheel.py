@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Packs two wheels that need nothing of the system but glibc and the C++ runtime.
+"""Builds two wheels that only need glibc and the C++ runtime of the system.
 
     tiller            the Python modules and tiller-cli, for the Python they were built for
     tiller-simulator  the simulated controller alone, as a program with a fixture for pytest, for any Python
 
-A wheel is a zip archive with a list of its files. The libraries the programs use (Qt Core and Network and what these
-want) go along under names of their own, so that another Qt in the same process is not mistaken for them. The tag says
-the oldest glibc they run on, as their symbols tell it.
+A wheel is a zip archive with a list of its files. It includes the libraries used by the programs (Qt Core, Qt Network
+and their dependencies) under changed names, so that they are not confused with another Qt in the same process. The tag
+contains the oldest supported version of glibc, which is determined from the symbols.
 """
 import argparse
 import base64
@@ -21,7 +21,7 @@ import tempfile
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "linux"))
-import libraries  # noqa: E402: the folder has to be known first
+import libraries  # noqa: E402: needs the path set above
 
 MODULES = ("rtde_control", "rtde_receive", "rtde_io", "dashboard_client", "script_client", "robotiq_gripper")
 LICENCES = "MIT AND GPL-3.0-or-later AND LGPL-3.0-only"
@@ -37,13 +37,13 @@ def own_name(name):
 
 
 def bundle(folder, programs, libs):
-    """Copies into folder/libs what the programs load, and makes them look there. Returns where each copy is from."""
+    """Copies the loaded libraries to folder/libs and sets the search path. Returns the source of each copy."""
     (folder / libs).mkdir()
     copies = {folder / libs / own_name(name): place for name, place in libraries.libraries_of(programs).items()}
     for copy, place in copies.items():
         copy_program(place, copy)
     for path in [*programs, *copies]:
-        # One at a time: done together, some releases of patchelf leave half of the names as they were.
+        # One at a time: with several at once, some releases of patchelf leave half of the names unchanged.
         names = needed(path)
         if path in copies:
             subprocess.run(["patchelf", "--set-soname", path.name, str(path)], check=True)
@@ -55,7 +55,7 @@ def bundle(folder, programs, libs):
 
 
 def platform_of(paths):
-    """The tag of the oldest glibc that has all the symbols these want: manylinux_2_36_x86_64."""
+    """The tag of the oldest glibc with all symbols required by these files: manylinux_2_36_x86_64."""
     major, minor = max((2, 17), libraries.newest_symbols("GLIBC", paths)[:2])
     return f"manylinux_{major}_{minor}_{os.uname().machine}"
 
@@ -79,7 +79,7 @@ def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_l
     wheel = output / f"{name.replace('-', '_')}-{version}-{tag}.whl"
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in [*files, folder / info / "RECORD"]:
-            # The same bytes every time: no date, and of the mode only what matters.
+            # Reproducible: no date, and only the relevant mode bits.
             entry = zipfile.ZipInfo(str(path.relative_to(folder)))
             entry.external_attr = (0o100755 if os.access(path, os.X_OK) else 0o100644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
@@ -99,7 +99,7 @@ def tiller(options, folder):
     for module in MODULES:
         programs.append(copy_program(options.modules / (module + suffix), folder / (module + suffix)))
         shutil.copy(options.modules / (module + ".pyi"), folder)
-        # Where type checkers look for the stubs of a module that is not a package.
+        # The location where type checkers search for the stubs of a module that is not a package.
         (folder / f"{module}-stubs").mkdir()
         shutil.copy(options.modules / (module + ".pyi"), folder / f"{module}-stubs" / "__init__.pyi")
     (folder / "tiller").mkdir()

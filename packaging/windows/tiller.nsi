@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: MIT
-; The installer of what build.ps1 made. NOT TRIED.
+; Installer for the output of build.ps1. NOT TESTED.
 Unicode true
 !include "MUI2.nsh"
 Name "Tiller"

@@ -149,15 +149,15 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
     }
 }
 
-/// Bodies with two joints between them pass each other at distances of their own. Where the smallest of these is no
-/// contact, there is nothing to keep away from, however large the safety distance.
+/// Two bodies with two joints between them have a minimum distance. If it is not a contact, the pair is not
+/// checked, regardless of the safety distance.
 std::vector<std::pair<std::size_t, std::size_t>> CollisionCheck::findNeverMeeting() const {
-    constexpr int kSteps = 36;              // of a whole turn
-    constexpr double kNeverNearer = 0.002;  // between two steps it may be a little less [m]
+    constexpr int kSteps = 36;              // per turn
+    constexpr double kNeverNearer = 0.002;  // tolerance for a smaller distance between two steps [m]
     constexpr int kJointsBetween = 2;
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
-        std::vector<std::pair<Pair, double>> judged;  // with the smallest distance seen [m]
+        std::vector<std::pair<Pair, double>> judged;  // with the minimum distance found [m]
         for (const Pair& pair : pairs_) {
             if (pair.with == Contact::With::Arm && pair.otherLink == base &&
                 std::min(pair.link, 6) - base == kJointsBetween) {
@@ -208,12 +208,12 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
     });
 }
 
-/// The shoulder of an arm that is mounted upright keeps its height, in every position: no joint can move it towards a
-/// horizontal border, or away from it, even where it is nearer than the safety distance.
+/// The height of the shoulder is constant if the arm is mounted upright: no joint moves it towards a
+/// horizontal border or away from it, even within the safety distance. Such pairs are not checked.
 void CollisionCheck::dropWhatNeverNearsABorder() {
-    constexpr int kSteps = 4;              // of a whole turn: the height is a sine of each joint
+    constexpr int kSteps = 4;              // per turn; sufficient because the height is a sine of each joint
     constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
-    constexpr int kLastFixedLink = 2;      // the third joint already goes up and down
+    constexpr int kLastFixedLink = 2;      // the third joint changes the height
     std::array<Placement, kSteps * kSteps> placements;
     for (std::size_t n = 0; n < placements.size(); ++n) {
         constexpr double kStep = 2 * std::numbers::pi / kSteps;
@@ -243,7 +243,8 @@ void CollisionCheck::dropWhatNeverNearsABorder() {
     });
 }
 
-/// How far any point of the body can be from each joint's axis, for the joints between `fromLink` and it.
+/// Maximum distance of a point of the body from each joint axis, for the joints between `fromLink` and the
+/// body.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();
     double chain = std::max(body.shape.from.norm(), body.shape.to.norm()) + body.shape.radius;
@@ -311,7 +312,7 @@ std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way
         const double least = threshold(pair, here);
         // The remaining clearance limits the next step.
         double clearance = here - least;
-        if (!(clearance > kTouching)) {  // also where a number is not finite
+        if (!(clearance > kTouching)) {  // also if a number is not finite
             return contactOf(pair, 0, way.front(), here);
         }
         for (std::size_t k = 0; k + 1 < way.size(); ++k) {

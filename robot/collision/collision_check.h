@@ -37,20 +37,21 @@ struct Contact {
 
 inline constexpr int kToolLink = 7;
 
-/// Which bodies of an arm and its tool never meet, kept by a caller that makes one check after the other of the same arm:
-/// finding out takes some 40 ms, the rest of a check much less.
+/// Pairs of bodies of an arm and its tool that can never collide. Pass the same object to consecutive checks
+/// of the same arm: computing the pairs takes about 40 ms, the rest of a check much less.
 /// Threads  one at a time
 class NeverMeeting {
 private:
     friend class CollisionCheck;
-    std::vector<double> key_;  ///< dimensions of arm and tool it was computed for
-    std::vector<std::pair<std::size_t, std::size_t>> all_;  ///< numbers in CollisionCheck::capsules()
+    std::vector<double> key_;  ///< dimensions of the arm and the tool used for the computation
+    std::vector<std::pair<std::size_t, std::size_t>> all_;  ///< indices into CollisionCheck::capsules()
 };
 
 class CollisionCheck {
 public:
-    /// safetyDistance  that obstruction() and jogs keep [m], 0 or more
-    /// known           used, and computed again when arm or tool are others; null: computed for this check only
+    /// safetyDistance  kept by obstruction() and jogs [m], 0 or more
+    /// known           reused, and computed again if the arm or the tool differs; null: computed for this
+    ///                 check only
     CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
                    double safetyDistance = kSafetyDistance, NeverMeeting* known = nullptr);
 
@@ -87,7 +88,8 @@ public:
         double margin = 0;      ///< safety distance between the two for obstruction() and jogs [m]
         /// Radius of the body about each joint axis; 0 if the joint has no effect [m].
         Vector6 radius = Vector6::Zero();
-        /// An end of the rod whose distance from the border no joint changes: it is not measured.
+        /// Ends of the capsule whose distance from the border is the same in all positions; they are not
+        /// checked.
         bool fixedFrom = false;
         bool fixedTo = false;
     };

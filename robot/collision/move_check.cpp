@@ -13,7 +13,7 @@ namespace {
 constexpr int kJointPlaces = 48;       // TCP positions for drawing a joint move
 constexpr double kStepLength = 0.005;  // step along a line [m]
 constexpr double kStepAngle = 0.02;    // [rad]
-constexpr int kMostSteps = 2000;
+constexpr int kMaxMoveSteps = 2000;
 constexpr double kJump = 0.5;  // joint change in one step that indicates another configuration [rad]
 // Same thresholds as the slow-down of a jog.
 constexpr double kNearWrist = 0.03;     // |sin q5|
@@ -44,7 +44,7 @@ std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffs
     const double distance = (end.position - start.position).norm();
     const double angle = first.angularDistance(last);
     const int steps = std::clamp(
-        static_cast<int>(std::ceil(std::max(distance / kStepLength, angle / kStepAngle))), 1, kMostSteps);
+        static_cast<int>(std::ceil(std::max(distance / kStepLength, angle / kStepAngle))), 1, kMaxMoveSteps);
     std::optional<MoveLimit> near;
     const bool beginsSingular = nearSingularity(model.dh, move.from, 1) != MoveLimit::Singular::None;
     report.way = {move.from};
@@ -143,7 +143,7 @@ MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, con
     turns.cwiseAbs().maxCoeff(&report.largestTurnJoint);
     report.largestTurn = turns[report.largestTurnJoint];
 
-    // For the whole line, so that shares refer to the requested move.
+    // Computed for the whole line, so that shares refer to the requested move.
     const bool endsBefore = report.limit && report.limit->ends();
     const double followed = move.linear && endsBefore ? report.limit->share : 1.0;
     if (std::optional<MoveLimit> limit = collisionOn(model, check, tcpOffset, report.way)) {

@@ -140,19 +140,19 @@ Result<JointTorques> ArmQueries::jointTorques(const Deadline& deadline) {
 }
 
 Result<bool> ArmQueries::isSteady(const Deadline& deadline) {
-    return yesOf(
-        ControllerAccess::of(*controller_)
-            .requests.request(RequestKind::IsSteady, 0, {}, QStringLiteral("ask for standstill"), deadline));
+    return yesOf(ControllerAccess::of(*controller_)
+                     .requests.request(RequestKind::IsSteady, 0, {}, QStringLiteral("check for standstill"),
+                                       deadline));
 }
 
 Result<int> ArmQueries::toolContact(const Twist& direction, const Deadline& deadline) {
     const Vector6 values = direction.vector();
-    const ArgumentCheck check = ArgumentCheck("ask for tool contact").finite("direction", values.data(), 6);
+    const ArgumentCheck check = ArgumentCheck("check for tool contact").finite("direction", values.data(), 6);
     if (!check.ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
-    const QString context = QStringLiteral("ask for tool contact");
+    const QString context = QStringLiteral("check for tool contact");
     if (const auto known = d.program.needs(kContactSince, kNever, context); !known) {
         return known.error();
     }

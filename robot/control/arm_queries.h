@@ -13,7 +13,7 @@
 namespace tiller::control {
 
 struct InverseOptions {
-    /// the solution nearest to these positions; empty: nearest to the current ones
+    /// initial guess: returns the solution nearest to these positions; empty: nearest to the current ones
     std::optional<JointPositions> near = {};
     double maxPositionError = 1e-10;     ///< [m]
     double maxOrientationError = 1e-10;  ///< [rad]

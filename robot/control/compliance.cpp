@@ -50,7 +50,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     const QString context = QString::fromLatin1(kContext);
     const auto type = static_cast<int>(mode.type);
     if (type < 1 || type > 3) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("type: it is 1, 2 or 3")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("type: must be 1, 2 or 3")};
     }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
@@ -67,7 +67,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     if (d.mailbox.epoch().stops() == stops) {
         on = noAnswer(d.requests.request(RequestKind::ForceMode, whole, numbers, context, deadline));
     } else {
-        on = Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+        on = Error{ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
     }
     if (!on) {
         d.loop.permitForce(false);  // in case it has started nevertheless
@@ -127,7 +127,8 @@ Result<Motion> Compliance::startFreedrive(const Freedrive& freedrive, Holding ho
         }
     }
     if (bitsOf(freedrive.freeAxes) == 0) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("freeAxes: none is free")};
+        return Error{ErrorCode::InvalidArgument, context,
+                     QStringLiteral("freeAxes: at least one axis must be free")};
     }
     MotionCommand command;
     command.kind = MotionCommand::Kind::Program;

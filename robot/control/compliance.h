@@ -47,7 +47,7 @@ class Compliance {
 public:
     explicit Compliance(Controller& controller) : controller_(&controller) {}
     /// As Motions(controller, stops): setForceMode() fails with Stopped if a stop occurred after
-    /// Controller::stops() returned this value.
+    /// Controller::stops() returned `stops`.
     Compliance(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
     /// Starts or changes force mode, which lasts until endForceMode(), a stop of the controller, or 100 ms without
@@ -65,10 +65,10 @@ public:
     /// Freedrive on all axes, supported by all software versions. Source: URScript teach_mode
     Result<Motion> startTeachMode(Holding holding = Holding::Free);
 
-    /// Starts contact detection; on contact the current motion ends with StopCause::Contact. Existing contacts are
-    /// ignored.
+    /// Starts contact detection; on contact the current motion ends with StopCause::Contact. Existing
+    /// contacts are ignored.
     /// direction  base frame; zeros: direction of the tool motion. Since 5.4
-    /// after      the reaction of the arm; it is part of the motion, and any stop ends it
+    /// after      reaction of the arm; it is part of the motion, and any stop ends it
     Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,
                                        AfterContact after = AfterContact::Stand);
     Result<bool> hasContact(const Deadline& deadline);  ///< Since the start of the detection.

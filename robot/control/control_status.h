@@ -56,13 +56,13 @@ struct Limiter {
 
 enum class MotionPhase : std::uint8_t {
     Active,  ///< accepted and not ended
-    Ended,   ///< see MotionState::cause
+    Ended,   ///< the reason is in MotionState::cause
 };
 
 struct MotionState {
     MotionPhase phase = MotionPhase::Ended;
     StopCause cause =
-        StopCause::None;  ///< Also None for unknown numbers and motions that ended very long ago
+        StopCause::None;  ///< Also None for unknown motions and for motions that ended very long ago
 };
 
 /// Threads  a plain copy

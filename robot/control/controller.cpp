@@ -16,8 +16,8 @@ namespace {
 // Maximum time for the last commands to reach the control program before the connection ends.
 constexpr std::chrono::milliseconds kLastWords(160);
 
-Error stopCameFirst(const QString& context) {
-    return {ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+Error stoppedBefore(const QString& context) {
+    return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
     if (!d_->link.isRunning()) {
         return d_->take(deadline, true);
     }
-    const QString context = QStringLiteral("go on with the control program");
+    const QString context = QStringLiteral("continue with the control program");
     const std::int32_t session = d_->program.session();
     if (d_->loop.status().runtimeState != RuntimeState::Playing || session == 0) {
-        return Error{ErrorCode::NotInControl, context, QStringLiteral("it does not run")};
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("it is not running")};
     }
     d_->loop.expectSession(session);
     return d_->program.awaitControl(deadline, context);
@@ -59,7 +59,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     disconnect();
-    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // they ended with the program before
+    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses have ended with the previous program
     auto taken = connect(deadline, join);
     if (!taken) {
         disconnect();
@@ -154,7 +154,7 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Typically 5 ms, unless the robot hangs: then its program ends the motion by itself.
+        // Typically 5 ms. If the robot hangs, its program ends the motion by itself.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
@@ -187,7 +187,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
                                             const QString& context) {
     const MotionId id = mailbox.startUnlessStopped(stops, command, now());
     if (id == kNoMotion) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     // Control may have ended since the check; in that case this motion has to be ended here.
     if (!loop.confirmControl()) {
@@ -208,7 +208,7 @@ Result<void> Controller::Private::awaitPulses(std::uint64_t stops, const Deadlin
         return {};
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("digital output %1 still pulses, for %2 s")
+                 QStringLiteral("the pulse of digital output %1 lasts for another %2 s")
                      .arg(std::distance(pulseEndsNs.begin(), last()))
                      .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
 }
@@ -224,10 +224,10 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (auto quiet = awaitPulses(stops, deadline, context); !quiet) {
         return quiet.error();
     }
-    // Braking first, and nothing that is stopped from here on may begin.
+    // The stop comes first, so that the arm decelerates and no earlier command can start.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     if (auto sent = program.restart(section, name, deadline); !sent) {
         Error error = sent.error();
@@ -236,7 +236,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
         if (error.code == ErrorCode::ScriptError) {
             if (auto back = program.restart({}, {}, deadline); !back) {
                 error.controllerMessage +=
-                    QStringLiteral("; and control did not come back: ") + back.error().toString();
+                    QStringLiteral("; control could not be regained: ") + back.error().toString();
             }
         }
         return error;
@@ -254,7 +254,7 @@ Result<MotionId> Controller::Private::beginSection(std::uint64_t epoch, Holding 
     command.silence = silence;
     const MotionId id = mailbox.startAfter(epoch, command, now());
     if (id == kNoMotion) {
-        return stopCameFirst(context);
+        return stoppedBefore(context);
     }
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());

@@ -64,11 +64,11 @@ struct ControllerOptions {
     /// program without hold-to-run operation may use a larger value, so that short delays of this computer that the
     /// robot does not notice have no effect.
     std::chrono::milliseconds dataTimeout{100};
-    /// Without data for so long the connection counts as dead: it is closed and control is lost
-    /// (ControlLoss::LinkLost). Neither the end of the TCP connection nor an error is waited for, because
-    /// neither comes after a power cut or from a controller that has forgotten the connection. Never sooner
-    /// than `dataTimeout`, or than the silence of the move under way, or than 2 s while a control program is being sent
-    /// (takeControl(), paths, functions); 0: only when the connection ends.
+    /// The connection is closed and control is lost (ControlLoss::LinkLost) if no data arrive for this time.
+    /// The controller does not wait for a TCP error, because there is none after a power failure or if the
+    /// peer has forgotten the connection. The timeout is never shorter than `dataTimeout`, than the timeout
+    /// of the active move (MoveParameters::silence), or than 2 s while a control program is being sent
+    /// (takeControl(), paths, functions). 0: no timeout.
     std::chrono::milliseconds connectionTimeout{450};
     /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If false, or
     /// if force mode, freedrive or teach mode might continue during the pause, the program is stopped.
@@ -102,7 +102,7 @@ public:
     Result<void> takeControl(const Deadline& deadline);
 
     /// Takes control of a running control program without sending one: the program of a client that has left
-    /// (leave()), or our own after a pause.
+    /// (leave()), or the program of this controller after a pause.
     /// Errors   as takeControl(); NotInControl if the running program is not a control program
     /// Threads  as takeControl()
     Result<void> joinProgram(const Deadline& deadline);
@@ -140,21 +140,22 @@ public:
     MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
     /// Limits of the joints, from the configuration of the arm once control has been taken.
     JointLimits jointLimits() const;
-    /// The port of this end of the connection; 0 when there is none.
+    /// Local port of the connection; 0 if not connected.
     /// Threads  any. Blocks: never
     std::uint16_t localPort() const;
-    bool isConnected() const;  ///< Whether there is a connection, in control or not.
-    /// From now on TCP and elbow get no faster than this [m/s]; 0.25 unless ControllerOptions::limits said
-    /// otherwise. Another cap than before ends whatever is active (StopCause::SelectionChanged): nothing goes
-    /// on under a cap it was not begun with.
-    /// Errors   InvalidArgument (not a number, or none above 0), LimitExceeded (above 3 m/s: millimetres?)
+    bool isConnected() const;  ///< Whether the connection is open, with or without control.
+    /// Sets the speed cap of TCP and elbow [m/s]; initially ControllerOptions::limits, 0.25 by default. A
+    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues under a cap
+    /// it was not started with.
+    /// Errors   InvalidArgument (not a number, or not above 0), LimitExceeded (above 3 m/s: probably
+    ///          millimetres)
     Result<void> setSpeedCap(double metresPerSecond);
-    /// Makes every jog slow down and end at the safety distance from the objects of this check: the arm itself, its
-    /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths and
-    /// streams are not checked: see collision::CollisionCheck::obstruction.
+    /// All jogs slow down and end at the safety distance from the objects of this check: the arm itself, its
+    /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths
+    /// and streams are not checked: see collision::CollisionCheck::obstruction.
     /// Threads  any; one at a time. Blocks: never
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
-    /// From the connection of the last takeControl(); zeros before.
+    /// Of the robot at the last takeControl(); zeros before.
     SoftwareVersion version() const;
 
     struct Private;

@@ -41,18 +41,18 @@ Error errorOf(StopCause cause, MotionKind kind) {
             return {ErrorCode::NoSolution, context, QStringLiteral("the arm cannot reach the target")};
         case StopCause::TargetTooFar:
             return {ErrorCode::LimitExceeded, context,
-                    QStringLiteral("a target was further away than the arm can get in one step")};
+                    QStringLiteral("a target was farther away than the arm can move in one step")};
         case StopCause::LinkLost:
             return {ErrorCode::LinkLost, context,
                     QStringLiteral("the connection ended, or the control program no longer answered")};
         case StopCause::DataStale:
             return {ErrorCode::LinkLost, context,
-                    QStringLiteral("the robot's data came too late; a real-time priority helps on a busy "
-                                   "computer")};
+                    QStringLiteral(
+                        "the robot's data arrived too late; real-time priority helps on a busy computer")};
         case StopCause::ControlLost:
             return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
         case StopCause::Superseded:
-            return {ErrorCode::Stopped, context, QStringLiteral("another motion took its place")};
+            return {ErrorCode::Stopped, context, QStringLiteral("another motion replaced it")};
         case StopCause::Contact:
             return {ErrorCode::Stopped, context, QStringLiteral("contact")};
         case StopCause::EventLoopStalled:
@@ -60,8 +60,8 @@ Error errorOf(StopCause cause, MotionKind kind) {
         case StopCause::LimitReached:
             if (kind == MotionKind::Torque) {
                 return {ErrorCode::LimitExceeded, context,
-                        QStringLiteral("the TCP or the elbow got faster than the cap; setSpeedCap() sets "
-                                       "another one")};
+                        QStringLiteral(
+                            "the TCP or the elbow exceeded the speed cap; change it with setSpeedCap()")};
             }
             return {ErrorCode::Stopped, context, QStringLiteral("a limit was reached")};
         default:
@@ -148,7 +148,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
     });
     if (!ended) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
-                     QStringLiteral("wait for a motion"), QStringLiteral("it goes on")};
+                     QStringLiteral("wait for a motion"), QStringLiteral("it is still running")};
     }
     if (now.cause == StopCause::Completed) {
         return {};
@@ -182,7 +182,8 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
-        // The order matters: an epoch confirmed in the status read afterwards is confirmed at this point.
+        // The order matters: if the status read afterwards confirms this epoch, the confirmation is valid
+        // now.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
         status = d.loop.status();  // late data alone do not end the wait, as in state()
@@ -190,7 +191,7 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     };
     if (!waitUntil(deadline, isOver)) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
-                     QStringLiteral("stop a motion"), QStringLiteral("the arm still moves")};
+                     QStringLiteral("stop a motion"), QStringLiteral("the arm is still moving")};
     }
     const bool confirmed =
         status.inControl || status.loss == ControlLoss::Released || status.loss == ControlLoss::NotTaken;
@@ -198,7 +199,7 @@ Result<void> Motion::stop(const Deadline& deadline) const {
         return {};
     }
     return Error{ErrorCode::NotInControl, QStringLiteral("stop a motion"),
-                 QStringLiteral("control was lost; the robot brakes by itself")};
+                 QStringLiteral("control was lost; the robot brakes automatically")};
 }
 
 bool Motion::cancel(StopCause cause) const {

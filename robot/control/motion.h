@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The handle of a motion: wait for it, cancel it, read its progress. Used for moves, paths, setpoint streams,
-// freedrive, script functions and stops.
+// The handle of a motion, to wait for it, cancel it and read its progress. Used for moves, paths, setpoint
+// streams, freedrive, script functions and stops.
 
 #include <array>
 #include <chrono>

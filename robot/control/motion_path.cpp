@@ -44,7 +44,7 @@ void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& 
 Result<void> checkPath(const MotionPath& path) {
     const QString context = QStringLiteral("check a path");
     if (path.empty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: it has no entries")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: it is empty")};
     }
     for (std::size_t i = 0; i < path.size(); ++i) {
         const PathEntry& entry = path[i];
@@ -66,7 +66,7 @@ Result<void> checkPath(const MotionPath& path) {
             (entry.kind == PathEntry::Kind::MoveC) != entry.via.has_value()) {
             error = {ErrorCode::InvalidArgument, context,
                      entry.via ? QStringLiteral("via: only a MoveC has one")
-                               : QStringLiteral("via: a MoveC needs a point to go through")};
+                               : QStringLiteral("via: a MoveC needs a via point")};
         }
         if (error.code != ErrorCode::None) {
             error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(i + 1));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What may be asked of the arm, why it stops, and what a stop measured. Plain data, shared by the controller,
-// the session and the widgets.
+// Types of motions, causes of stops and measurements of stops. Plain data, shared by the controller, the
+// session and the widgets.
 
 #include <array>
 #include <chrono>
@@ -17,58 +17,59 @@ namespace tiller::control {
 
 using tiller::operator<<;  // for the enumerations below
 
-/// How long a held motion lasts without a refresh, and what has no end of its own without a heartbeat of this
-/// computer.
+/// Maximum time between two refreshes of a held motion. Also the maximum time without a heartbeat of this
+/// computer for motions without a target.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
-/// How long after the newest packet from this computer the arm is at standstill, whether that packet brought a stop
-/// or no other one followed: the faster the arm, the harder it brakes. No joint is asked for more than
-/// kJointAccelerationLimit, which is enough up to 4.4 rad/s; and the arm takes longer where its drives or its load
-/// permit less.
+/// Maximum time from the newest packet of this computer to standstill of the arm, whether that packet
+/// contained a stop or no further packet arrived: the faster the arm, the higher the deceleration. The
+/// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s. The
+/// arm takes longer if its drives or its load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
-/// The longest silence a move may be given (MoveParameters::silence): after 5 s the control program ends.
-inline constexpr std::chrono::milliseconds kLongestSilence{4'000};
+/// Maximum of MoveParameters::silence: the control program ends after 5 s.
+inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 
-/// Held: ends when its holder does not refresh it for 100 ms. Free: needs no holder, and ends when it is done,
-/// when it is stopped, and when the robot has heard nothing of this computer for 100 ms (a move with an end:
+/// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh; it ends when it is complete or
+/// stopped, or when the robot has received no heartbeat of this computer for 100 ms (a move with a target:
 /// for MoveParameters::silence).
 enum class Holding : std::uint8_t { Held, Free };
 
-/// Whether something may move the arm although no client supervises it.
+/// Whether the arm may move without a client that supervises it.
 enum class Supervision : std::uint8_t {
     Heartbeat,  ///< the arm brakes when the client ends, closes the connection or sends nothing for 100 ms
-    /// The arm moves on after the client has ended, until the motion or program is done. No one but a person
-    /// at the pendant, or another client, can stop it then.
+    /// The arm continues after the client has ended, until the motion or program is complete. During this
+    /// time it can only be stopped by a person at the pendant or by another client.
     Unattended,
 };
 
 enum class JogFrame : std::uint8_t {
     Base,    ///< axes of the controller's base frame
-    Tool,    ///< axes of the tool, followed while it turns
+    Tool,    ///< axes of the tool, which rotate with the tool
     Custom,  ///< axes of JogTarget::T_base_frame (a taught frame, or the direction the operator looks from)
 };
 
-/// A cap that is none: the robot's own limits remain.
+/// No cap: only the robot's own limits apply.
 inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
-/// A velocity the arm shall have until it is refreshed, changed or expires. Rotation is about the active TCP.
+/// A requested velocity of the arm, valid until it is refreshed, changed or expires. Rotations are about the
+/// active TCP.
 struct JogTarget {
     enum class Kind : std::uint8_t { Cartesian, Joint };
     Kind kind = Kind::Cartesian;
     JogFrame frame = JogFrame::Base;
     Twist twist = {};         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
     JointVelocities qd = {};  ///< Joint [rad/s]
-    Pose T_base_frame = {};   ///< only for JogFrame::Custom; its rotation counts, its position does not
-    /// Above 0: ends with StopCause::Contact when the force on the TCP has changed by more than this since
-    /// the motion began [N].
+    Pose T_base_frame = {};   ///< only for JogFrame::Custom; only the rotation is used
+    /// Above 0: the jog ends with StopCause::Contact when the force at the TCP has changed by more than this
+    /// value since its start [N].
     double contactForce = 0;
-    /// Highest speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller applies as well. A joint
-    /// jog needs it: how fast the TCP gets at a joint speed depends on the posture.
+    /// Maximum speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller applies as well.
+    /// Needed for joint jogs, because the TCP speed that results from a joint speed depends on the posture.
     double speedCap = kNoCap;
 
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };
 
-/// Why a motion ended. Each has its own sentence in the interface.
+/// Why a motion ended. The interface has a separate text for each cause.
 enum class StopCause : std::uint8_t {
     None,
     Released,
@@ -92,39 +93,40 @@ enum class StopCause : std::uint8_t {
     ControlLost,
     Completed,     ///< a bounded motion reached its target
     ApiCall,       ///< a program called stop()
-    Superseded,    ///< a newer command took the one slot
-    Contact,       ///< contact detection found what it was started for
+    Superseded,    ///< replaced by a newer command
+    Contact,       ///< contact detected
     Unreachable,   ///< a target for which the robot finds no joint positions
-    TargetTooFar,  ///< a servo target further off than the arm could get since the one before
-    HoldUnproven,  ///< nothing proved any more that the key, button or finger was still down
-    HeldTooLong,   ///< held for the longest time a motion may be held
+    TargetTooFar,  ///< a servo target too far from the previous one: see kJointLeeway
+    HoldUnproven,  ///< it could not be verified that the key, button or finger was still down
+    HeldTooLong,   ///< held longer than the maximum time
 };
 
-/// A servo stream leads the arm in small steps: no target may lie further from the one before than the arm
-/// can get in the time since (its joints' highest speeds; the tool's 3 m/s), and this much more, for what the
-/// arm's place was measured with and for packages that come late. The first target is judged from where the
-/// arm is. servoC is exempt: it goes to its target at its own speed, however far that is.
-inline constexpr double kJointLeeway = 0.02;      ///< [rad], of each joint and of the tool's rotation
-inline constexpr double kToolLeeway = 0.01;       ///< [m]
-inline constexpr double kLongestServoStep = 0.1;  ///< [s]: after a longer silence no more than in this time
+/// Limits for the distance between two targets of a servo stream: the distance the arm can move in the time
+/// between them (maximum speeds of the joints; 3 m/s for the tool), plus this tolerance for measurement
+/// errors and late packages. The first target is compared with the position of the arm. servoC is not
+/// limited: the arm moves to its target at a configured speed.
+inline constexpr double kJointLeeway = 0.02;  ///< [rad], of each joint and of the tool's rotation
+inline constexpr double kToolLeeway = 0.01;   ///< [m]
+inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in this calculation
 
-/// From the moment the stop was asked for to standstill, measured on the data received from the robot.
+/// A stop from the request to standstill, measured from the data received from the robot.
 struct StopMeasurement {
     StopCause cause = StopCause::None;
     double durationMs = 0;
     double distanceMm = 0;    ///< path length of the TCP
-    std::uint64_t count = 0;  ///< number of stops measured so far; 0 = none yet
+    std::uint64_t count = 0;  ///< number of stops measured so far; 0: none
 };
 
-/// What the controller says its joints can do.
+/// Joint limits reported by the controller.
 struct JointLimits {
     std::array<double, 6> minPosition{};  ///< [rad]
     std::array<double, 6> maxPosition{};  ///< [rad]
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
 
-/// Jog dynamics and caps. Decelerations are the least ones: see kStandstillTime. The controller has its own, wider ones. All above 0; takeControl() refuses what can
-/// only be another unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. kNoCap is a speed without a cap.
+/// Dynamics and caps of jogs. The decelerations are minimum values: see kStandstillTime. The controller has
+/// its own, higher limits. All values must be above 0; takeControl() refuses values that suggest a wrong
+/// unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. Speeds may be kNoCap.
 struct MotionLimits {
     double tcpSpeed = 0.250;                       ///< of TCP and elbow [m/s]; also Controller::setSpeedCap
     double tcpRotationSpeed = 0.7853981633974483;  ///< [rad/s] 45 deg/s

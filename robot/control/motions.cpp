@@ -45,14 +45,14 @@ Error inEntry(std::size_t index, Error error) {
     return error;
 }
 
-ArgumentCheck& checkSilence(ArgumentCheck& check, milliseconds silence) {
+ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds silence) {
     using Seconds = std::chrono::duration<double>;
     return check.range("silence", Seconds(silence).count(), Seconds(kHoldTime).count(),
-                       Seconds(kLongestSilence).count(), "s");
+                       Seconds(kMaxHeartbeatTimeout).count(), "s");
 }
 
-/// The timeout to send for a command; 0 for the default.
-milliseconds ownSilence(Holding holding, milliseconds silence) {
+/// Heartbeat timeout to send for a command; 0 for the default.
+milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
 
@@ -80,7 +80,7 @@ ArgumentCheck jointMove(const char* context, const MoveParameters& parameters, c
     ArgumentCheck check(context);
     check.positive("speed", given.speed, highestJointSpeed(arm), "rad/s", "deg/s")
         .positive("acceleration", given.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
-    return checkSilence(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.silence);
 }
 
 ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, double cap) {
@@ -88,7 +88,7 @@ ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, do
     ArgumentCheck check(context);
     check.toolSpeed("speed", given.speed, cap)
         .positive("acceleration", given.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
-    return checkSilence(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.silence);
 }
 
 LimiterKind kindOf(kinematics::SpeedLimit limit) {
@@ -139,7 +139,7 @@ struct Beginning {
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
         command.held = parameters.holding == Holding::Held;
-        command.silence = ownSilence(parameters.holding, parameters.silence);
+        command.silence = effectiveHeartbeatTimeout(parameters.holding, parameters.silence);
         command.target = target;
         command.speed = plan.speed;
         command.acceleration = acceleration;
@@ -168,7 +168,7 @@ Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, 
     return from.start(command, MotionKind::MoveJ, from.status.q, target.array(), plan);
 }
 
-/// Moves along a line to this pose; with `toJoints` the target is sent as joint positions.
+/// Moves along a straight line to this pose; with `toJoints` the target is sent as joint positions.
 Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPositions* toJoints,
                       const MoveParameters& parameters) {
     const Dynamics asked = toolDynamics(parameters, from.limits.tcpSpeed);
@@ -303,7 +303,7 @@ Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MovePa
 Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding,
                                  milliseconds silence) {
     ArgumentCheck check("start a path");
-    if (!checkSilence(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, silence).ok()) {
         return check.error();
     }
     const auto prepared = preparePath(path, start);
@@ -342,12 +342,12 @@ Result<PreparedPath> Motions::preparePath(const MotionPath& path, const Deadline
 
 Result<Motion> Motions::startPath(const PreparedPath& path, Holding holding, milliseconds silence) {
     ArgumentCheck check("start a path");
-    if (!checkSilence(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, silence).ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
-    const auto id =
-        d.beginSection(path.epoch_, holding, ownSilence(holding, silence), QStringLiteral("start a path"));
+    const auto id = d.beginSection(path.epoch_, holding, effectiveHeartbeatTimeout(holding, silence),
+                                   QStringLiteral("start a path"));
     return id ? MotionAccess::path(*controller_, *id, path.waypoints_) : Result<Motion>(id.error());
 }
 
@@ -366,7 +366,7 @@ Result<Motion> Motions::moveUntilContact(const Twist& twist, const Deadline& sta
     }
     const QString context = QString::fromLatin1(kContext);
     if (twist.isZero()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("twist: it moves nothing")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("twist: all components are zero")};
     }
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;

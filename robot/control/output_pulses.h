@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Digital outputs that are switched for a time measured by the robot: they return to their level even if this
-// process crashes, hangs or loses the connection. The control program measures the time, so that a pulse requires
-// control. A secondary program cannot be used, because it must not take time.
+// Digital outputs that are switched for a time measured by the robot: they are switched back even
+// if this process crashes, hangs or loses the connection. The control program measures the time, so a pulse
+// requires control. A secondary program could not measure it, because it must not take any time.
 
 #include <chrono>
 #include <cstdint>
@@ -15,10 +15,11 @@ namespace tiller::control {
 inline constexpr int kPulseOutputs = 18;  ///< 0 ... 7 standard, 8 ... 15 configurable, 16 and 17 tool
 inline constexpr std::chrono::hours kMaxPulse{1};
 
-/// What ends a pulse: its time, end(), the end of the control program (also Controller::release()), and for a Held one
-/// 100 ms without a heartbeat of this computer. A control program that hears nothing ends after 5 s; then Free pulses
-/// end as well. Paths, functions and scripts need another control program: their start waits until no output pulses, or
-/// fails with Timeout. A program that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
+/// A pulse ends after its time, by end(), at the end of the control program (also by Controller::release()),
+/// and if it is Held after 100 ms without a heartbeat of this computer. The control program itself ends after
+/// 5 s without a heartbeat, which also ends Free pulses. Paths, functions and scripts need another control
+/// program: they start when no output is pulsing, or fail with Timeout. A program that is killed or paused by
+/// others (pendant, protective stop) cannot end its pulses.
 ///
 /// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
 /// Threads  any. Blocks: until confirmed by the control program, typically 6 ms, at most until the deadline
@@ -32,7 +33,7 @@ public:
     /// holding   Held: ends with the heartbeat of this computer
     Result<void> begin(std::uint32_t mask, std::uint32_t values, std::chrono::milliseconds duration,
                        Holding holding, const Deadline& deadline);
-    /// Ends the pulses of these outputs now; other outputs in the mask are unchanged.
+    /// Ends the pulses of these outputs now; outputs in the mask that are not pulsing are unchanged.
     Result<void> end(std::uint32_t mask, const Deadline& deadline);
 
 private:

@@ -44,7 +44,7 @@ public:
     // If the path has become permanently longer or the robot stalls, follow the packets instead of predicting them.
     // Cycles missed by this thread are not made up for.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
-        if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMostInARow) {
+        if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMaxConsecutive) {
             return kNoCycleDue;
         }
         const auto periodNs = static_cast<std::int64_t>(period_ * 1e9);
@@ -52,15 +52,15 @@ public:
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
     }
 
-    /// Sleep time for a thread that waits for the end, at least 1 ms: it wakes up just after a cycle, because at
-    /// another time (possibly at real-time priority) it would delay the next cycle.
+    /// Sleep time for a thread that waits for the end, at least 1 ms. The thread wakes up just after a cycle,
+    /// because at another time (possibly at real-time priority) it would delay the next cycle.
     /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
 
-    /// The newest call that took so long that, including the round trip, the robot may have stopped without a
-    /// heartbeat.
+    /// The newest call that took so long that, including the round trip, the robot may have stopped because
+    /// of a missing heartbeat.
     struct LongCall {
         std::int64_t tookNs = 0;
         std::int64_t endedNs = 0;
@@ -72,7 +72,7 @@ public:
     Error error;
 
 private:
-    static constexpr int kMostInARow = 5;  ///< cycles without their packets
+    static constexpr int kMaxConsecutive = 5;  ///< cycles without their packets
     /// approximate interval between two checks of a waiting thread
     static constexpr std::int64_t kLookNs = 9 * kNsPerMs;
 
@@ -264,7 +264,7 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     if (cycle.error.code != ErrorCode::None) {
         return cycle.error;
     }
-    // By the times of both ends, not by when this thread looks.
+    // Uses the times of both ends, not the time at which this thread checks.
     const auto& last = cycle.longCall();
     const bool endedMotion =
         last.tookNs > 0 && d.mailbox.epoch().endedNs(motion.id()) - last.endedNs < kNsPerSecond / 2;

@@ -48,7 +48,7 @@ struct CycleReport {
         ages;  ///< from the arrival of a packet to the start of its cycle, without stale cycles
     realtime::Histogram calls;  ///< duration of the callback
     Motion motion;              ///< final state: motion.state()
-    /// The system kept the CPUs out of deep sleep states: see realtime::CpuLatency.
+    /// Deep sleep states of the CPUs were disabled: see realtime::CpuLatency.
     bool fastWakeUps = false;
 };
 

@@ -30,7 +30,7 @@ script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch)
 }
 
 Error stopped(const QString& context) {
-    return {ErrorCode::Stopped, context, QStringLiteral("a stop or another motion came in between")};
+    return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop or another motion")};
 }
 
 /// Ends a running user script and takes control again. Needs `taking`.
@@ -57,9 +57,9 @@ Result<void> bringBack(Controller::Private& d) {
     if (!d.link.isRunning()) {
         return Error{
             ErrorCode::LinkLost, QStringLiteral("send the control program again"),
-            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may go on")};
+            isStopSent ? QString() : QStringLiteral("the script could not be stopped and may continue")};
     }
-    return d.program.sendAnew(deadline);
+    return d.program.resend(deadline);
 }
 
 /// Waits for the start and then for the end of the script.
@@ -70,12 +70,12 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
-        // The reason for the end arrives slightly later on another connection, but before the state after the next
-        // one: the next state may have been sent earlier.
-        const bool heardAll =
-            messageDeadline && (messageDeadline->hasExpired() || d.program.statesHeard() > statesAtEnd + 1);
+        // The reason for the end arrives slightly later on another connection, but at the latest before the
+        // second robot state from now: the next state may have been sent earlier.
+        const bool receivedAll = messageDeadline && (messageDeadline->hasExpired() ||
+                                                     d.program.statesReceived() > statesAtEnd + 1);
         bad = d.program.complaint(context);
-        if (bad.code != ErrorCode::None || heardAll) {
+        if (bad.code != ErrorCode::None || receivedAll) {
             return true;
         }
         const ControllerStatus now = d.loop.status();
@@ -95,16 +95,16 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
             return true;
         }
         // A short program may not be reported as playing in any package; a paused one has not ended.
-        const ControlProgram::ScriptHeard heard = d.program.scriptHeard();
+        const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
         if (d.loop.playing() != played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
             if (!messageDeadline && (over || heard.stopped)) {
                 messageDeadline =
                     Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
-                statesAtEnd = d.program.statesHeard();
+                statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
-            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never seen running")};
+            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never observed running")};
         }
         return bad.code != ErrorCode::None;
     };
@@ -132,8 +132,9 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: it is empty")};
     }
     if (body.contains(QLatin1String("tiller_"))) {
-        return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("body: names beginning with tiller_ are the control program's own")};
+        return Error{
+            ErrorCode::InvalidArgument, context,
+            QStringLiteral("body: names beginning with tiller_ are reserved for the control program")};
     }
     if (const auto checked = checkBlocks(body, context); !checked) {
         return checked.error();
@@ -158,7 +159,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     const bool attended = supervision == Supervision::Heartbeat;
     if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("program: names beginning with %1 belong to the watchdog thread")
+                     QStringLiteral("program: names beginning with %1 are reserved for the watchdog thread")
                          .arg(QLatin1String(script::kHeartbeatPrefix))};
     }
     auto& d = ControllerAccess::of(*controller_);
@@ -181,7 +182,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     const script::SupervisedProgram sent =
         attended ? script::supervised(program, heartbeatOf(d, epoch), d.program.version())
                  : script::unsupervised(program);
-    d.program.giveWayTo(sent);
+    d.program.yieldTo(sent);
     const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
     {
@@ -203,7 +204,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         }
         Error error = outcome.error();
         error.controllerMessage +=
-            QStringLiteral("; and control did not come back: ") + back.error().toString();
+            QStringLiteral("; control could not be regained: ") + back.error().toString();
         return error;
     }
     return outcome;

@@ -54,7 +54,7 @@ namespace {
 
 Error tooFar(const QString& what, double way, double limit, const QString& unit) {
     return {ErrorCode::LimitExceeded, QStringLiteral("send a servo target"),
-            QStringLiteral("target: %1 is %2 %4 away; in one step it cannot be led further than %3 %4")
+            QStringLiteral("target: %1 is %2 %4 away; the maximum for one step is %3 %4")
                 .arg(what)
                 .arg(way, 0, 'f', 3)
                 .arg(limit, 0, 'f', 3)
@@ -64,7 +64,7 @@ Error tooFar(const QString& what, double way, double limit, const QString& unit)
 }  // namespace
 
 double stepTime(double since, double rules) {
-    return std::min(std::max(since, rules), kLongestServoStep);
+    return std::min(std::max(since, rules), kMaxServoStep);
 }
 
 Error SetpointRules::step(const JointPositions& from, const JointPositions& to, double seconds) const {

@@ -28,7 +28,7 @@ namespace tiller::control {
 struct ServoParameters {
     double duration = 0;     ///< duration of one target [s]; 0: the control period
     double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger values are smoother and have more delay
-    double gain = 300;       ///< 100 ... 2000; larger is stiffer
+    double gain = 300;       ///< 100 ... 2000; a higher value is stiffer
     /// False: targets at any distance are accepted; the reaction depends on the robot, which follows at its maximum
     /// speed or makes a protective stop.
     bool guarded = true;

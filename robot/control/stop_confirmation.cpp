@@ -11,9 +11,9 @@ namespace {
 // A stop takes about 20 ms to reach the arm; afterwards the arm decelerates.
 constexpr std::int64_t kBrakesAfterNs = 100 * kNsPerMs;
 constexpr std::int64_t kCompareEveryNs = 50 * kNsPerMs;
-// For an arm at standstill, the control program confirms within this time.
+// If the arm is at standstill, the control program confirms a stop within this time.
 constexpr std::int64_t kConfirmedAfterNs = 200 * kNsPerMs;
-constexpr std::int64_t kLongestBrakingNs = 1000 * kNsPerMs;
+constexpr std::int64_t kMaxBrakingNs = 1000 * kNsPerMs;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ StopConfirmation::Verdict StopConfirmation::look(const StopEvidence& evidence) {
     if (evidence.nowNs < lookNs_) {
         return Verdict::Waiting;
     }
-    if (!isSlower(evidence) || since >= kLongestBrakingNs) {
+    if (!isSlower(evidence) || since >= kMaxBrakingNs) {
         return Verdict::EveryRoute;
     }
     lookNs_ = evidence.nowNs + kCompareEveryNs;

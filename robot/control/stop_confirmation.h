@@ -10,7 +10,7 @@
 
 namespace tiller::control {
 
-/// A snapshot for the decision. Speeds, standstill and `stopped` are based on the receiver, not on the control
+/// A snapshot for the decision. Speeds, standstill and `stopped` are from the receiver, not from the control
 /// connection.
 struct StopEvidence {
     std::int64_t nowNs = 0;
@@ -31,8 +31,8 @@ public:
     /// epoch  of the stop: Controller::stop()
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
-    /// Another stop before the verdict. It has to be confirmed instead of the first one, within the time of the
-    /// first one, so that repeated requests do not postpone the verdict.
+    /// Registers another stop before the verdict. It has to be confirmed instead of the first one, but within
+    /// the time of the first one, so that repeated requests do not postpone the verdict.
     void repeat(std::uint64_t epoch) { epoch_ = epoch; }
 
     enum class Verdict {

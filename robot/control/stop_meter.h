@@ -10,7 +10,8 @@
 
 namespace tiller::control {
 
-/// Lower speeds count as standstill; the values are above the measurement noise of an arm at rest.
+/// Speeds below these values count as standstill. The values are above the measurement noise of an arm at
+/// standstill.
 inline constexpr double kStillTcpSpeed = 0.001;     ///< [m/s]
 inline constexpr double kStillJointSpeed = 0.0035;  ///< [rad/s] 0.2 deg/s
 

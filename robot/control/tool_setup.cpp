@@ -12,7 +12,7 @@ namespace tiller::control {
 
 namespace {
 
-/// [kg] above the payload of all models; the controller checks its own limit
+/// [kg]: above the payload of all models; the controller checks its own limit
 constexpr double kHeaviestPayload = 50.0;
 constexpr double kFarthest = 2.0;  ///< [m] from the flange
 

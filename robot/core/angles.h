@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Conversion between degrees (user interface, scripts, foreign files) and radians (used internally for every
-// angle).
+// Conversion between degrees (user interface, scripts, external files) and radians (used internally for all
+// angles).
 
 #include <numbers>
 

@@ -183,12 +183,12 @@ Result<void> AtomicFile::open() {
     file_.open(descriptor, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle);
     struct stat status {};
     if (::stat(QFile::encodeName(path_).constData(), &status) == 0) {
-        // Changing the owner needs rights that only some users have, the group may be one of the user's own. It clears
-        // bits of the mode, so it is first.
+        // Only privileged users may change the owner, but the group may be another group of the user.
+        // Changing them clears mode bits, so this comes before setting the mode.
         mode_t mode = status.st_mode & 07777;
         if (::fchown(descriptor, status.st_uid, status.st_gid) != 0 &&
             ::fchown(descriptor, static_cast<uid_t>(-1), status.st_gid) != 0) {
-            // The group of the user is another one, and gets no more than others have.
+            // The file keeps the user's current group, which gets only the permissions of other users.
             mode &= ~static_cast<mode_t>(070) | (mode & 07) << 3;
             errno = 0;
         }

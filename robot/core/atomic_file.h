@@ -14,10 +14,10 @@
 
 namespace tiller {
 
-/// A file that replaces `path` when commit() succeeds. Until then the old file is untouched; an object that is
-/// destroyed before leaves nothing behind.
-/// Errors   of every call: DiskFull, FileNotWritable; the context says what was being written,
-///          controllerMessage holds the system's reason
+/// A file that replaces `path` when commit() succeeds. Until then the old file is unchanged; an object that
+/// is destroyed earlier leaves no file.
+/// Errors   of every call: DiskFull, FileNotWritable; the context names the attempted action,
+///          controllerMessage contains the system's reason
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:

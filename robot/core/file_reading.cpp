@@ -94,7 +94,7 @@ Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes) {
     if (file.size() > maxBytes || bytes.size() > maxBytes) {
         constexpr qint64 kMegabyte = 1024 * 1024;
         return Error{ErrorCode::FileCorrupt,
-                     QStringLiteral("%1 is larger than %2 MB, more than such a file can have")
+                     QStringLiteral("%1 is larger than %2 MB, the maximum for such a file")
                          .arg(QFileInfo(path).fileName())
                          .arg(static_cast<double>(maxBytes) / static_cast<double>(kMegabyte)),
                      {}};

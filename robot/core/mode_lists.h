@@ -13,7 +13,7 @@ namespace tiller {
 /// same.
 using SafetyStatus = SafetyMode;
 
-/// So far known as a safety status only. Source: SafetyStatus.msg of the ROS 2 driver
+/// Known only as a safety status so far. Source: SafetyStatus.msg of the ROS 2 driver
 inline constexpr SafetyStatus kIoPlaneStop = static_cast<SafetyStatus>(23);
 
 std::vector<RobotMode> robotModes();         ///< In numeric order.

@@ -58,14 +58,14 @@ Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes) {
                           static_cast<int>(bytes.size()), 0));
 }
 
-Waker::Waker() = default;
-Waker::~Waker() = default;
-void Waker::wake() const {}
-bool Waker::take() const {
+EventFd::EventFd() = default;
+EventFd::~EventFd() = default;
+void EventFd::wake() const {}
+bool EventFd::take() const {
     return false;
 }
 
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* /*waker*/) {
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const EventFd* /*waker*/) {
     WSAPOLLFD item{handle(socket), POLLRDNORM, 0};
     return WSAPoll(&item, 1, static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count())) >
            0;
@@ -146,34 +146,34 @@ Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes) {
 }
 
 #ifdef __linux__
-Waker::Waker() : descriptor_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
+EventFd::EventFd() : descriptor_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
 
-Waker::~Waker() {
+EventFd::~EventFd() {
     if (descriptor_ >= 0) {
         ::close(static_cast<int>(descriptor_));
     }
 }
 
-void Waker::wake() const {
+void EventFd::wake() const {
     if (descriptor_ >= 0) {
         (void)::eventfd_write(static_cast<int>(descriptor_), 1);
     }
 }
 
-bool Waker::take() const {
+bool EventFd::take() const {
     eventfd_t calls = 0;
     return descriptor_ >= 0 && ::eventfd_read(static_cast<int>(descriptor_), &calls) == 0;
 }
 #else
-Waker::Waker() = default;
-Waker::~Waker() = default;
-void Waker::wake() const {}
-bool Waker::take() const {
+EventFd::EventFd() = default;
+EventFd::~EventFd() = default;
+void EventFd::wake() const {}
+bool EventFd::take() const {
     return false;
 }
 #endif
 
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker) {
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const EventFd* waker) {
     const bool wakes = waker != nullptr && waker->descriptor() >= 0;
     pollfd items[2] = {{static_cast<int>(socket), POLLIN, 0},
                        {wakes ? static_cast<int>(waker->descriptor()) : -1, POLLIN, 0}};

@@ -45,12 +45,12 @@ Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
 /// Ends the wait of another thread in waitReadable(). Without effect on systems that do not support it; the wait
 /// then lasts until its timeout.
 /// Threads  any. Blocks: never. Real-time: one system call each
-class Waker {
+class EventFd {
 public:
-    Waker();
-    ~Waker();
-    Waker(const Waker&) = delete;
-    Waker& operator=(const Waker&) = delete;
+    EventFd();
+    ~EventFd();
+    EventFd(const EventFd&) = delete;
+    EventFd& operator=(const EventFd&) = delete;
 
     void wake() const;  ///< Ends the current wait, or the next one.
     /// Resets the object after calls of wake().
@@ -64,20 +64,20 @@ private:
 
 /// Waits until the socket is readable (data, end of stream or error), the waker is triggered, or the time is over.
 /// Returns  true if the socket is readable
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Waker* waker = nullptr);
+bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const EventFd* waker = nullptr);
 
 /// Waits until the socket is writable, the connection has failed, or the time is over.
 /// Returns  true in the first two cases
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
-void close(Descriptor socket);  ///< Closes the descriptor.
+void close(Descriptor socket);
 
-/// The port of this end of a connection; 0 where there is none.
+/// Local port of a connection; 0 if there is none.
 std::uint16_t localPort(Descriptor socket);
-std::uint16_t peerPort(Descriptor socket);  ///< The same of the other end.
+std::uint16_t peerPort(Descriptor socket);  ///< Remote port of a connection; 0 if there is none.
 
-/// A second descriptor of the same connection, so that it can outlive the Qt socket that opened it. Negative
-/// when the system has none left.
+/// A second descriptor of the same connection, which can outlive the Qt socket that opened it. Negative if
+/// the system has no free descriptors.
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

@@ -25,7 +25,7 @@ using native_socket::Descriptor;
 // Written according to the Winsock documentation; not run in this project's CI.
 using Handle = SOCKET;
 constexpr int kRefused = WSAECONNREFUSED;
-constexpr int kUnderWay = WSAEWOULDBLOCK;
+constexpr int kConnectPending = WSAEWOULDBLOCK;
 
 int lastError() {
     return WSAGetLastError();
@@ -51,7 +51,7 @@ int waitWritable(Handle socket, std::chrono::milliseconds atMost) {
 #else
 using Handle = int;
 constexpr int kRefused = ECONNREFUSED;
-constexpr int kUnderWay = EINPROGRESS;
+constexpr int kConnectPending = EINPROGRESS;
 
 int lastError() {
     return errno;
@@ -97,7 +97,7 @@ Error refusal(int error, const QString& context) {
 Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, const QString& context) {
     const Handle socket = ::socket(address.ai_family, address.ai_socktype, address.ai_protocol);
     if (static_cast<Descriptor>(socket) < 0) {
-        return Error{ErrorCode::Internal, context, QStringLiteral("no descriptor left for another socket")};
+        return Error{ErrorCode::Internal, context, QStringLiteral("no file descriptor is left for a socket")};
     }
     const auto descriptor = static_cast<Descriptor>(socket);
     makeNonBlocking(socket);
@@ -106,7 +106,7 @@ Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, 
         return error;
     };
     if (::connect(socket, address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0) {
-        if (lastError() != kUnderWay) {
+        if (lastError() != kConnectPending) {
             return fail(refusal(lastError(), context));
         }
         while (waitWritable(socket, deadline.nextPoll()) <= 0) {
@@ -140,7 +140,8 @@ Result<Descriptor> connectTcp(const QString& host, int port, const Deadline& dea
                                     : QStringLiteral("port %1; ports are 1 to 65535").arg(port)};
     }
     if (!startUp()) {
-        return Error{ErrorCode::Internal, context, QStringLiteral("no sockets on this system")};
+        return Error{ErrorCode::Internal, context,
+                     QStringLiteral("sockets are not available on this system")};
     }
     int failure = 0;
     const AddressList addresses = resolve(name, port, failure);

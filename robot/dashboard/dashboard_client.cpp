@@ -17,7 +17,7 @@ native_socket::Descriptor descriptorOf(const QTcpSocket& socket) {
     return static_cast<native_socket::Descriptor>(socket.socketDescriptor());
 }
 
-// The rest of the sentence depends on the version.
+// The end of the reply depends on the version.
 bool isRemoteRefusal(const QString& reply) {
     return reply.contains(QLatin1String("Remote Control"), Qt::CaseInsensitive) &&
            reply.contains(QLatin1String("not allowed"), Qt::CaseInsensitive);
@@ -232,7 +232,7 @@ Result<void> DashboardClient::addToLog(const Text& text, const Deadline& deadlin
 Result<QString> DashboardClient::command(const Text& line, const Deadline& deadline) {
     const QString context = contextOf(line);
     if (line.contains(QLatin1Char('\n')) || line.contains(QLatin1Char('\r'))) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("a command is one line")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("a command must be a single line")};
     }
     if (!socket_) {
         return Error{ErrorCode::NotConnected, context, {}};
@@ -261,7 +261,7 @@ Result<QString> DashboardClient::command(const Text& line, const Deadline& deadl
 }
 
 Result<QString> DashboardClient::readLine(const Deadline& deadline, const QString& context) {
-    constexpr qsizetype kLongestReply = 65536;
+    constexpr qsizetype kMaxReplyLength = 65536;
     QByteArray line;
     while (true) {
         std::uint8_t byte = 0;
@@ -271,9 +271,9 @@ Result<QString> DashboardClient::readLine(const Deadline& deadline, const QStrin
                 return QString::fromUtf8(line).trimmed();
             }
             line.append(static_cast<char>(byte));
-            if (line.size() > kLongestReply) {
+            if (line.size() > kMaxReplyLength) {
                 close();
-                return Error{ErrorCode::ProtocolError, context, QStringLiteral("a reply without an end")};
+                return Error{ErrorCode::ProtocolError, context, QStringLiteral("the reply has no line end")};
             }
         } else if (got.status != native_socket::Status::WouldBlock) {
             close();

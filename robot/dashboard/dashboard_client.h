@@ -46,7 +46,7 @@ public:
     /// Connects and reads the greeting.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    void close();              ///< Allowed when not connected.
+    void close();              ///< No effect without a connection.
     bool isConnected() const;  ///< State after the last call.
     /// Checks whether the server has closed the connection since the last reply, and closes the socket in this
     /// case.

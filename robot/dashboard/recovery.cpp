@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Between two attempts to connect to a controller that restarts.
+// Pause between two attempts to connect to a controller that restarts.
 constexpr milliseconds kOutagePause{100};
 
 QString context() {
@@ -38,7 +38,7 @@ bool isTooEarly(const RobotApiClient&, const Error& error) {
     return error.controllerMessage.startsWith(QLatin1String("409"));  // "not available now"
 }
 
-/// What happens to connections while a controller restarts.
+/// Whether the error is a connection failure as it occurs while a controller restarts.
 bool isOutage(const Error& error) {
     return error.code == ErrorCode::ConnectionClosed || error.code == ErrorCode::ConnectionRefused ||
            error.code == ErrorCode::HostUnreachable || error.code == ErrorCode::NotConnected ||
@@ -49,7 +49,7 @@ Result<void> connectAgain(DashboardClient& client, const Deadline& deadline) {
     return client.isConnected() ? Result<void>() : client.connect(deadline);
 }
 Result<void> connectAgain(RobotApiClient&, const Deadline&) {
-    return {};  // each request has a connection of its own
+    return {};  // each request uses a separate connection
 }
 
 void closePopup(DashboardClient& client, const Deadline& deadline) {
@@ -90,13 +90,14 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
     report(RecoveryStep::Look);
     RecoveryStep last = RecoveryStep::Look;
     Error outage;
-    // Nothing: the next look shows what the error meant.
+    // Returns nothing for an outage: the modes read next show its effect.
     const auto endsWith = [&](const Error& error) -> std::optional<Error> {
         if (!isOutage(error)) {
             return error;
         }
         outage = error;
-        // What was begun before a restart has to begin again, except for an unlock: consent is for one.
+        // Steps started before a restart have to be repeated, except for an unlock: a consent is valid for
+        // one unlock.
         last = last == RecoveryStep::Unlock ? last : RecoveryStep::Look;
         pause(deadline, kOutagePause);
         return std::nullopt;
@@ -114,7 +115,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
         const RecoveryStep next = nextRecoveryStep(*safety, *mode);
         if (next == RecoveryStep::AskPerson) {
             return Error{ErrorCode::Rejected, context(),
-                         QStringLiteral("%1: it takes a person at the robot to end this")
+                         QStringLiteral("%1: only a person at the robot can end this state")
                              .arg(safetyModeName(*safety))};
         }
         if (next == RecoveryStep::Done) {
@@ -127,7 +128,8 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             switch (next) {
                 case RecoveryStep::Unlock:
                     if (!consent.causeInspected) {
-                        return missing("protective stop: it is only unlocked once its cause was inspected");
+                        return missing(
+                            "protective stop: it is unlocked only after its cause has been inspected");
                     }
                     report(RecoveryStep::CloseSafetyPopup);
                     closePopup(client, deadline);
@@ -143,14 +145,14 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
-                        return missing("the arm is off; to power it on needs your consent");
+                        return missing("the arm is off; powering it on needs your consent");
                     }
                     report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
-                        return missing("the brakes are on; to release them needs your consent");
+                        return missing("the brakes are on; releasing them needs your consent");
                     }
                     report(next);
                     done = client.brakeRelease(deadline);
@@ -167,8 +169,8 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
         pause(deadline, milliseconds(50));
     }
     return overdue(deadline, outage.code == ErrorCode::None
-                                 ? QStringLiteral("the robot has not come to RUNNING")
-                                 : QStringLiteral("the robot has not come to RUNNING; ") + outage.toString());
+                                 ? QStringLiteral("the robot did not reach RUNNING")
+                                 : QStringLiteral("the robot did not reach RUNNING; ") + outage.toString());
 }
 
 }  // namespace
@@ -219,7 +221,7 @@ Result<void> recover(const ServiceAddress& address, const RecoveryConsent& conse
         RobotApiClient client(address.host, address.robotApiPort);
         return recover(client, consent, deadline, progress);
     }
-    service->reset();  // the dashboard server is asked through one connection
+    service->reset();  // use only one connection to the dashboard server
     DashboardClient client(address.host, address.dashboardPort);
     return recover(client, consent, deadline, progress);
 }

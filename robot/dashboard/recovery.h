@@ -26,7 +26,7 @@ struct RecoveryConsent {
 };
 
 enum class RecoveryStep {
-    Look,              ///< also: wait until the modes change
+    Look,              ///< reads the modes; also repeated until they change
     CloseSafetyPopup,  ///< once, before an unlock
     WaitForUnlock,     ///< the controller refuses for kUnlockAfter
     Unlock,            ///< unlock a protective stop
@@ -49,19 +49,19 @@ RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode);
 /// Called in the thread of recover() before each step.
 using RecoveryProgress = std::function<void(RecoveryStep)>;
 
-/// Leads the robot to RUNNING in NORMAL or REDUCED. A controller that restarts meanwhile is waited for: connections that it
-/// ends or refuses are made again until the deadline.
-/// Errors   as DashboardClient; Rejected with what is missing when a step needs a consent that was not given,
-///          or a person at the robot (emergency stop pressed, safeguard open): nothing was done then beyond
-///          the steps told
+/// Brings the robot to RUNNING with safety mode NORMAL or REDUCED. If the controller restarts meanwhile, the
+/// function reconnects until the deadline.
+/// Errors   as DashboardClient; Rejected, with the missing condition, if a step needs a consent that was not
+///          given or an action of a person at the robot (emergency stop pressed, safeguard open). Only the
+///          reported steps have been performed in this case
 /// Threads  the one that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
-/// The same for PolyScope X.
+/// As above, for PolyScope X.
 Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 
-/// The same by the dashboard, or, where there is none, by the Robot API.
+/// As above, through the dashboard or, if there is none, through the Robot API.
 Result<void> recover(const ServiceAddress& address, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 

@@ -13,8 +13,8 @@ namespace tiller::dashboard {
 
 namespace {
 
-constexpr qsizetype kMostBytes = 4 * 1024 * 1024;
-constexpr int kMostRedirects = 3;
+constexpr qsizetype kMaxBytes = 4 * 1024 * 1024;
+constexpr int kMaxRedirects = 3;
 const QByteArray kBase = "/universal-robots/robot-api";
 
 struct Reply {
@@ -41,7 +41,7 @@ std::optional<QByteArray> unchunked(const QByteArray& chunks) {
         bool good = end >= 0;
         const qsizetype size =
             good ? chunks.mid(at, end - at).split(';').first().trimmed().toLongLong(&good, 16) : 0;
-        if (!good || size < 0 || size > kMostBytes || end + 2 + size > chunks.size()) {
+        if (!good || size < 0 || size > kMaxBytes || end + 2 + size > chunks.size()) {
             return {};
         }
         if (size == 0) {
@@ -97,7 +97,7 @@ Result<Reply> exchange(const QString& host, int port, const QByteArray& message,
         if (auto reply = parsed(bytes, over)) {
             return *reply;
         }
-        if (over || bytes.size() > kMostBytes) {
+        if (over || bytes.size() > kMaxBytes) {
             return Error{bytes.isEmpty() ? ErrorCode::ConnectionClosed : ErrorCode::ProtocolError, context,
                          QString::fromLatin1(bytes.left(80))};
         }
@@ -118,7 +118,7 @@ Result<QJsonObject> RobotApiClient::request(const QByteArray& method, const QStr
         body.isEmpty() ? QByteArray() : QJsonDocument(body).toJson(QJsonDocument::Compact);
     QByteArray target = kBase + QUrl(path).toEncoded();
     Reply reply;
-    for (int redirects = 0; redirects <= kMostRedirects; ++redirects) {
+    for (int redirects = 0; redirects <= kMaxRedirects; ++redirects) {
         QByteArray message = method + ' ' + target + " HTTP/1.1\r\nHost: " + host_.trimmed().toLatin1() +
                              "\r\nAccept: application/json\r\nConnection: close\r\n";
         if (!content.isEmpty()) {
@@ -161,7 +161,7 @@ Result<QString> RobotApiClient::apiVersion(const Deadline& deadline) const {
     const QString version = (*description)["info"].toObject()["version"].toString();
     if (version.isEmpty()) {
         return Error{ErrorCode::ProtocolError, QStringLiteral("GET %1 at %2:%3").arg(path, host_).arg(port_),
-                     QStringLiteral("the reply describes no Robot API")};
+                     QStringLiteral("the reply does not describe a Robot API")};
     }
     return version;
 }
@@ -196,7 +196,7 @@ Result<QString> RobotApiClient::modeAt(const QString& path, const Deadline& dead
     const QString mode = (*reply)["mode"].toString();
     if (mode.isEmpty()) {
         return Error{ErrorCode::ProtocolError, QStringLiteral("GET %1 at %2:%3").arg(path, host_).arg(port_),
-                     QStringLiteral("the reply names no mode")};
+                     QStringLiteral("the reply contains no mode")};
     }
     return mode;
 }

@@ -20,13 +20,13 @@ using simulator::arm::Payload;
 
 constexpr double kPeriod = 0.002;     // control period [s]
 constexpr double kPeriodCb3 = 0.008;  // [s]
-constexpr double kLongestStep = 0.1;  // [s] between two rows; the motion during a longer gap is unknown
+constexpr double kMaxRowStep = 0.1;   // [s] between two rows; the motion during a longer gap is unknown
 constexpr int kSettling = 10;         // control periods without comparison after the model was initialized
 constexpr double kGravity = 9.82;     // m/s2
-constexpr double kMostJoint = 100;    // rad: larger values mean a damaged file
-constexpr double kMostMass = 1000;    // kg
+constexpr double kMaxJoint = 100;     // rad: larger values mean a damaged file
+constexpr double kMaxMassKg = 1000;   // kg
 constexpr std::uint64_t kRowsAtOnce = 4096;
-constexpr double kTeachButton = 4;  // of robot_status_bits
+constexpr double kTeachButton = 4;  // bit of robot_status_bits
 
 const Quantity kQuantities[kQuantityCount] = {Quantity::JointPosition, Quantity::TcpPosition,
                                               Quantity::JointCurrent, Quantity::TcpForce};
@@ -123,7 +123,7 @@ private:
 };
 
 bool isPlausible(const Vector6& q) {
-    return q.allFinite() && q.cwiseAbs().maxCoeff() < kMostJoint;
+    return q.allFinite() && q.cwiseAbs().maxCoeff() < kMaxJoint;
 }
 
 /// Empty if the payload is missing or implausible.
@@ -135,8 +135,8 @@ std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
         const Vector6 inertia = rows.vector<6>(rows.inertia, row);
         payload.inertia = inertia.allFinite() ? inertia : Vector6::Zero();
     }
-    const bool sane = payload.mass >= 0 && payload.mass < kMostMass && payload.centreOfGravity.allFinite() &&
-                      payload.centreOfGravity.norm() < kMostMass;
+    const bool sane = payload.mass >= 0 && payload.mass < kMaxMassKg && payload.centreOfGravity.allFinite() &&
+                      payload.centreOfGravity.norm() < kMaxMassKg;
     return sane ? std::optional(payload) : std::nullopt;
 }
 
@@ -251,7 +251,7 @@ public:
             leaveOut();
             return;
         }
-        if (!last_ || !(time - last_->time <= kLongestStep)) {
+        if (!last_ || !(time - last_->time <= kMaxRowStep)) {
             arm_.place(q);
             settling_ = kSettling;
             last_.reset();
@@ -411,7 +411,7 @@ private:
 };
 
 Error refuse(const recording::Recording& recording, ErrorCode code, const QString& why) {
-    return {code, QStringLiteral("compare %1 with the model of its arm").arg(recording.path()), why};
+    return {code, QStringLiteral("compare %1 with the arm model").arg(recording.path()), why};
 }
 
 Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice& choice) {
@@ -423,11 +423,10 @@ Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice
     if (const auto model = robotModelByName(said)) {
         return *model;
     }
-    return refuse(
-        recording, ErrorCode::InvalidArgument,
-        said.isEmpty()
-            ? QStringLiteral("the recording does not say which arm it is of: choose the model")
-            : QStringLiteral("no model of an arm \"%1\" is known: choose one that is like it").arg(said));
+    return refuse(recording, ErrorCode::InvalidArgument,
+                  said.isEmpty()
+                      ? QStringLiteral("the recording does not state the robot model: select it")
+                      : QStringLiteral("unknown robot model \"%1\": select a similar one").arg(said));
 }
 
 }  // namespace
@@ -461,7 +460,7 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
                                choice.limits.force, choice.limits.lasting}) {
         if (!std::isfinite(limit) || limit < 0) {
             return refuse(recording, ErrorCode::InvalidArgument,
-                          QStringLiteral("a limit has to be a number of 0 or more"));
+                          QStringLiteral("a limit must be a number of 0 or more"));
         }
     }
     Rows rows(recording);
@@ -478,11 +477,11 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
     if (!model) {
         return model.error();
     }
-    if (recording.period() > kLongestStep) {
+    if (recording.period() > kMaxRowStep) {
         return refuse(
             recording, ErrorCode::InvalidArgument,
-            QStringLiteral("its rows are %1 s apart, and how the arm moved between them is not known: "
-                           "record every packet")
+            QStringLiteral(
+                "its rows are %1 s apart, so the motion between them is not known: record every packet")
                 .arg(recording.period()));
     }
     recording::ExportChoice part;

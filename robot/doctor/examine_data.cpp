@@ -23,7 +23,7 @@ constexpr int kListenMs = 6000;
 /// Duration of the data rate measurement in controller time [s].
 constexpr double kLookSeconds = 0.5;
 /// With a smaller share of the expected packages, the data rate is not sufficient for control.
-constexpr double kLeastShare = 0.9;
+constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 5;
 constexpr int kDoubleRegisters = 12;
@@ -41,7 +41,7 @@ std::vector<std::string> registersFrom(int first) {
 
 /// Whether there is any response to the first RTDE request: the text of another protocol looks like the start of a
 /// package that never ends.
-bool saysAnything(const QString& host, int port, const Deadline& deadline) {
+bool respondsWithData(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
         return false;
@@ -123,14 +123,14 @@ void examineRegisters(Examiner& examiner) {
         const ErrorCode code = opened.error().code;
         const bool mute =
             code == ErrorCode::Timeout &&
-            !saysAnything(examiner.address, examiner.patient.ports.rtde, examiner.within(kProbeMs));
+            !respondsWithData(examiner.address, examiner.patient.ports.rtde, examiner.within(kProbeMs));
         examiner.found(
             Condition::Protocol, Verdict::Bad,
             mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
             mute
                 ? DoctorText::tr("the RTDE port accepts connections but does not answer")
                 : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr("Too many RTDE clients, or the controller hangs: close other programs, "
+            mute ? DoctorText::tr("Too many RTDE clients, or the controller has hung: close other programs, "
                                   "then restart the controller.")
                  : DoctorText::tr(
                        "Check the address: this is another device, or another program uses the port."));
@@ -156,7 +156,7 @@ void examineRegisters(Examiner& examiner) {
     } else if (!recipes[0].isValid()) {
         examiner.found(Condition::UpperRegisters, Verdict::Attention,
                        QStringLiteral("registers.upper.absent"),
-                       DoctorText::tr("this software has no registers 24 to 47"),
+                       DoctorText::tr("this software version has no registers 24 to 47"),
                        DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
     } else {
         examiner.good(Condition::UpperRegisters, DoctorText::tr("registers 24 to 47 are free"));
@@ -209,7 +209,7 @@ void examineData(Examiner& examiner) {
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
         DoctorText::tr("%1 of %2 packets per second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
-    if (rate < kLeastShare * wanted) {
+    if (rate < kMinShare * wanted) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
                        DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
                                       "other programs that load the robot or this PC."));
@@ -226,11 +226,10 @@ void examineData(Examiner& examiner) {
     // Only relevant with the priority privilege, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency,
-                      DoctorText::tr("permitted, and requested by real-time loops"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("CPUs may enter deep sleep states, which delays loops"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

@@ -96,7 +96,7 @@ void examinePorts(Examiner& examiner) {
     if (open == 0 && refused == static_cast<int>(doors.size())) {
         examiner.found(
             Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-            DoctorText::tr("%1 answers, but offers none of a robot's services").arg(examiner.address),
+            DoctorText::tr("%1 answers, but provides no robot services").arg(examiner.address),
             DoctorText::tr("Check that this is the address of the robot. A robot that has just been switched "
                            "on needs another minute."));
         return;

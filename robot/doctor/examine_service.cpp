@@ -29,7 +29,7 @@ void examineDashboard(Examiner& examiner) {
         connected ? client.polyscopeVersion(deadline) : Result<SoftwareVersion>(connected.error());
     if (!version) {
         const bool mute = version.error().code == ErrorCode::Timeout;
-        // The port was open: the condition now depends on the service behind it.
+        // The port is open, so the condition now depends on the service on this port.
         examiner.forget(Condition::ServicePort);
         examiner.found(
             Condition::ServicePort, Verdict::Bad,

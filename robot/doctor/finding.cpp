@@ -27,11 +27,11 @@ constexpr std::array<Row, kConditionCount> kRows = {{
     {"remote", QT_TRANSLATE_NOOP("Doctor", "Remote control")},
     {"safety", QT_TRANSLATE_NOOP("Doctor", "Safety")},
     {"power", QT_TRANSLATE_NOOP("Doctor", "Power and brakes")},
-    {"registers.upper", QT_TRANSLATE_NOOP("Doctor", "Registers for control free")},
+    {"registers.upper", QT_TRANSLATE_NOOP("Doctor", "Control registers free")},
     {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "No fieldbus uses registers")},
     {"rate", QT_TRANSLATE_NOOP("Doctor", "Data rate")},
     {"privilege", QT_TRANSLATE_NOOP("Doctor", "Real-time priority on this PC")},
-    {"latency", QT_TRANSLATE_NOOP("Doctor", "Timer wake-ups of this PC")},
+    {"latency", QT_TRANSLATE_NOOP("Doctor", "Timer wake-ups on this PC")},
     {"payload", QT_TRANSLATE_NOOP("Doctor", "TCP and payload")},
 }};
 

@@ -31,7 +31,7 @@ struct InputRegisters::Private {
             return wrong == numbers.end()
                        ? Result<void>()
                        : Error{ErrorCode::InvalidArgument, QStringLiteral("claim input registers"),
-                               QStringLiteral("%1: there is no %2, the numbers are %3 to %4")
+                               QStringLiteral("%1: %2 does not exist; valid numbers are %3 to %4")
                                    .arg(QLatin1String(name))
                                    .arg(*wrong)
                                    .arg(first)
@@ -79,7 +79,7 @@ struct InputRegisters::Private {
         const auto at = std::find(names.begin(), names.end(), name);
         if (at == names.end()) {
             return Error{ErrorCode::InvalidArgument, what,
-                         QStringLiteral("number: this register was not asked for in the options")};
+                         QStringLiteral("number: this register was not requested in the options")};
         }
         const auto recipe = static_cast<std::size_t>(at - names.begin());
         const std::lock_guard lock(mutex);
@@ -97,7 +97,7 @@ struct InputRegisters::Private {
             case rtde::Connection::Send::Sent:
                 return {};
             case rtde::Connection::Send::Busy:
-                return Error{ErrorCode::LinkLost, what, QStringLiteral("the robot does not read")};
+                return Error{ErrorCode::LinkLost, what, QStringLiteral("the robot does not read its inputs")};
             case rtde::Connection::Send::Failed:
                 break;
         }

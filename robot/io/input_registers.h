@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets general purpose input registers (integers, doubles and bits) that a program on the robot can read, through
-// an own RTDE connection. Each register is requested separately, so that a register used by another client does not
-// affect the others.
+// Sets general purpose input registers (integers, doubles and bits) that a program on the robot can read,
+// through a separate RTDE connection. Each register is requested separately, so that a register used by
+// another client does not affect the others.
 
 #include <QString>
 #include <functional>

@@ -85,10 +85,10 @@ bool isLevel(double reported, AnalogDomain domain, double level) {
         return std::abs(reported / kVolts - level) < kTolerance;
     }
     constexpr double kSurelyMilliamperes = 1.0;
-    constexpr double kLeast = 4.0;   // [mA]
-    constexpr double kRange = 16.0;  // [mA]
+    constexpr double kMinValue = 4.0;  // [mA]
+    constexpr double kRange = 16.0;    // [mA]
     const double milliamperes = reported > kSurelyMilliamperes ? reported : reported * 1000.0;
-    return std::abs((milliamperes - kLeast) / kRange - level) < kTolerance;
+    return std::abs((milliamperes - kMinValue) / kRange - level) < kTolerance;
 }
 
 Error invalid(const QString& what) {
@@ -198,7 +198,7 @@ struct Outputs::Link {
                 return {};
             case rtde::Connection::Send::Busy:
                 return Error{ErrorCode::LinkLost, connection->peer(),
-                             QStringLiteral("the robot does not read")};
+                             QStringLiteral("the robot does not read its inputs")};
             case rtde::Connection::Send::Failed:
                 break;
         }
@@ -207,20 +207,21 @@ struct Outputs::Link {
         return error;
     }
 
-    /// Whether the robot's report of it is followed.
+    /// Whether the receiver receives the fields that confirm the command.
     Result<void> confirmable(const QString& what, const ReportFields& fields) const {
         for (const char* field : fields) {
             if (field != nullptr &&
                 std::find(feedback.absent.begin(), feedback.absent.end(), field) != feedback.absent.end()) {
                 return Error{ErrorCode::FieldUnknown, what,
-                             QStringLiteral("the receiver does not follow %1, which confirms it")
+                             QStringLiteral("the receiver does not receive %1, which confirms the command")
                                  .arg(QLatin1String(field))};
             }
         }
         return {};
     }
 
-    /// Just before something is sent: only what comes later confirms it, or ends the wait for it.
+    /// The state just before sending: only later reports confirm the command, and only later disconnects end
+    /// the wait.
     struct Moment {
         std::uint64_t sequence = 0;
         std::uint64_t disconnects = 0;
@@ -324,8 +325,9 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
 
 Result<void> Outputs::setDigitalOutput(int output, bool on, const Deadline& deadline) {
     if (output < 0 || output >= kDigitalOutputs) {
-        return invalid(
-            QStringLiteral("digital output %1; they are 0 to %2").arg(output).arg(kDigitalOutputs - 1));
+        return invalid(QStringLiteral("digital output %1 does not exist; use 0 to %2")
+                           .arg(output)
+                           .arg(kDigitalOutputs - 1));
     }
     const std::uint32_t bit = 1U << output;
     return setDigitalOutputs(bit, on ? bit : 0, deadline);
@@ -334,8 +336,8 @@ Result<void> Outputs::setDigitalOutput(int output, bool on, const Deadline& dead
 Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) {
     if (!std::isfinite(fraction) || fraction > 1.0 || fraction < kLowestSpeedFraction) {
         return invalid(
-            QStringLiteral("speed slider %1; it goes from %2 to 1, and to hold still is a stop or a "
-                           "pause")
+            QStringLiteral(
+                "speed slider %1; the range is %2 to 1. To hold the arm, stop or pause the program")
                 .arg(fraction)
                 .arg(kLowestSpeedFraction));
     }
@@ -363,10 +365,10 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
 Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double level,
                                       const Deadline& deadline) {
     if (output < 0 || output >= kAnalogOutputs) {
-        return invalid(QStringLiteral("analog output %1; they are 0 and 1").arg(output));
+        return invalid(QStringLiteral("analog output %1 does not exist; use 0 or 1").arg(output));
     }
     if (!std::isfinite(level) || level < 0 || level > 1) {
-        return invalid(QStringLiteral("analog level %1; it goes from 0 to 1").arg(level));
+        return invalid(QStringLiteral("analog level %1; the range is 0 to 1").arg(level));
     }
     const auto which = static_cast<std::size_t>(output);
     const unsigned bit = 1U << which;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets digital and analog outputs and the speed slider through an own RTDE connection, with or without a running
-// program. Masks leave all other outputs unchanged. A command completes when the robot reports the new value.
-// Inputs used by other clients are unavailable; all others remain usable.
+// Sets digital and analog outputs and the speed slider through a separate RTDE connection, with or without a
+// running program. Masks leave all other outputs unchanged. A command completes when the robot reports the
+// new value. Inputs used by other clients are unavailable; all others remain usable.
 
 #include <QString>
 #include <array>
@@ -47,11 +47,12 @@ struct Report {
 struct OutputFeedback {
     /// Returns the newest report. Called from the thread that waits for a confirmation.
     std::function<Report()> newest;
-    /// RTDE names of what it never reports: commands that these would confirm are refused.
+    /// RTDE names of fields that are never reported: commands that need them for confirmation are refused.
     std::vector<std::string> absent = {};
 
-    /// From the newest sample of a receiver, which must outlive the Outputs. It has to follow actual_digital_output_bits,
-    /// target_speed_fraction, analog_io_types, standard_analog_output0 and standard_analog_output1, as far as these are set.
+    /// From the newest sample of a receiver, which must outlive the Outputs. The receiver has to subscribe to
+    /// the fields that confirm the commands used: actual_digital_output_bits, target_speed_fraction,
+    /// analog_io_types, standard_analog_output0 and standard_analog_output1.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 
@@ -80,11 +81,11 @@ public:
     /// True if the connection was open when it was last used. Blocks: never
     bool isConnected() const;
 
-    /// Sets the outputs whose bit is set in `mask` to their bit in `values`, others stay.
-    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (who asks reads which inputs are
-    ///         owned by another client), FieldUnknown (this robot has no such input, or the receiver does not follow the
-    ///         field that confirms it: nothing was sent), LinkLost, Timeout
-    ///         (sent, but the robot does not report it), Cancelled
+    /// Sets the outputs selected by `mask` to the bits of `values`; other outputs are unchanged.
+    /// Errors  NotConnected, InvalidArgument (no such output), RegisterInUse (another client uses the inputs
+    ///         of this group), FieldUnknown (the robot does not have the input, or the receiver does not
+    ///         receive the field that confirms it: nothing was sent), LinkLost, Timeout (sent, but the robot
+    ///         does not report it), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
     /// Sets a single output. Errors and blocking as setDigitalOutputs().

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 using Status = native_socket::Status;
 
 /// Longer than any valid reply [bytes]; a longer line does not come from a gripper.
-constexpr std::size_t kLongestReply = 1024;
+constexpr std::size_t kMaxReplyLength = 1024;
 constexpr std::size_t kQuoted = 80;  // quoted length of an invalid reply [bytes]
 /// Interval between two requests of a wait.
 constexpr milliseconds kAskEvery(10);
@@ -121,7 +121,7 @@ struct RobotiqClient::Link {
                 return std::move(*reply);
             }
             // Check in every iteration, because a peer that sends continuously never leaves the loop otherwise.
-            if (received.size() > kLongestReply) {
+            if (received.size() > kMaxReplyLength) {
                 const QString begin = QString::fromStdString(received.substr(0, kQuoted));
                 Error error = broken(ErrorCode::ProtocolError, line);
                 error.controllerMessage = begin;
@@ -265,7 +265,7 @@ Result<void> RobotiqClient::move(int position, int speed, int force, const Deadl
     for (const auto& [name, value] : values) {
         if (!isByte(value)) {
             return Error{ErrorCode::InvalidArgument,
-                         QStringLiteral("gripper: %1 %2; it goes from 0 to 255")
+                         QStringLiteral("gripper: %1 %2; the range is 0 to 255")
                              .arg(QString::fromStdString(name))
                              .arg(value),
                          {}};

@@ -76,7 +76,7 @@ public:
 
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused (no URCap), Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    void close();              ///< Allowed without a connection.
+    void close();              ///< No effect without a connection.
     bool isConnected() const;  ///< State after the last call.
 
     /// Reads a variable; empty if the URCap has no value: the gripper has no power, or the variable does not exist.

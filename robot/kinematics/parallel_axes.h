@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Kinematic parameters of a calibrated arm with the frames at its links.
+// Kinematic parameters of a calibrated arm, with the frames placed at its links.
 //
-// The axes of shoulder, elbow and wrist 1 are parallel except for some thousandths of a radian. Denavit-Hartenberg
-// frames are placed where two axes are nearest to each other, which for such axes may be hundreds of metres away:
-// one robot reports d = 439 m, -446 m and 7 m, and an upper arm of 19 mm. The flange pose is correct, but no frame
-// is at the elbow and no parameter is the length of a link.
-// Source: S. Hayati, "Robot arm geometric link parameter estimation", 1983; the parameters of a real arm in the
-// documentation of ur_calibration, Universal Robots ROS 2 driver.
+// The axes of shoulder, elbow and wrist 1 are parallel except for some thousandths of a radian.
+// Denavit-Hartenberg frames are placed where two axes are nearest to each other, which for such axes may be
+// hundreds of metres away: one robot reports d = 439 m, -446 m and 7 m, and an upper arm of 19 mm. The flange
+// pose is correct, but no frame is at the elbow and no parameter is the length of a link.
+// Source: S. Hayati, "Robot arm geometric link parameter estimation", 1983; the parameters of a real arm in
+// the documentation of ur_calibration, Universal Robots ROS 2 driver.
 
 #include "robot/core/robot_model.h"
 

@@ -45,10 +45,10 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
     }
     result.spread = Eigen::JacobiSVD<Eigen::MatrixXd>(centred).singularValues()[2] /
                     std::sqrt(static_cast<double>(count));
-    if (count < kLeastPayloadPoses) {
+    if (count < kMinPayloadPoses) {
         return result;
     }
-    if (result.spread < kLeastPayloadSpread) {
+    if (result.spread < kMinPayloadSpread) {
         result.problem = PayloadEstimate::Problem::TooAlike;
         return result;
     }
@@ -56,7 +56,7 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
     const Eigen::Vector3d weight = byForce.head<3>();
     result.zero.force = byForce.tail<3>();
     result.mass = weight.norm() / gravity;
-    if (result.mass < kLeastPayloadMass) {
+    if (result.mass < kMinPayloadMass) {
         result.problem = PayloadEstimate::Problem::NoWeight;
         return result;
     }

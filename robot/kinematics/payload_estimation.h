@@ -17,19 +17,18 @@ inline constexpr double kStandardGravity = 9.82;  ///< value used by the control
 struct PayloadReading {
     Eigen::Matrix3d R_base_flange = Eigen::Matrix3d::Identity();
     Wrench
-        /// force and torque about the flange, in the flange frame; consistently zeroed or not zeroed in all
-        /// readings
+        /// force and torque about the flange, in the flange frame; either all readings are zeroed or none is
         felt;
 };
 
-inline constexpr int kLeastPayloadPoses = 4;
-/// Minimum share of rotation about a second axis, see kLeastTipSpread.
-inline constexpr double kLeastPayloadSpread = 0.15;
+inline constexpr int kMinPayloadPoses = 4;
+/// Minimum share of rotation about a second axis, see kMinTipSpread.
+inline constexpr double kMinPayloadSpread = 0.15;
 
 struct PayloadEstimate {
     enum class Problem {
         None,
-        TooFew,     ///< fewer than kLeastPayloadPoses
+        TooFew,     ///< fewer than kMinPayloadPoses
         NotFinite,  ///< the robot does not send forces
         TooAlike,   ///< the flange was rotated too little, or about one axis only
         NoWeight,   ///< too light for the sensor; the mass is valid, the centre of gravity is not
@@ -42,7 +41,7 @@ struct PayloadEstimate {
     double forceResidual = 0;                          ///< rms over the poses [N]
     double torqueResidual = 0;                         ///< rms over the poses [Nm]
     int worst = 0;                                     ///< index of the pose with the largest residual
-    double spread = 0;                                 ///< see kLeastPayloadSpread
+    double spread = 0;                                 ///< see kMinPayloadSpread
 
     bool ok() const {
         return problem == Problem::None;
@@ -50,7 +49,7 @@ struct PayloadEstimate {
 };
 
 /// Below this mass the centre of gravity is dominated by noise [kg].
-inline constexpr double kLeastPayloadMass = 0.1;
+inline constexpr double kMinPayloadMass = 0.1;
 
 /// Threads  any. Real-time: no (allocates)
 PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double gravity = kStandardGravity);

@@ -17,7 +17,7 @@ Eigen::Vector3d elbowPosition(const DhParameters& dh, const JointPositions& q) {
     return linkFrames(dh, q)[2].translation();
 }
 
-/// Velocity of a point that the first `joints` joints carry.
+/// Velocity of a point that is moved by the first `joints` joints.
 Eigen::Vector3d velocityOf(const Eigen::Vector3d& point, const std::array<Eigen::Isometry3d, 7>& frames,
                            int joints, const Vector6& qd) {
     Eigen::Vector3d v = Eigen::Vector3d::Zero();

@@ -41,10 +41,10 @@ TipFit fitTip(std::span<const Eigen::Isometry3d> T_base_flange) {
     }
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turns, Eigen::ComputeThinU | Eigen::ComputeThinV);
     fit.spread = svd.singularValues()[2] / std::sqrt(static_cast<double>(count));
-    if (count < kLeastTipPoses) {
+    if (count < kMinTipPoses) {
         return fit;
     }
-    if (fit.spread < kLeastTipSpread) {
+    if (fit.spread < kMinTipSpread) {
         fit.problem = TipFit::Problem::TooAlike;
         return fit;
     }
@@ -84,11 +84,11 @@ ToolRotationFit fitToolRotation(const std::array<Eigen::Isometry3d, 3>& T_base_f
     const Eigen::Vector3d z =
         fit.alongZ > 0 ? Eigen::Vector3d(toSecond / fit.alongZ) : Eigen::Vector3d::Zero();
     fit.offLine = z.cross(toThird).norm();
-    fit.problem = fit.residual > kMostAxisTurn     ? Problem::Turned
-                  : fit.alongZ < kLeastAxisWay     ? Problem::ZTooClose
-                  : fit.towardsX < kLeastAxisWay   ? Problem::XTooClose
-                  : fit.offLine < kLeastAxisOffset ? Problem::InLine
-                                                   : Problem::None;
+    fit.problem = fit.residual > kMaxAxisTurn     ? Problem::Turned
+                  : fit.alongZ < kMinAxisTravel   ? Problem::ZTooClose
+                  : fit.towardsX < kMinAxisTravel ? Problem::XTooClose
+                  : fit.offLine < kMinAxisOffset  ? Problem::InLine
+                                                  : Problem::None;
     if (fit.ok()) {
         const Eigen::Vector3d y = z.cross(toThird).normalized();
         Eigen::Matrix3d R_base_tool;

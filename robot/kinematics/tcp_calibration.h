@@ -12,16 +12,16 @@
 
 namespace tiller::kinematics {
 
-inline constexpr int kLeastTipPoses = 4;
+inline constexpr int kMinTipPoses = 4;
 /// Minimum rotation of the flange about its second rotation axis between the poses, as a share of the optimum (0
 /// ... 1). Below this value, an error of 1 mm at the point causes an error of many millimetres at the tip.
-inline constexpr double kLeastTipSpread = 0.10;
+inline constexpr double kMinTipSpread = 0.10;
 
 /// The tip and the consistency of the poses.
 struct TipFit {
     enum class Problem {
         None,
-        TooFew,     ///< fewer than kLeastTipPoses
+        TooFew,     ///< fewer than kMinTipPoses
         NotFinite,  ///< a pose is not finite
         TooAlike,   ///< the flange was rotated too little, or about one axis only
     };
@@ -31,7 +31,7 @@ struct TipFit {
     std::vector<double> residuals;  ///< distance of the tip from the point for each pose [m]
     double rms = 0;                 ///< of the residuals [m]
     int worst = 0;                  ///< index of the pose with the largest residual
-    double spread = 0;              ///< see kLeastTipSpread
+    double spread = 0;              ///< see kMinTipSpread
 
     bool ok() const { return problem == Problem::None; }  ///< True if the tip was determined.
 };
@@ -48,19 +48,19 @@ Eigen::Matrix3d toolRotation(const Eigen::Matrix3d& R_base_flange, const Eigen::
 
 /// Minimum distance of the second and third pose of fitToolRotation() from the first, and of the third from the
 /// line through the first two [m].
-inline constexpr double kLeastAxisWay = 0.020;
-inline constexpr double kLeastAxisOffset = 0.010;
+inline constexpr double kMinAxisTravel = 0.020;
+inline constexpr double kMinAxisOffset = 0.010;
 /// Maximum rotation of the flange between the three poses [rad].
-inline constexpr double kMostAxisTurn = 0.0175;
+inline constexpr double kMaxAxisTurn = 0.0175;
 
 struct ToolRotationFit {
     enum class Problem {
         None,
         NotFinite,
-        Turned,  ///< the flange rotated by more than kMostAxisTurn
+        Turned,  ///< the flange rotated by more than kMaxAxisTurn
         ZTooClose,
         XTooClose,
-        InLine,  ///< the third pose is closer than kLeastAxisOffset to the line through the first two
+        InLine,  ///< the third pose is closer than kMinAxisOffset to the line through the first two
     };
     Problem problem = Problem::NotFinite;
     Eigen::Matrix3d R_flange_tool = Eigen::Matrix3d::Identity();

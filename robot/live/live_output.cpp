@@ -82,7 +82,7 @@ struct LiveOutput::Worker {
         if (!options.udpAddress.isEmpty()) {
             if (!udpHost.setAddress(options.udpAddress)) {
                 return Error{ErrorCode::AddressInvalid, QStringLiteral("send to %1").arg(options.udpAddress),
-                             QStringLiteral("that is not an address, such as 127.0.0.1")};
+                             QStringLiteral("this is not an IP address, such as 127.0.0.1")};
             }
             udp = std::make_unique<QUdpSocket>();
         }
@@ -187,8 +187,8 @@ Result<void> LiveOutput::start(const LiveOptions& options, const receive::Receiv
     next->layout = receiver.layout();
     for (const std::string& field : options.fields) {
         if (next->layout->find(field) == nullptr) {
-            return Error{ErrorCode::FieldUnknown, QStringLiteral("send on what the robot sends"),
-                         QStringLiteral("the receiver does not follow \"%1\"").arg(Text(field))};
+            return Error{ErrorCode::FieldUnknown, QStringLiteral("forward the data of the robot"),
+                         QStringLiteral("the receiver does not receive \"%1\"").arg(Text(field))};
         }
     }
     if (options.fields.empty()) {

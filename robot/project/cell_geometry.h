@@ -14,7 +14,7 @@
 
 namespace tiller::project {
 
-inline constexpr double kLeastBoxEdge = 0.0001;          ///< [m]
+inline constexpr double kMinBoxEdge = 0.0001;            ///< [m]
 inline constexpr double kDefaultSafetyDistance = 0.010;  ///< [m]
 inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 

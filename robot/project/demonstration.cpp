@@ -13,8 +13,8 @@ namespace {
 
 /// Half width of the smoothing window [s]: hand tremor has a frequency of about 10 Hz.
 constexpr double kSmoothedOver = 0.05;
-/// Variation of the joints at standstill [rad].
-constexpr double kStands = 0.0005;
+/// Maximum joint movement that counts as standstill [rad].
+constexpr double kStandstillTolerance = 0.0005;
 /// Fraction of the tolerance available for smoothing.
 constexpr double kSmoothingShare = 0.5;
 
@@ -34,15 +34,15 @@ public:
         return {(a.values - b.values).cwiseAbs().maxCoeff(), (tcp(a) - tcp(b)).norm()};
     }
     /// Distance of a position from the straight line between two others, in joint space.
-    Offset fromWay(const JointPositions& place, const JointPositions& from, const JointPositions& to,
-                   const PathTolerance& tolerance) const {
+    Offset fromPath(const JointPositions& place, const JointPositions& from, const JointPositions& to,
+                    const PathTolerance& tolerance) const {
         const Vector6 way = to.values - from.values;
         const double length = way.squaredNorm();
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // The nearest position for the joints is not the nearest one for the TCP: near an end, the end itself may
-        // be closer.
+        // The position nearest in joint space is not the position nearest for the TCP: near an end, the end
+        // itself may be closer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
                 best = off;
@@ -90,7 +90,7 @@ Error inRow(std::size_t row, const QString& what) {
 
 Demonstration withoutPauses(const Demonstration& shown) {
     const auto stands = [](const JointPositions& a, const JointPositions& b) {
-        return (a.values - b.values).cwiseAbs().maxCoeff() < kStands;
+        return (a.values - b.values).cwiseAbs().maxCoeff() < kStandstillTolerance;
     };
     std::size_t first = 0;
     std::size_t behind = shown.size();
@@ -127,7 +127,7 @@ std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& 
         std::size_t at = from;
         for (std::size_t i = from + 1; i < to; ++i) {
             const double share =
-                ruler.fromWay(shown.q[i], smooth[from], smooth[to], tolerance).share(tolerance);
+                ruler.fromPath(shown.q[i], smooth[from], smooth[to], tolerance).share(tolerance);
             if (share > furthest) {
                 furthest = share;
                 at = i;
@@ -161,7 +161,7 @@ PathDeviation deviation(const Demonstration& shown, const std::vector<KeptPlace>
             ++way;
         }
         const JointPositions& to = kept[std::min(way + 1, kept.size() - 1)].q;
-        const Offset off = ruler.fromWay(shown.q[i], kept[way].q, to, tolerance);
+        const Offset off = ruler.fromPath(shown.q[i], kept[way].q, to, tolerance);
         largest.joints = std::max(largest.joints, off.joints);
         largest.tcp = std::max(largest.tcp, off.tcp);
     }
@@ -206,7 +206,7 @@ QByteArray demonstrationCsv(const Demonstration& shown) {
 
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints) {
-    constexpr double kMostTurn = 2 * std::numbers::pi;  // limit of all joints
+    constexpr double kMaxJointTurn = 2 * std::numbers::pi;  // limit of all joints
     Demonstration shown;
     for (std::size_t row = 0; row < times.size(); ++row) {
         JointPositions q;
@@ -215,15 +215,15 @@ Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
             q[joint] = row < column.size() ? column[row] : std::nan("");
         }
         if (!std::isfinite(times[row]) || !q.values.allFinite()) {
-            return inRow(row, QStringLiteral("a cell is no number"));
+            return inRow(row, QStringLiteral("a cell is not a number"));
         }
         if (row > 0 && times[row] <= shown.times.back()) {
-            return inRow(row, QStringLiteral("its time is not after the one before"));
+            return inRow(row, QStringLiteral("its time is not later than the previous one"));
         }
-        if (q.values.cwiseAbs().maxCoeff() > kMostTurn + 1e-6) {
-            return inRow(row, QStringLiteral(
-                                  "a joint is turned by more than 360 degrees; are these degrees? They have "
-                                  "to be radians"));
+        if (q.values.cwiseAbs().maxCoeff() > kMaxJointTurn + 1e-6) {
+            return inRow(
+                row, QStringLiteral(
+                         "a joint position exceeds 360 degrees; positions must be in radians, not degrees"));
         }
         shown.append(times[row], q);
     }

@@ -28,12 +28,12 @@ FramePointsCheck check(const FramePoints& points) {
         const Eigen::Vector3d x = (*points.onX - *points.origin) / found.alongX;
         found.offLine = x.cross(*points.towardsY - *points.origin).norm();
     }
-    if (points.origin && points.onX && found.alongX < kLeastFrameArm) {
+    if (points.origin && points.onX && found.alongX < kMinFrameArm) {
         found.problem = Problem::XTooClose;
-    } else if (points.origin && points.towardsY && found.towardsY < kLeastFrameArm) {
+    } else if (points.origin && points.towardsY && found.towardsY < kMinFrameArm) {
         found.problem = Problem::YTooClose;
     } else if (complete) {
-        found.problem = found.offLine < kLeastFrameOffset ? Problem::InLine : Problem::None;
+        found.problem = found.offLine < kMinFrameOffset ? Problem::InLine : Problem::None;
     }
     return found;
 }

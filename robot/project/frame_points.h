@@ -19,8 +19,8 @@ struct FramePoints {
 
 /// Minimum distance of both points from the origin, and of the third point from the X axis [m]: an error of 1 mm
 /// then rotates an axis by less than 3 and 6 deg.
-inline constexpr double kLeastFrameArm = 0.020;
-inline constexpr double kLeastFrameOffset = 0.010;
+inline constexpr double kMinFrameArm = 0.020;
+inline constexpr double kMinFrameOffset = 0.010;
 
 /// Evaluation of the points recorded so far.
 struct FramePointsCheck {
@@ -30,7 +30,7 @@ struct FramePointsCheck {
         NotFinite,
         XTooClose,  ///< the point on +X is too close to the origin
         YTooClose,  ///< the point on the +Y side is too close to the origin
-        InLine,     ///< the distance of the third point from the X axis is below kLeastFrameOffset
+        InLine,     ///< the distance of the third point from the X axis is below kMinFrameOffset
     };
     Problem problem = Problem::Incomplete;
     double alongX = 0;                                    ///< from the origin to the point on +X [m]

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Protects unsaved work: a copy of a sample, a project whose file cannot be written, changes in a window that must
-// not save. Each window stores its work in an application folder, so that it survives a crash or a closed window;
-// the next start offers it.
+// Protects unsaved work: a copy of a sample project, a project whose file cannot be written, or changes in a
+// window that must not save. Each window stores its work in an application folder, so that it survives a
+// crash or a closed window; the next start offers to restore it.
 
 #include <QDateTime>
 #include <QList>
@@ -46,7 +46,7 @@ private:
     QString file_;  ///< empty if there is no copy
     std::optional<ProjectLock> lock_;
     std::optional<std::uint64_t> revision_;  ///< of the last call
-    bool removed_ = false;                   ///< the last call was remove()
+    bool removed_ = false;                   ///< whether the last call was remove()
 };
 
 /// Copies of closed windows in the folder, newest first.

@@ -27,7 +27,7 @@ public:
         if (!place) {
             return true;  // a missing frame is displayed anyway
         }
-        if (point.ruling == Ruling::Joints) {
+        if (point.ruling == TargetKind::Joints) {
             setPlace(point, *place, frames_);
         }
         return solve(point, *place);
@@ -57,7 +57,7 @@ public:
         return solved.has_value();
     }
 
-    /// The same for a path, whose joint steps must not increase.
+    /// As keepFlange(), for a path. The joint steps of the path must not increase.
     bool keepPath(RecordedPath& path) const {
         constexpr double kJump = 0.5;  // [rad] between two points: another configuration, or a singularity
         JointPositions before;
@@ -87,7 +87,7 @@ private:
         const auto q = kinematics::inverseNearest(to_.dh, T_base_tcp, point.tcpOffset, point.joints);
         point.joints = q.value_or(point.joints);
         if (!q) {
-            point.ruling = Ruling::Pose;
+            point.ruling = TargetKind::Pose;
         }
         return q.has_value();
     }

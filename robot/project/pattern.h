@@ -26,8 +26,8 @@ struct PatternCell {
     friend bool operator==(const PatternCell&, const PatternCell&) = default;
 };
 
-inline constexpr int kMostPatternSteps = 200;    ///< limit for columns, rows and layers
-inline constexpr int kMostPatternPlaces = 5000;  ///< limit for their product
+inline constexpr int kMaxPatternSteps = 200;       ///< limit for columns, rows and layers
+inline constexpr int kMaxPatternPositions = 5000;  ///< limit for their product
 
 struct Pattern {
     QUuid id;

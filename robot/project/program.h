@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A program as data: a tree of steps. A step is its kind and the fields of that kind, exactly as the file has them; what
-// they mean is in robot/station/program. A step of a kind that this version does not know keeps all its fields.
+// A program as data: a tree of steps. A step consists of its kind and the fields of this kind, as stored in
+// the file; robot/station/program interprets them. A step of an unknown kind keeps all its fields.
 
 #include <QJsonObject>
 #include <QString>
@@ -14,31 +14,32 @@
 
 namespace tiller::project {
 
-inline constexpr int kMaxProgramDepth = 50;       ///< sections inside sections
-inline constexpr int kMaxProgramSteps = 100'000;  ///< of one program
+inline constexpr int kMaxProgramDepth = 50;       ///< maximum nesting of sections
+inline constexpr int kMaxProgramSteps = 100'000;  ///< maximum number of steps in a program
 
 struct ProgramStep {
     QUuid id;
     QString kind;        ///< "moveJ"; see robot/station/program/step_kind.h
     QJsonObject fields;  ///< by name; numbers in SI units, references as ids
     bool disabled = false;
-    std::vector<ProgramStep> steps;  ///< of a section
+    std::vector<ProgramStep> steps;  ///< steps inside a section
     friend bool operator==(const ProgramStep&, const ProgramStep&) = default;
 };
 
 struct Program {
     QUuid id;
     QString name;
-    QStringList parameters;  ///< variables that a call gives values to
+    QStringList parameters;  ///< variables that are set by a call
     std::vector<ProgramStep> steps;
     QString note;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const Program&, const Program&) = default;
 };
 using ProgramList = EntityList<Program>;
 
-/// Whether a field of the step, or of a step in it, refers to the waypoint, frame, tool, program or the like.
+/// Whether a field of the step, or of a step inside it, refers to this waypoint, frame, tool, program or
+/// other object.
 bool refersTo(const ProgramStep& step, const QUuid& id);
-bool refersTo(const Program& program, const QUuid& id);  ///< Whether any of its steps does.
+bool refersTo(const Program& program, const QUuid& id);  ///< True if any of its steps refers to it.
 
 }  // namespace tiller::project

@@ -33,8 +33,8 @@ Error inFile(Error error, const QString& path) {
     return error;
 }
 
-/// Keeps a file that cannot be read completely under another name before it is replaced.
-/// there  its content
+/// Copies a file that cannot be read completely to another name before it is replaced.
+/// there  content of the file
 Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
     if (there.isEmpty() || parseProject(there).ok()) {
         return QString();
@@ -58,15 +58,15 @@ Result<RecoveredProject> readRoot(const QJsonObject& root) {
     if (version.toDouble(0) > kProjectFileVersion) {
         return Error{
             ErrorCode::VersionUnsupported,
-            QStringLiteral("was written by a newer Tiller (version %1 of the format, this one reads %2)")
+            QStringLiteral("was written by a newer Tiller (format version %1, this one reads up to %2)")
                 .arg(version.toDouble())
                 .arg(kProjectFileVersion),
             {}};
     }
     if (version.toInt(0) < 1) {
-        reader.addProblem(QStringLiteral("version"), version.isUndefined()
-                                                         ? QStringLiteral("is missing")
-                                                         : QStringLiteral("is not a whole number from 1 on"));
+        reader.addProblem(QStringLiteral("version"),
+                          version.isUndefined() ? QStringLiteral("is missing")
+                                                : QStringLiteral("is not a whole number of 1 or more"));
     }
     reader.read(root, true);
     return reader.take();

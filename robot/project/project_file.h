@@ -66,7 +66,7 @@ struct Project {
     CellGeometry cell;
     PathList paths;
     ProgramList programs;
-    QJsonObject extra;  ///< fields of the file that this version does not know
+    QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const Project&, const Project&) = default;
 };
 
@@ -86,7 +86,7 @@ struct RecoveredProject {
     int lostFrames = 0;
     int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes, paths and programs
     int lostObstacles = 0;   ///< boxes and planes, of the lost parts: the arm is not kept away from them
-    QByteArray fingerprint;  ///< of the file's content; empty when it was not read from a file
+    QByteArray fingerprint;  ///< of the file's content; empty if not read from a file
 };
 
 /// A project and the content it was read from.

@@ -154,7 +154,7 @@ struct ProjectLock::Handle {
         return ::fstat(descriptor, &own) == 0 && ::stat(path.constData(), &there) == 0 &&
                own.st_ino == there.st_ino && own.st_dev == there.st_dev;
     }
-    /// On a full disk the lock works without the name of its owner.
+    /// On a full disk the lock file does not contain its owner, but the lock works.
     void writeOwner() const {
         const QByteArray bytes = describeThisProcess();
         if (::ftruncate(descriptor, 0) != 0 ||

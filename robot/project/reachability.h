@@ -16,7 +16,7 @@ struct Reach {
         OutOfReach,    ///< no joint positions lead to this pose
         JointLimit,    ///< a joint would exceed its range
         FrameMissing,  ///< the frame is not in the project
-        OnTheWay,      ///< start and end are reachable, but the straight line between them is not
+        OnTheWay,      ///< start and end are reachable, but not the straight line between them
         OtherModel,    ///< taught with another robot model: see model_change.h. Not returned by reach()
     };
     Obstacle obstacle = Obstacle::OutOfReach;

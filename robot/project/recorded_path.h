@@ -36,7 +36,7 @@ struct RecordedPath {
 using PathList = EntityList<RecordedPath>;
 
 /// Limit of a path: half an hour at 500 Hz.
-inline constexpr int kMostPathPoints = 1'000'000;
-inline constexpr double kLongestPath = 86'400;  ///< [s]
+inline constexpr int kMaxPathPoints = 1'000'000;
+inline constexpr double kMaxPathDuration = 86'400;  ///< [s]
 
 }  // namespace tiller::project

@@ -18,7 +18,7 @@ struct RelativeMove {
     enum class Kind {
         Offset,  ///< by `offset` along the axes
         Turn,    ///< by `angle` about `axis` through the origin of the frame
-        Mirror,  ///< at the plane through the origin of the frame that is normal to `axis`
+        Mirror,  ///< in the plane through the origin of the frame that is normal to `axis`
     };
     enum class Axes {
         Frame,  ///< axes of `frame`

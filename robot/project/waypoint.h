@@ -24,7 +24,7 @@ enum class MoveKind {
     Linear,  ///< MoveL: the TCP moves on a straight line
 };
 
-enum class Ruling {
+enum class TargetKind {
     Joints,  ///< `joints` is the target; `pose` is informative
     Pose,    ///< `pose` is the target; `joints` selects the configuration
 };
@@ -52,7 +52,7 @@ struct Waypoint {
     QUuid id;
     QString name;
     MoveKind move = MoveKind::Joint;
-    Ruling ruling = Ruling::Joints;
+    TargetKind ruling = TargetKind::Joints;
     QUuid frame;     ///< reference frame of `pose`; null: base frame
     Pose tcpOffset;  ///< flange to TCP during teaching [m, rad]
     JointPositions joints;

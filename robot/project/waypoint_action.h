@@ -39,7 +39,7 @@ struct WaypointAction {
     IoGroup group = IoGroup::Standard;
     int pin = 0;
     bool value = true;
-    double seconds = 0;  ///< 0 ... kLongestAction
+    double seconds = 0;  ///< 0 ... kMaxActionTime
     QJsonObject extra;   ///< unknown fields of the file, preserved when saving
 
     bool usesPin() const {  ///< True if `group`, `pin` and `value` are used.
@@ -50,7 +50,7 @@ struct WaypointAction {
     }
     friend bool operator==(const WaypointAction&, const WaypointAction&) = default;
 };
-inline constexpr double kLongestAction = 3600;  ///< [s]
+inline constexpr double kMaxActionTime = 3600;  ///< [s]
 
 using WaypointActions = std::vector<WaypointAction>;
 

@@ -9,7 +9,7 @@ namespace tiller::project {
 
 void WaypointHistory::add(WaypointRevision revision) {
     revision.before.history = {};
-    if (size() == kMostRevisions) {
+    if (size() == kMaxRevisions) {
         revisions_.erase(revisions_.begin());
     }
     revisions_.push_back(std::make_shared<const WaypointRevision>(std::move(revision)));

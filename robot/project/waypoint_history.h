@@ -17,7 +17,7 @@ struct WaypointRevision;
 class WaypointHistory {
 public:
     /// The oldest revisions are dropped.
-    static constexpr int kMostRevisions = 20;
+    static constexpr int kMaxRevisions = 20;
 
     int size() const { return static_cast<int>(revisions_.size()); }  ///< Number of revisions.
     bool isEmpty() const { return revisions_.empty(); }               ///< True if there were no changes.

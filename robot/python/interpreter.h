@@ -40,7 +40,7 @@ bool isInCallback();
 /// For the exit of the process: cancels all waits of other threads, whose threads then sleep until the end. Returns
 /// when all are asleep, after 5 s at most. Call this from the exiting thread when only daemon threads remain.
 void parkOtherThreads();
-/// Whether this thread must not enter the interpreter any more.
+/// Returns whether this thread must not enter the interpreter any more.
 /// Threads  any, with or without the interpreter lock
 bool isParked();
 /// For a forked child: discards the waits and objects of the parent.

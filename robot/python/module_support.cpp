@@ -15,7 +15,7 @@ namespace tiller::python {
 namespace {
 
 // Python handles signals only in its main thread and only on request; the exception is then already set.
-bool userLostPatience() {
+bool userInterrupted() {
     if (isParked()) {
         return true;
     }
@@ -97,7 +97,7 @@ void finishFunction(const std::string& className, const std::string& name, py::h
 
 void prepareModule() {
     watchProcess();
-    urrtde::setInterruptCheck(&userLostPatience);
+    urrtde::setInterruptCheck(&userInterrupted);
     py::register_local_exception_translator([](std::exception_ptr thrown) {
         try {
             std::rethrow_exception(thrown);

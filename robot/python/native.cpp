@@ -35,7 +35,7 @@ void refuseInCallback() {
 
 void refuseOfParent(const ProcessOwned& object) {
     if (!object.isOwn()) {
-        raise({ErrorCode::NotConnected, QStringLiteral("use an object made before fork()"),
+        raise({ErrorCode::NotConnected, QStringLiteral("use an object created before fork()"),
                QStringLiteral("connect again in the child process")});
     }
 }
@@ -52,7 +52,7 @@ py::tuple sampleTuple(const Sample& sample) {
 }
 
 struct NativeSubscription {
-    std::shared_ptr<NativeReceiver> receiver;  ///< keeps it alive
+    std::shared_ptr<NativeReceiver> receiver;  ///< kept alive for the subscription
     receive::Subscription subscription;
     Sample sample;
 

@@ -200,7 +200,7 @@ public:
     explicit LoopClaim(const SharedController& controller) : controller_(controller) {
         if (controller_->runsLoop.exchange(true)) {
             raise({ErrorCode::InvalidArgument, QStringLiteral("run a packet loop"),
-                   QStringLiteral("another packet_loop() of this robot is under way")});
+                   QStringLiteral("another packet_loop() of this robot is already running")});
         }
     }
     ~LoopClaim() { controller_->runsLoop = false; }

@@ -11,7 +11,7 @@ namespace tiller::python {
 
 namespace {
 
-/// The robot; in virtual time with its clock and its clients in lock-step.
+/// The robot; in virtual time with the simulator's clock and in lock-step with its clients.
 class NativeSimulator : public ProcessOwned {
 public:
     explicit NativeSimulator(const simulator::SimulatorOptions& options) {
@@ -53,7 +53,7 @@ private:
 };
 
 py::dict truthDict(const NativeSimulator& self) {
-    const simulator::Truth truth = self.robot().truth();
+    const simulator::SimulatedState truth = self.robot().truth();
     const auto array = [](const Six& v) { return py::array_t<double>(6, v.data()); };
     py::dict result;
     result["timestamp"] = truth.timestamp;

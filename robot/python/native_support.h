@@ -32,7 +32,8 @@ using Seconds = std::optional<double>;  ///< None: no limit
 /// Raises the exception of tiller.errors for this error.
 [[noreturn]] void raise(const Error& error);
 
-/// Whether a wait in this thread has to end: on Ctrl-C (with the exception set), and at the end of the process.
+/// Returns whether a wait in this thread has to end: on Ctrl-C (with the exception set), and at the end of
+/// the process.
 bool isInterrupted();
 
 /// Raises InvalidArgument in the callback of a packet loop. Used by calls that may wait.

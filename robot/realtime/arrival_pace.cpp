@@ -26,7 +26,7 @@ constexpr int kLongerForGood = 5;  // consecutive late packages that indicate a 
 // The schedule follows the estimates by this fraction of a period per package, so that a late package does not
 // extend a cycle; for large deviations by this fraction of the deviation.
 constexpr double kSmallestStep = 0.001;
-constexpr double kPartOfWay = 0.125;
+constexpr double kCorrectionShare = 0.125;
 
 void track(double& quantile, double value, double part, double step) {
     quantile += value > quantile ? part * step : (part - 1) * step;
@@ -105,8 +105,8 @@ void ArrivalPace::learnMargin(double more) {
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
-// Processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer, so that
-// packages are held back for a shorter time.
+// The processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer,
+// so packages are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {
@@ -120,7 +120,7 @@ void ArrivalPace::holdLess(double late) {
 void ArrivalPace::hold() {
     const double wanted = usualNs_ + marginNs_ + mostNs_ * kGrace;
     const double off = wanted - heldNs_;
-    const double most = std::max(periodNs_ * kSmallestStep, std::abs(off) * kPartOfWay);
+    const double most = std::max(periodNs_ * kSmallestStep, std::abs(off) * kCorrectionShare);
     heldNs_ = isSettled() && std::abs(off) < mostNs_ ? heldNs_ + std::clamp(off, -most, most) : wanted;
 }
 

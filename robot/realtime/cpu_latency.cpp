@@ -81,7 +81,7 @@ CpuLatency::~CpuLatency() = default;
 
 QString CpuLatency::advice() {
     return QStringLiteral(
-        "This system has no request for fast wake-ups; choose its power plan for performance.");
+        "This system does not support requests for fast wake-ups; select its high-performance power plan.");
 }
 
 #endif

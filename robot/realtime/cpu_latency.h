@@ -19,7 +19,7 @@ public:
 
     /// False if the system does not support or permit it; see advice().
     bool isGranted() const { return granted_; }
-    /// The reason for a refusal to this process and how to permit it; empty if permitted.
+    /// The reason if the request was refused, and how to permit it; empty if granted.
     static QString advice();
 
 private:

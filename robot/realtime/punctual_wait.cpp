@@ -6,7 +6,7 @@
 namespace tiller::realtime {
 namespace {
 
-constexpr std::int64_t kLeastAwakeNs = 5'000;
+constexpr std::int64_t kMinAwakeNs = 5'000;
 // A late wake-up raises the bound by 99 times the decrease for a timely one, so that it converges to the 99th
 // percentile.
 constexpr std::int64_t kDownNs = 200;
@@ -21,8 +21,8 @@ std::int64_t PunctualWait::awakeNs() const {
 }
 
 void PunctualWait::learn(std::int64_t lateNs) {
-    awakeNs_ = std::clamp(awakeNs_ + (lateNs > awakeNs_ ? kUpNs : -kDownNs), kLeastAwakeNs, kMostAwakeNs);
-    hopeless_ += ((lateNs > kMostAwakeNs ? kWhole : 0) - hopeless_) / kMemory;
+    awakeNs_ = std::clamp(awakeNs_ + (lateNs > awakeNs_ ? kUpNs : -kDownNs), kMinAwakeNs, kMaxAwakeNs);
+    hopeless_ += ((lateNs > kMaxAwakeNs ? kWhole : 0) - hopeless_) / kMemory;
 }
 
 void PunctualWait::until(const Clock& clock, std::int64_t ns) {

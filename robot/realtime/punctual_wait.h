@@ -16,7 +16,7 @@ namespace tiller::realtime {
 class PunctualWait {
 public:
     /// Maximum duration of the active wait [ns].
-    static constexpr std::int64_t kMostAwakeNs = 300'000;
+    static constexpr std::int64_t kMaxAwakeNs = 300'000;
 
     /// maySpin  false: only sleep. On a single CPU, an active wait would block the awaited thread.
     explicit PunctualWait(bool maySpin = std::thread::hardware_concurrency() > 1) : maySpin_(maySpin) {}
@@ -35,7 +35,7 @@ public:
 private:
     bool maySpin_;
     std::int64_t awakeNs_ = kWakeUpNs;
-    int hopeless_ = 0;  ///< share of wake-ups later than kMostAwakeNs, in 1/65536
+    int hopeless_ = 0;  ///< share of wake-ups later than kMaxAwakeNs, in 1/65536
     std::int64_t spentNs_ = 0;
 };
 

@@ -46,7 +46,7 @@ bool isRealtimeKernel() {
 
 // Not run in this project's CI.
 QString bindToCpus(const std::vector<int>&) {
-    return QStringLiteral("macOS does not bind threads to CPUs.");
+    return QStringLiteral("macOS cannot bind threads to CPUs.");
 }
 
 QString lockMemory() {
@@ -122,7 +122,7 @@ RealtimeReport requestRealtime(int priority, const std::vector<int>& cpus, bool 
     if (!report.realtimeKernel) {
         report.advice.append(
             QStringLiteral(
-                "The kernel (%1) is not made for real time: delays of some milliseconds are possible "
+                "The kernel (%1) is not a real-time kernel: delays of several milliseconds are possible "
                 "under load. Debian: apt install linux-image-rt-amd64; Ubuntu: pro enable realtime-kernel.")
                 .arg(QSysInfo::kernelVersion()));
     }

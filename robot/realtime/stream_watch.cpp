@@ -13,7 +13,7 @@ namespace {
 // Drift between the two clocks that does not count as delay.
 constexpr double kDrift = 500e-6;
 // A larger jump of the time stamps means that the controller was restarted.
-constexpr double kLongestGap = 3600;
+constexpr double kMaxGap = 3600;
 // If all packages arrive late for this long without a pause, the cause is not a backlog: the network delay has
 // increased, or the robot's clock was stopped. The delay then becomes the new reference.
 constexpr std::int64_t kSettlingNs = 1 * kNsPerSecond;
@@ -33,7 +33,7 @@ StreamWatch::Verdict StreamWatch::add(double timestamp, std::int64_t hostNs) {
         return verdict;
     }
     const double step = timestamp - lastTimestamp_;
-    const bool continues = hasTimestamp_ && step > 0 && step < kLongestGap;
+    const bool continues = hasTimestamp_ && step > 0 && step < kMaxGap;
     if (continues) {
         verdict.lost = static_cast<std::uint64_t>(std::max(std::llround(step / period_) - 1, 0LL));
     }

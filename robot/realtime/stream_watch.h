@@ -32,7 +32,7 @@ private:
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
     double baseNs_ = 0;  ///< host time minus robot time of the earliest packages
-    // The same difference since `settlingSinceNs_`, the start of the current stream without pauses.
+    // As baseNs_, since `settlingSinceNs_`, the start of the current stream without pauses.
     std::int64_t settlingSinceNs_ = 0;
     std::int64_t lastHostNs_ = 0;
     double settledNs_ = 0;

@@ -73,7 +73,7 @@ std::vector<std::string> withTimestamp(std::vector<std::string> fields) {
 
 Error noHost() {
     return {ErrorCode::InvalidArgument, QStringLiteral("start a receiver"),
-            QStringLiteral("no host is given")};
+            QStringLiteral("no host is specified")};
 }
 
 Error unknownFields(const std::vector<std::string>& fields) {
@@ -103,7 +103,7 @@ struct Subscription::Stream {
         }
         const std::lock_guard lock(factsMutex);
         return {ErrorCode::Timeout, what,
-                lastError.code == ErrorCode::None ? QStringLiteral("no data came in time")
+                lastError.code == ErrorCode::None ? QStringLiteral("no data arrived in time")
                                                   : lastError.toString()};
     }
 };
@@ -121,7 +121,7 @@ Result<void> Subscription::next(Sample& sample, const Deadline& deadline) {
     const auto what = [] { return QStringLiteral("wait for the next sample"); };
     while (!next(sample)) {
         if (!stream_ || stream_->ended) {
-            return Error{ErrorCode::NotConnected, what(), QStringLiteral("the receiver does not run")};
+            return Error{ErrorCode::NotConnected, what(), QStringLiteral("the receiver is not running")};
         }
         if (deadline.hasExpired()) {
             return stream_->failure(deadline, what());
@@ -162,7 +162,7 @@ struct Receiver::Worker {
     std::condition_variable waitEnds;
     std::atomic<ReceiverState> state{ReceiverState::Stopped};
     std::atomic<std::uint16_t> localPort{0};
-    native_socket::Waker waker;  ///< ends the wait for a package
+    native_socket::EventFd waker;  ///< ends the wait for a package
     std::atomic<std::uint64_t> packets{0};
     std::atomic<std::uint64_t> late{0};
     std::atomic<std::uint64_t> lost{0};
@@ -299,7 +299,7 @@ struct Receiver::Worker {
         localPort = native_socket::localPort(connection.descriptor());
         state = ReceiverState::Receiving;
 
-        // From here to the return: no lock, no allocation, no system call except for the socket.
+        // From here to the return: no locks, no allocation, and no system calls except for the socket.
         std::int64_t heardNs = began;
         rtde::ByteView wire;
         while (!stopping) {

@@ -29,7 +29,7 @@ namespace tiller::receive {
 /// absent.
 std::vector<std::string> defaultFields();
 
-/// What Receiver::waitForData() does where nothing listens.
+/// What Receiver::waitForData() does if the connection is refused.
 enum class OnRefusal : std::uint8_t { Fail, Wait };
 
 struct ReceiverOptions {
@@ -120,10 +120,10 @@ public:
     /// Ends the thread within 250 ms, independent of the peer.
     void stop();
 
-    ReceiverState state() const;  ///< Of the connection. Any thread
-    /// The port of this end of the connection; 0 when there is none. Any thread
+    ReceiverState state() const;  ///< State of the connection. Threads: any
+    /// Local port of the connection; 0 if not connected. Threads: any
     std::uint16_t localPort() const;
-    /// Why start() refused, the last attempt failed or the last connection broke; code None when connected.
+    /// Why start() failed, the last attempt failed or the last connection broke; code None while connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
     /// Resets all counters, including reconnects. Takes effect with the next package.
@@ -143,18 +143,18 @@ public:
     const std::shared_ptr<const SampleLayout>& layout() const;  ///< Layout of all samples.
     /// The newest sample; sequence 0 if there is none. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
-    void latest(Sample& into) const;  ///< The same without an allocation.
-    /// The newest sample, as soon as there is one of the present connection that is not older than 100 ms:
-    /// what a program begins with that is to compute a target from where the arm is.
-    /// Errors   why the connection could not be made, when that is known (ConnectionRefused, HostUnreachable,
-    ///          FieldUnknown ...); Timeout, Cancelled; NotConnected when start() was not called
-    /// onRefusal  of a connection that is refused, or a host that cannot be resolved, before any data came: to fail at
-    ///            once, or to wait like for a robot that is booting
-    /// Blocks   until the deadline; attempts to connect go on by themselves meanwhile. A robot that sent data before is
-    ///          always waited for
+    void latest(Sample& into) const;  ///< As latest(), without an allocation.
+    /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For
+    /// programs that compute their first target from the position of the arm.
+    /// onRefusal  reaction if the connection is refused or the host name cannot be resolved before any data
+    ///            have arrived: fail at once, or wait as for a robot that is booting
+    /// Errors     the reason why the connection failed, if known (ConnectionRefused, HostUnreachable,
+    ///            FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called
+    /// Blocks     until the deadline. The receiver continues its attempts to connect meanwhile. If the robot
+    ///            has sent data before, the call always waits
     Result<Sample> waitForData(const Deadline& deadline, OnRefusal onRefusal = OnRefusal::Fail) const;
-    /// Age of the newest sample on the receiver's clock; the largest number there is when there is none. A
-    /// sample read out of a backlog is as old as it lay there, by the robot's time stamps.
+    /// Age of the newest sample on the receiver's clock; the maximum value if there is none. The age includes
+    /// the time a sample waited in a backlog, according to the robot's time stamps.
     std::int64_t ageNs() const;
     /// True if the newest sample is not older than `limit`.
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Typed access to a sample: joint positions, modes, and so on. It is a view without own values.
+// Typed access to a sample: joint positions, modes, and so on. A view that contains no values.
 
 #include <cstdint>
 #include <optional>

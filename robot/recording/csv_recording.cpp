@@ -16,9 +16,9 @@ namespace {
 
 constexpr qint64 kReadAtOnce = 1 << 20;
 // Files with more columns are not recordings of a robot.
-constexpr std::size_t kMostColumns = 20'000;
-constexpr std::size_t kLongestLine = 16u << 20;
-constexpr int kMostProblems = 20;
+constexpr std::size_t kMaxColumns = 20'000;
+constexpr std::size_t kMaxLineLength = 16u << 20;
+constexpr int kMaxProblems = 20;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view withoutBlanks(std::string_view cell) {
@@ -150,7 +150,7 @@ public:
                 begin = end + 1;
             }
             rest.erase(0, begin);
-            if (rest.size() > kLongestLine || table_.columns.size() > kMostColumns || isBinary_) {
+            if (rest.size() > kMaxLineLength || table_.columns.size() > kMaxColumns || isBinary_) {
                 return failure(QStringLiteral("this is not a table of numbers"));
             }
         }
@@ -166,10 +166,10 @@ public:
             return failure(QStringLiteral("this is not a table of numbers"));
         }
         if (table_.columns.empty()) {
-            return failure(QStringLiteral("there is no heading"));
+            return failure(QStringLiteral("there is no header"));
         }
         if (rows_ == 0 && number_ > (isHeaded_ ? 2u : 1u)) {
-            return failure(QStringLiteral("there are no numbers under the heading"));
+            return failure(QStringLiteral("there are no numbers below the header"));
         }
         finish();
         return std::unique_ptr<Recording>(std::make_unique<TableRecording>(std::move(table_)));
@@ -181,7 +181,7 @@ private:
     }
 
     void problem(const QString& sentence) {
-        if (table_.problems.size() < kMostProblems) {
+        if (table_.problems.size() < kMaxProblems) {
             table_.problems << sentence;
         } else {
             ++unsaid_;
@@ -231,11 +231,11 @@ private:
             return;
         }
         if (numbers == 0 && !wrong_.empty()) {
-            problem(QStringLiteral("Line %1 is left out: there is no number in it.").arg(number_));
+            problem(QStringLiteral("Line %1 is skipped: it contains no number.").arg(number_));
             return;
         }
         if (row_.size() != table_.columns.size()) {
-            problem(QStringLiteral("Line %1 is left out: it has %2 cells, the heading has %3.")
+            problem(QStringLiteral("Line %1 is skipped: it has %2 cells, the header has %3.")
                         .arg(number_)
                         .arg(row_.size())
                         .arg(table_.columns.size()));

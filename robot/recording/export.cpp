@@ -14,7 +14,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr std::uint64_t kRowsAtOnce = 512;  // this many rows of all columns fit in the cache
-constexpr std::size_t kLongestNumber = 32;
+constexpr std::size_t kMaxNumber = 32;
 
 bool belongsTo(std::string_view column, std::string_view field) {
     if (column == field) {
@@ -31,9 +31,9 @@ char* putNumber(char* at, double value, bool whole, char decimal) {
     }
     constexpr double kExact = 9007199254740992.0;  // 2^53
     if (whole && std::abs(value) < kExact && value == std::trunc(value)) {
-        return std::to_chars(at, at + kLongestNumber, static_cast<std::int64_t>(value)).ptr;
+        return std::to_chars(at, at + kMaxNumber, static_cast<std::int64_t>(value)).ptr;
     }
-    char* const end = std::to_chars(at, at + kLongestNumber, value).ptr;
+    char* const end = std::to_chars(at, at + kMaxNumber, value).ptr;
     if (decimal != '.') {
         std::replace(at, end, '.', decimal);
     }
@@ -106,9 +106,8 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         std::string_view(".,").find(style.decimal) == std::string_view::npos ||
         style.separator == style.decimal) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                     QStringLiteral(
-                         "cells are separated by , ; or a tab, decimals by a point or a comma, and not both "
-                         "by a comma")};
+                     QStringLiteral("use , ; or a tab as separator and a point or a comma as decimal sign, "
+                                    "but not a comma for both")};
     }
     const auto columns = chooseColumns(recording, choice.columns);
     if (!columns) {
@@ -146,7 +145,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     for (const std::size_t column : columns.value()) {
         whole.push_back(recording.columns()[column].whole ? 1 : 0);
     }
-    const std::size_t longestRow = count * (kLongestNumber + 1) + 1;
+    const std::size_t longestRow = count * (kMaxNumber + 1) + 1;
     const auto text = std::make_unique_for_overwrite<char[]>(longestRow * kRowsAtOnce);
     std::vector<const double*> values(count);
     for (std::uint64_t done = 0; done < rows.value().count; done += kRowsAtOnce) {

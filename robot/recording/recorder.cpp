@@ -32,7 +32,7 @@ constexpr milliseconds kLookAtDiskEvery{1000};
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
-    // QStorageInfo does not know file systems whose mount is not listed, as in a chroot or a container.
+    // QStorageInfo does not know file systems whose mount point is not listed, as in a chroot or a container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
@@ -44,13 +44,13 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     for (const std::string& field : fields) {
         if (layout.find(field) == nullptr && receive::unknownOutputs({field}).isEmpty()) {
             sentences
-                << QStringLiteral("the receiver does not follow \"%1\"").arg(QString::fromStdString(field));
+                << QStringLiteral("the receiver does not receive \"%1\"").arg(QString::fromStdString(field));
         }
     }
     return sentences;
 }
 
-/// `timestamp` first, unless they are to be as given; each once.
+/// `timestamp` first unless asGiven is set; without duplicates.
 std::vector<std::string> orderedFields(const RecorderOptions& options, const receive::SampleLayout& layout) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {
@@ -313,7 +313,7 @@ struct Recorder::Worker {
         return Error{
             ErrorCode::DiskFull, QStringLiteral("record to %1").arg(QDir::toNativeSeparators(path)),
             QStringLiteral(
-                "the recording was ended, and is whole, because less than %1 MB are free on the disk")
+                "the recording was stopped and completed because less than %1 MB are free on the disk")
                 .arg(options.keepFree / kMega)};
     }
 
@@ -345,15 +345,16 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
                              std::shared_ptr<const receive::SampleLayout> layout) {
     if (const RecorderState now = worker()->state;
         now == RecorderState::Recording || now == RecorderState::Waiting) {
-        return Error{
-            ErrorCode::InvalidArgument, QStringLiteral("a recording is under way to %1").arg(path()), {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("a recording to %1 is already running").arg(path()),
+                     {}};
     }
-    stop();  // the rest of a failed recording
+    stop();  // closes the file of a failed recording
     auto next = std::make_shared<Worker>();
     next->path = options.path;
     if (options.every < 1) {
         return Error{ErrorCode::InvalidArgument,
-                     QStringLiteral("a row every %1 packages; 1 or more").arg(options.every),
+                     QStringLiteral("one row every %1 packages; the minimum is 1").arg(options.every),
                      {}};
     }
     next->every = static_cast<std::uint64_t>(options.every);
@@ -440,8 +441,8 @@ QString Recorder::path() const {
 void Recorder::note(const RecordedNote& note) {
     const auto current = worker();
     const std::lock_guard lock(current->mutex);
-    constexpr std::size_t kMostWaiting = 10'000;
-    if (current->notes.size() < kMostWaiting) {
+    constexpr std::size_t kMaxWaiting = 10'000;
+    if (current->notes.size() < kMaxWaiting) {
         current->notes.push_back(note);
     }
 }

@@ -33,7 +33,7 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 class RecordingFile;
 
-/// The fields that ur_rtde records. The command line writes them to CSV unless others are asked for.
+/// The fields that ur_rtde records. Default of the command line for CSV files.
 std::vector<std::string> defaultRecordedFields();
 
 /// Name of the last column.
@@ -41,25 +41,26 @@ inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names, all of which the receiver has to follow; empty: every field that it follows. `timestamp` is always
-    /// the first column.
+    /// Field names; the receiver must have subscribed to all of them. Empty: all fields of the receiver.
+    /// `timestamp` is always the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< exactly these fields in this order, without timestamp and packages_lost
     /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
     int every = 1;
-    /// Null: CSV, which is refused for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
-    /// recording/formats/open_recording.h chooses by the end of the path.
+    /// Null: CSV, which is not accepted for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
+    /// recording/formats/open_recording.h selects the format by the end of the path.
     std::shared_ptr<const RecordingFormat> format{};
-    /// Waits for it, and writes into numbered files: see numberedPath(). Nothing: one file, at once.
+    /// Waits for the trigger and writes numbered files, see numberedPath(). Empty: writes one file, starting
+    /// immediately.
     std::optional<RecordingTrigger> trigger{};
-    /// Ends with DiskFull if less space would remain on the disk [bytes]; 0: when the disk is full.
+    /// Ends with DiskFull if less free space would remain on the disk [bytes]; 0: when the disk is full.
     std::int64_t keepFree = 0;
 };
 
 enum class RecorderState {
     Idle,
     Recording,
-    Waiting,   ///< for the trigger
+    Waiting,   ///< waiting for the trigger
     Finished,  ///< stopped; the file is complete and synced
     Failed,    ///< see error(); data written before are kept
 };
@@ -85,12 +86,12 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Creates the file (an existing one is replaced), writes the header and begins with the next package.
-    /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown, naming each field that the receiver does not follow
-    /// (no
-    ///          file is made, an existing one is left as it is); InvalidArgument (a recording is under way, or the path
-    ///          ends as those of another format)
-    /// Blocks   as long as the file system takes to create a file
+    /// Creates the file (an existing file is replaced), writes the header and starts with the next package.
+    /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown
+    ///          with each field that the receiver does not receive (no file is created, and an existing file
+    ///          is unchanged); InvalidArgument (a recording is in progress, or the path ends as for another
+    ///          format)
+    /// Blocks   until the file system has created the file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
     /// As above, with a new subscription.
@@ -103,7 +104,7 @@ public:
     void note(const RecordedNote& note);
 
     RecorderProgress progress() const;  ///< rows, seconds and lost are totals of all files. Threads: any
-    /// The reason of a failure: DiskFull, FileNotWritable; otherwise code None.
+    /// The reason for a failure: DiskFull, FileNotWritable; otherwise code None.
     Error error() const;
     QString path() const;  ///< Path of the current or last file.
 
@@ -112,7 +113,7 @@ private:
     std::shared_ptr<Worker> worker() const;
 
     std::function<std::unique_ptr<RecordingFile>()> files_;
-    mutable std::mutex mutex_;  ///< protects the pointer: a new recording has a new worker
+    mutable std::mutex mutex_;  ///< protects the pointer: each recording has a new worker
     std::shared_ptr<Worker> d_;
 };
 

@@ -56,7 +56,7 @@ struct ColumnSummary {
     std::vector<double> mean{};
 };
 
-/// The time of a row.
+/// The time of a row on the time axis.
 struct TimeMark {
     std::uint64_t row = 0;
     double seconds = 0;  ///< since the first row

@@ -40,10 +40,9 @@ Result<RecordingTrigger> RecordingTrigger::parse(const Text& text) {
     trigger.bit = match.captured(2).isEmpty() ? -1 : match.captured(2).toInt();
     constexpr int kBits = 64;
     if (!ok || trigger.bit >= kBits) {
-        return Error{
-            ErrorCode::InvalidArgument, QStringLiteral("understand the trigger \"%1\"").arg(text),
-            QStringLiteral("expected is COLUMN > NUMBER (or <, =, !=), COLUMN:BIT = 1, COLUMN changes, or "
-                           "\"program starts\"")};
+        return Error{ErrorCode::InvalidArgument, QStringLiteral("understand the trigger \"%1\"").arg(text),
+                     QStringLiteral("expected COLUMN > NUMBER (or <, =, !=), COLUMN:BIT = 1, COLUMN changes, "
+                                    "or \"program starts\"")};
     }
     return trigger;
 }
@@ -54,8 +53,8 @@ Result<TriggerWatch> TriggerWatch::make(const RecordingTrigger& trigger,
     if (!index) {
         return Error{
             ErrorCode::FieldUnknown, QStringLiteral("watch the trigger"),
-            QStringLiteral("there is no column \"%1\" among what is received; vectors have one for each "
-                           "number, such as actual_q_0")
+            QStringLiteral(
+                "no received column is named \"%1\"; vectors have one column per number, such as actual_q_0")
                 .arg(Text(trigger.column))};
     }
     TriggerWatch watch(trigger);

@@ -21,7 +21,7 @@ Error malformed(PackageType type, const QString& what) {
 }
 
 Error wrongSize(PackageType type, std::size_t expected, std::size_t got) {
-    return malformed(type, QStringLiteral("payload of %1 bytes where %2 belong").arg(got).arg(expected));
+    return malformed(type, QStringLiteral("payload of %1 bytes instead of %2").arg(got).arg(expected));
 }
 
 /// Appends a package around the bytes that `fill` appends, and sets its size. A payload too large for the size
@@ -101,7 +101,7 @@ Result<std::vector<FieldAnswer>> readAnswers(std::string_view list, PackageType 
         } else if (const auto known = dataTypeByName(word)) {
             answers.push_back(FieldAnswer::of(*known));
         } else {
-            return malformed(type, QStringLiteral("no data type is called ") + inQuotes(word));
+            return malformed(type, QStringLiteral("unknown data type ") + inQuotes(word));
         }
     }
     return answers;
@@ -126,13 +126,13 @@ Result<TextMessage> readLongText(ByteView payload) {
     std::size_t at = 0;
     for (std::string* part : {&text.message, &text.source}) {
         if (at >= payload.size()) {
-            return malformed(kType, QStringLiteral("ends where a length belongs"));
+            return malformed(kType, QStringLiteral("ends before a length"));
         }
         const std::size_t length = payload[at++];
         if (length > payload.size() - at) {
-            return malformed(
-                kType,
-                QStringLiteral("says %1 characters, %2 are left").arg(length).arg(payload.size() - at));
+            return malformed(kType, QStringLiteral("announces %1 characters, but %2 are left")
+                                        .arg(length)
+                                        .arg(payload.size() - at));
         }
         *part = asText(payload.subspan(at, length));
         at += length;

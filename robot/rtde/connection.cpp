@@ -208,7 +208,7 @@ bool Connection::hasPackage() const {
 }
 
 Connection::Read Connection::readPackage(std::span<double> values, nanoseconds atMost,
-                                         const native_socket::Waker* waker) {
+                                         const native_socket::EventFd* waker) {
     ByteView wire;
     const Read read = readWire(wire, atMost, waker);
     if (read == Read::Package && !decodeValues(outputs().layout(), wire, values)) {
@@ -218,7 +218,8 @@ Connection::Read Connection::readPackage(std::span<double> values, nanoseconds a
     return read;
 }
 
-Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const native_socket::Waker* waker) {
+Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost,
+                                      const native_socket::EventFd* waker) {
     State& d = *d_;
     if (d.socket == kNoSocket) {
         return Read::Failed;
@@ -272,7 +273,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost, const 
                            QStringLiteral("the controller ended the connection"));
                 return Read::Closed;
             case Status::Failed:
-                d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke"));
+                d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection was lost"));
                 return Read::Failed;
         }
     }
@@ -304,7 +305,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
         return Send::Busy;
     }
     if (status != Status::Ok) {
-        d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection broke while sending"));
+        d.failWith(ErrorCode::LinkLost, QStringLiteral("the connection was lost while sending"));
         return Send::Failed;
     }
     return Send::Sent;

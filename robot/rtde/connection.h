@@ -64,11 +64,11 @@ public:
     /// waker    may end the wait early; the result is then Nothing
     /// Blocks: atMost. Real-time: yes (two system calls per package)
     Read readPackage(std::span<double> values, std::chrono::nanoseconds atMost,
-                     const native_socket::Waker* waker = nullptr);
+                     const native_socket::EventFd* waker = nullptr);
     /// Like readPackage(), without decoding the values.
     /// wire  set to the bytes that decodeEach() reads with outputs().layout(); valid until the next call
     Read readWire(ByteView& wire, std::chrono::nanoseconds atMost,
-                  const native_socket::Waker* waker = nullptr);
+                  const native_socket::EventFd* waker = nullptr);
     /// Returns  true if another package has already been received, so that readPackage() will not block
     bool hasPackage() const;
 

@@ -203,7 +203,7 @@ void Session::onOutputs(ByteView payload, Bytes& out) {
         absent_.insert(absent_.end(), recipe.absent_.begin(), recipe.absent_.end());
         if (recipe.fields_.empty()) {
             fail(ErrorCode::FieldUnknown,
-                 QStringLiteral("the controller knows none of the outputs %1").arg(listed(absent_)));
+                 QStringLiteral("the controller does not provide the outputs %1").arg(listed(absent_)));
             return;
         }
         asked_.clear();

@@ -36,7 +36,7 @@ public:
     // Starts the thread.
     // Threads  any, for all functions. Blocks: only functions with a deadline, and stop() for about 20 ms
     void start();
-    void stop();  ///< Ends the thread. Allowed when not running.
+    void stop();  ///< Ends the thread. No effect if it is not running.
 
     /// Waits until the first robot state was received.
     /// Errors   the reason for the missing connection: HostUnreachable, ConnectionRefused, Timeout ...

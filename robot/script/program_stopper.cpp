@@ -99,11 +99,12 @@ void ProgramStopper::Private::look() {
         2;  // the first one may come from a connection opened before the switch to Remote
     if (refusals >= kRefusals) {
         settle({ErrorCode::RemoteControlRequired, context(),
-                QStringLiteral("the robot takes no programs and no stops from here while it is in Local")});
+                QStringLiteral(
+                    "in Local control, the robot accepts neither programs nor stops from this computer")});
     } else if (now() - askedNs > kAskForNs) {
         settle(connectionError.code != ErrorCode::None
                    ? connectionError
-                   : Error{ErrorCode::Timeout, context(), QStringLiteral("the program goes on")});
+                   : Error{ErrorCode::Timeout, context(), QStringLiteral("the program is still running")});
     } else if (sent && now() - sentNs > kAskAgainNs) {
         renew = true;
     }

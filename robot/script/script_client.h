@@ -31,7 +31,7 @@ public:
     /// Sends the text and waits until it is transmitted. Adds the final newline that the controller requires.
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
     Result<void> send(const Text& text, const Deadline& deadline);
-    void close();  ///< Allowed when not connected.
+    void close();  ///< No effect if not connected.
     /// False after the controller has closed the connection, e.g. because its stream was not read for minutes.
     bool isConnected();
 

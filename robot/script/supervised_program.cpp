@@ -130,7 +130,7 @@ SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
     SupervisedProgram result;
     QStringList lines;
     int depth = 0;
-    int number = 0;  // of the user's line
+    int number = 0;  // line number in the user's text
     bool wraps = false;
     const auto keep = [&](const QString& line) {
         lines += line;

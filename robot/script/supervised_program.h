@@ -34,8 +34,9 @@ struct Heartbeat {
 
 struct SupervisedProgram {
     QString text;
-    QString name;  ///< of the first program in it, in the controller's messages; may be empty
-    /// For each line of `text` that of the user's text, counted from 1; 0 for an inserted one. Empty: the same.
+    QString name;  ///< name of the first program in `text`, for the controller's messages; may be empty
+    /// For each line of `text` the line of the user's text, counted from 1; 0 for an inserted line. Empty:
+    /// identical.
     std::vector<int> lines;
     /// Line of the user's text, counted from 1, for a line of `text`; 0 for an inserted line.
     int lineOf(int line) const;

@@ -8,56 +8,57 @@ namespace tiller::simulator {
 namespace {
 
 struct Row {
-    AssumptionInfo info;
-    std::function<void(Assumptions&, int)> set;
-    std::function<int(const Assumptions&)> get;
+    BehaviourOptionInfo info;
+    std::function<void(BehaviourOptions&, int)> set;
+    std::function<int(const BehaviourOptions&)> get;
 };
 
 template <class Value>
-Row row(Value Assumptions::*member, const char* name, const QStringList& readings, const char* help) {
+Row row(Value BehaviourOptions::*member, const char* name, const QStringList& readings, const char* help) {
     return {{QString::fromLatin1(name), readings, QString::fromLatin1(help)},
-            [member](Assumptions& a, int reading) { a.*member = static_cast<Value>(reading); },
-            [member](const Assumptions& a) { return static_cast<int>(a.*member); }};
+            [member](BehaviourOptions& a, int reading) { a.*member = static_cast<Value>(reading); },
+            [member](const BehaviourOptions& a) { return static_cast<int>(a.*member); }};
 }
 
 const std::vector<Row>& rows() {
-    using A = Assumptions;
+    using A = BehaviourOptions;
     static const QStringList kBuiltin{"present", "missing"};
     static const std::vector<Row> kRows{
         row(&A::stops, "stops", {"real", "scaled"}, "stopj and stopl are slowed by the speed slider"),
         row(&A::programStops, "program-stops", {"real", "scaled"},
-            "so are protective stops and the end of a program"),
+            "protective stops and the end of a program are slowed by the speed slider"),
         row(&A::speedCommands, "speed-commands", {"scaled", "real"},
             "speedj, speedl, servoj and servoc are slowed by the speed slider"),
-        row(&A::registers, "registers", {"kept", "zeroed"}, "RTDE inputs when their client has gone"),
+        row(&A::registers, "registers", {"kept", "zeroed"},
+            "RTDE inputs after their client has disconnected"),
         row(&A::inputs, "inputs", {"whole", "first-half", "last-half", "scattered"},
-            "a package of RTDE inputs is applied whole, or over two periods: that part of it first"),
+            "a package of RTDE inputs is applied at once, or over two periods with the named part first"),
         row(&A::outputs, "outputs", {"same-period", "next-period"},
             "when RTDE shows the registers that a script has written"),
         row(&A::data, "data", {"even", "late", "doubled", "bunched"},
             "RTDE packages leave every period, up to 24 ms late, twice each, or ten at a time"),
         row(&A::realtimeBits, "realtime-bits", {"double", "integer"},
             "how port 30003 writes digital inputs and outputs"),
-        row(&A::safeguard, "safeguard", {"pauses", "runs"}, "what an open safeguard does to the program"),
+        row(&A::safeguard, "safeguard", {"pauses", "runs"}, "effect of an open safeguard on the program"),
         row(&A::safeguardReset, "safeguard-reset", {"resumes", "waits"},
-            "the paused program goes on by itself, or waits for play"),
+            "after the reset, the paused program resumes automatically, or waits for play"),
         row(&A::protectiveStop, "protective-stop", {"ends", "pauses", "resumes"},
-            "a program sent over a socket ends, is paused, or goes on by itself when unlocked"),
-        row(&A::emergencyStop, "emergency-stop", {"ends", "pauses"}, "what it does to the program"),
-        row(&A::remoteToLocal, "remote-to-local", {"keeps", "ends"}, "what it does to the program"),
+            "a program sent over a socket ends, is paused, or resumes automatically when unlocked"),
+        row(&A::emergencyStop, "emergency-stop", {"ends", "pauses"}, "effect on the program"),
+        row(&A::remoteToLocal, "remote-to-local", {"keeps", "ends"}, "effect on the program"),
         row(&A::pause, "pause", {"holds", "frees"},
-            "force mode and freedrive hold still in a pause, or go on"),
+            "force mode and freedrive hold the arm during a pause, or continue"),
         row(&A::stopReturns, "stop-returns", {"standing", "target"},
-            "stopj and stopl wait until the arm stands, or until its target does"),
+            "stopj and stopl wait for the standstill of the arm, or of its target"),
         row(&A::threadStart, "thread-start", {"same-period", "next-period"},
-            "when a thread begins that has been run"),
+            "period in which a new thread starts"),
         row(&A::eventNode, "event-node", {"level", "edge"},
             "an event node runs while its condition is true, or once each time it becomes true"),
         row(&A::unknownUrcap, "unknown-urcap", {"refuse", "ask", "skip"},
-            "a program with a node of a URCap without a stand-in: does not load, asks the operator at the "
-            "node, or goes on"),
+            "a program with a URCap node without a stand-in: does not load, asks the operator at the node, "
+            "or continues"),
         row(&A::rpcFactory, "rpc-factory", {"connects", "defers"},
-            "rpc_factory ends the program without a server, or only the calls of its methods do"),
+            "without a server, rpc_factory ends the program, or only calls of its methods do"),
         row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},
             "whether the threads of a program run before its main program in each period"),
         row(&A::teachMode, "teach_mode", kBuiltin, "and end_teach_mode: missing is a compile error"),
@@ -75,7 +76,7 @@ Error wrong(const QString& what) {
 
 }  // namespace
 
-std::vector<std::string> Assumptions::missingBuiltins() const {
+std::vector<std::string> BehaviourOptions::missingBuiltins() const {
     std::vector<std::string> names;
     const auto add = [&names](Builtin state, std::initializer_list<const char*> of) {
         if (state == Builtin::Missing) {
@@ -90,9 +91,9 @@ std::vector<std::string> Assumptions::missingBuiltins() const {
     return names;
 }
 
-const std::vector<AssumptionInfo>& assumptionTable() {
-    static const std::vector<AssumptionInfo> kTable = [] {
-        std::vector<AssumptionInfo> table;
+const std::vector<BehaviourOptionInfo>& assumptionTable() {
+    static const std::vector<BehaviourOptionInfo> kTable = [] {
+        std::vector<BehaviourOptionInfo> table;
         for (const Row& row : rows()) {
             table.push_back(row.info);
         }
@@ -101,7 +102,7 @@ const std::vector<AssumptionInfo>& assumptionTable() {
     return kTable;
 }
 
-Result<void> assume(Assumptions& assumptions, const QString& words) {
+Result<void> assume(BehaviourOptions& assumptions, const QString& words) {
     const QString name = words.section(QLatin1Char('='), 0, 0);
     const QString value = words.section(QLatin1Char('='), 1);
     QStringList names;
@@ -118,10 +119,10 @@ Result<void> assume(Assumptions& assumptions, const QString& words) {
         names << row.info.name;
     }
     return wrong(
-        QStringLiteral("'%1' is not known; there are %2").arg(name, names.join(QStringLiteral(", "))));
+        QStringLiteral("'%1' is not known; use one of %2").arg(name, names.join(QStringLiteral(", "))));
 }
 
-QString assumptionText(const Assumptions& assumptions) {
+QString assumptionText(const BehaviourOptions& assumptions) {
     QStringList parts;
     for (const Row& row : rows()) {
         if (const int reading = row.get(assumptions); reading != 0) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What public sources leave open about a real controller, and decides whether and when the arm stops. Each
-// fact is a switch with every reading it could have, so that clients can be shown to be right whichever is
-// true. The table in README.md says where each comes from and what depends on it.
+// Behaviour of a real controller that public sources leave open and that decides whether and when the arm
+// stops. Each item is an option with all its possible values, so that clients can be tested against every one
+// of them. The table in README.md lists the source of each item and what depends on it.
 
 #include <QString>
 #include <QStringList>
@@ -15,61 +15,63 @@
 
 namespace tiller::simulator {
 
-/// The first reading of each is the default: what the vendor's simulator or most sources suggest.
-struct Assumptions {
+/// The first value of each option is the default: the behaviour of the vendor's simulator or that suggested
+/// by most sources.
+struct BehaviourOptions {
     enum class Time : std::uint8_t { Real, Scaled };
-    Time stops = Time::Real;         ///< stopj and stopl are not, or are, slowed by the speed slider
+    Time stops = Time::Real;         ///< whether the speed slider slows stopj and stopl
     Time programStops = Time::Real;  ///< the same for protective stops and the end of a program
     enum class SpeedCommands : std::uint8_t { Scaled, Real };
     SpeedCommands speedCommands = SpeedCommands::Scaled;  ///< the same for speedj, speedl, servoj and servoc
 
     enum class Registers : std::uint8_t { Kept, Zeroed };
-    Registers registers = Registers::Kept;  ///< inputs whose client has gone
+    Registers registers = Registers::Kept;  ///< inputs of a disconnected client
     enum class Inputs : std::uint8_t { Whole, FirstHalf, LastHalf, Scattered };
-    /// A package of inputs is applied at once, or over two periods: its first or last half first, or every
-    /// other field, whichever they are.
+    /// A package of inputs is applied at once, or over two periods: first half first, last half first, or
+    /// scattered fields first.
     Inputs inputs = Inputs::Whole;
     enum class Outputs : std::uint8_t { SamePeriod, NextPeriod };
-    Outputs outputs = Outputs::SamePeriod;  ///< when RTDE shows what a script has written
+    Outputs outputs = Outputs::SamePeriod;  ///< when RTDE shows the values written by a script
     enum class Data : std::uint8_t { Even, Late, Doubled, Bunched };
-    Data data = Data::Even;  ///< how RTDE packages leave
+    Data data = Data::Even;  ///< timing of RTDE packages
 
     enum class RealtimeBits : std::uint8_t { Double, Integer };
     RealtimeBits realtimeBits = RealtimeBits::Double;  ///< digital inputs and outputs on port 30003
 
     enum class Safeguard : std::uint8_t { Pauses, Runs };
-    Safeguard safeguard = Safeguard::Pauses;  ///< what an open safeguard does to the program
+    Safeguard safeguard = Safeguard::Pauses;  ///< effect of an open safeguard on the program
     enum class Reset : std::uint8_t { Resumes, Waits };
-    Reset safeguardReset = Reset::Resumes;  ///< what its reset does to the paused program
+    Reset safeguardReset = Reset::Resumes;  ///< effect of its reset on the paused program
     enum class ProtectiveStop : std::uint8_t { Ends, Pauses, Resumes };
-    /// What happens to a program sent over a socket; Resumes: goes on as soon as the stop is unlocked.
+    /// Effect on a program sent over a socket; Resumes: it continues as soon as the stop is unlocked.
     ProtectiveStop protectiveStop = ProtectiveStop::Ends;
     enum class EmergencyStop : std::uint8_t { Ends, Pauses };
-    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< of a program, whether file or not
+    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on a program, whether from a file or not
     enum class RemoteToLocal : std::uint8_t { Keeps, Ends };
-    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< the program that runs
+    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect on the running program
     enum class Pause : std::uint8_t { Holds, Frees };
-    /// Force mode and freedrive hold still while the program is paused, or go on.
+    /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
     enum class StopReturns : std::uint8_t { Standing, Target };
-    StopReturns stopReturns = StopReturns::Standing;  ///< stopj and stopl wait for the arm, or its target
+    StopReturns stopReturns = StopReturns::Standing;  ///< stopj and stopl wait for the arm, or for its target
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
-    ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when `run` lets the new thread begin
+    ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 
     enum class EventNode : std::uint8_t { Level, Edge };
-    /// An event node of the pendant runs while its condition is true, or once each time it becomes true.
+    /// An event node of the pendant runs while its condition is true, or once each time the condition becomes
+    /// true.
     EventNode eventNode = EventNode::Level;
     enum class UnknownUrcap : std::uint8_t { Refuse, Ask, Skip };
-    /// A program with a node of a URCap that has no stand-in does not load, a popup asks the operator in place of
-    /// the node, or a text message names the node and the program continues.
+    /// For a program with a node of a URCap without stand-in: it does not load, or a popup asks the operator
+    /// in place of the node, or a text message names the node and the program continues.
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
     enum class RpcFactory : std::uint8_t { Connects, Defers };
-    /// rpc_factory() needs a server that accepts, or only the calls of its methods do.
+    /// rpc_factory() needs a reachable server, or only the calls of its methods do.
     RpcFactory rpcFactory = RpcFactory::Connects;
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
-    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, if all have waited for it
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, after equal waits
 
-    /// Deprecated builtins: there, or names the compiler does not know.
+    /// Deprecated builtins: available, or unknown to the compiler.
     enum class Builtin : std::uint8_t { Present, Missing };
     Builtin teachMode = Builtin::Present;
     Builtin servoc = Builtin::Present;
@@ -77,25 +79,25 @@ struct Assumptions {
     Builtin setPayloadMass = Builtin::Present;
     Builtin enableExternalFtSensor = Builtin::Present;
 
-    /// Names of the builtins that are missing.
+    /// Names of the missing builtins.
     std::vector<std::string> missingBuiltins() const;
 };
 
-/// One switch, by its words.
-struct AssumptionInfo {
+/// Description of one option.
+struct BehaviourOptionInfo {
     QString name;
     QStringList readings;  ///< the first is the default
     QString help;
 };
 
-/// All switches, in the order of the struct.
-const std::vector<AssumptionInfo>& assumptionTable();
-/// Takes "NAME=VALUE".
-/// Errors  InvalidArgument, with all names or with the readings of that one
-Result<void> assume(Assumptions& assumptions, const QString& words);
-/// "NAME=VALUE" of everything that is not as by default, in one line; empty: nothing.
-QString assumptionText(const Assumptions& assumptions);
-/// A paragraph each, for people.
+/// All options, in the order of the struct.
+const std::vector<BehaviourOptionInfo>& assumptionTable();
+/// Parses "NAME=VALUE".
+/// Errors  InvalidArgument, listing all names, or the values of that option
+Result<void> assume(BehaviourOptions& assumptions, const QString& words);
+/// "NAME=VALUE" of every option that differs from its default, in one line; empty if none.
+QString assumptionText(const BehaviourOptions& assumptions);
+/// Help text with one paragraph per option.
 QString assumptionHelp();
 
 }  // namespace tiller::simulator

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/angles.h"
-#include "robot/simulator/control_box.h"
+#include "robot/simulator/controller_services.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Arguments of a line. A wrong one is remembered and reported once, at the end.
+/// Arguments of a line. An invalid one is remembered and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -61,11 +61,11 @@ public:
         return {};
     }
     QString complaint() {
-        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is too much").arg(words_[next_])
+        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is unexpected").arg(words_[next_])
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
-    /// Nothing was wrong so far; more may follow.
+    /// No error so far; more arguments may follow.
     bool goodSoFar() const { return complaint_.isEmpty(); }
 
 private:
@@ -79,14 +79,14 @@ struct Verb {
     const char* arguments;
     const char* help;
     /// Reads all words first and acts only if they are good().
-    QString (*run)(ControlBox& controlBox, Words& words);
+    QString (*run)(ControllerServices& controlBox, Words& words);
 };
 
 constexpr double kMilli = 1e-3;
 constexpr double kPercent = 100;
 
 template <SafetySystem::Input input>
-QString safetyInput(ControlBox& controlBox, Words& words) {
+QString safetyInput(ControllerServices& controlBox, Words& words) {
     const bool active = words.on();
     if (words.good()) {
         controlBox.plant.safety().set(input, active);
@@ -95,7 +95,7 @@ QString safetyInput(ControlBox& controlBox, Words& words) {
 }
 
 template <class Change>
-QString changeLink(ControlBox& controlBox, Words& words, Change change) {
+QString changeLink(ControllerServices& controlBox, Words& words, Change change) {
     LinkConditions conditions = controlBox.services.link().conditions();
     change(conditions, words);
     if (words.good()) {
@@ -104,7 +104,7 @@ QString changeLink(ControlBox& controlBox, Words& words, Change change) {
     return {};
 }
 
-QString holdRegisters(ControlBox& controlBox, Words& words) {
+QString holdRegisters(ControllerServices& controlBox, Words& words) {
     const QString given = words.word();
     if (!words.good()) {
         return {};
@@ -120,12 +120,12 @@ QString holdRegisters(ControlBox& controlBox, Words& words) {
         names = given.split(',', Qt::SkipEmptyParts);
     }
     if (!controlBox.services.rtde().holdInputs(names)) {
-        words.complain(QStringLiteral("not all of these inputs exist here and are free"));
+        words.complain(QStringLiteral("some of these inputs do not exist or are in use"));
     }
     return {};
 }
 
-QString jointNearLimit(ControlBox& controlBox, Words& words) {
+QString jointNearLimit(ControllerServices& controlBox, Words& words) {
     const int joint = words.integer(1, kJointCount);
     const double margin = toRadians(words.numberOr(1.0, -10.0, 360.0));
     if (words.good()) {
@@ -138,7 +138,7 @@ QString jointNearLimit(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString hand(ControlBox& controlBox, Words& words) {
+QString hand(ControllerServices& controlBox, Words& words) {
     Vector6 wrench = Vector6::Zero();
     for (int i = 0; i < 6; ++i) {
         wrench[i] = i < 3 ? words.number(-1e4, 1e4) : words.numberOr(0, -1e4, 1e4);
@@ -151,7 +151,7 @@ QString hand(ControlBox& controlBox, Words& words) {
 
 constexpr double kFar = 10;  ///< [m]
 
-QString plane(ControlBox& controlBox, Words& words) {
+QString plane(ControllerServices& controlBox, Words& words) {
     arm::ContactPlane plane;
     plane.point.z() = words.number(-kFar, kFar);
     if (words.good() && !controlBox.plant.arm().environment().addPlane(plane)) {
@@ -160,7 +160,7 @@ QString plane(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString box(ControlBox& controlBox, Words& words) {
+QString box(ControllerServices& controlBox, Words& words) {
     arm::ContactBox box;
     for (int i = 0; i < 3; ++i) {
         box.T_base_box.position[i] = words.number(-kFar, kFar);
@@ -174,7 +174,7 @@ QString box(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString load(ControlBox& controlBox, Words& words) {
+QString load(ControllerServices& controlBox, Words& words) {
     std::optional<arm::Payload> carried;
     if (words.peek() == QLatin1String("none")) {
         words.word();
@@ -191,7 +191,7 @@ QString load(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString conveyor(ControlBox& controlBox, Words& words) {
+QString conveyor(ControllerServices& controlBox, Words& words) {
     const int encoder = words.integer(0, 1);
     const double speed = words.number(-1e6, 1e6);
     if (words.good()) {
@@ -200,7 +200,7 @@ QString conveyor(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString answer(ControlBox& controlBox, Words& words) {
+QString answer(ControllerServices& controlBox, Words& words) {
     using urscript::RequestedType;
     ScriptHost& host = controlBox.plant.scriptHost();
     const auto asked = host.asked();
@@ -230,7 +230,7 @@ QString answer(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-/// All words that are left, at least one.
+/// All remaining words, at least one.
 std::vector<std::int32_t> modbusValues(Words& words) {
     std::vector<std::int32_t> values;
     do {
@@ -241,7 +241,7 @@ std::vector<std::int32_t> modbusValues(Words& words) {
     return values;
 }
 
-QString modbusMemory(ControlBox& controlBox, Words& words) {
+QString modbusMemory(ControllerServices& controlBox, Words& words) {
     using Kind = ModbusDevice::Kind;
     static const std::pair<const char*, Kind> kKinds[] = {{"input", Kind::Input},
                                                           {"coil", Kind::Coil},
@@ -268,7 +268,7 @@ void complainOf(const Result<void>& outcome, Words& words) {
     }
 }
 
-QString modbusSignal(ControlBox& controlBox, Words& words) {
+QString modbusSignal(ControllerServices& controlBox, Words& words) {
     const std::string name = words.word().toStdString();
     const std::vector<std::int32_t> values = modbusValues(words);
     if (words.good()) {
@@ -277,7 +277,7 @@ QString modbusSignal(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString modbusError(ControlBox& controlBox, Words& words) {
+QString modbusError(ControllerServices& controlBox, Words& words) {
     const std::string name = words.word().toStdString();
     const int code = words.integer(0, 255);
     if (words.good()) {
@@ -286,7 +286,7 @@ QString modbusError(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString operationalMode(ControlBox& controlBox, Words& words) {
+QString operationalMode(ControllerServices& controlBox, Words& words) {
     const QString mode = words.word();
     const bool manual = mode == QLatin1String("manual");
     const bool automatic = mode == QLatin1String("automatic");
@@ -301,7 +301,7 @@ QString operationalMode(ControlBox& controlBox, Words& words) {
     return {};
 }
 
-QString status(ControlBox& controlBox, Words&) {
+QString status(ControllerServices& controlBox, Words&) {
     const Telemetry& t = controlBox.plant.telemetry();
     const LinkConditions& link = controlBox.services.link().conditions();
     return QStringLiteral(
@@ -320,7 +320,7 @@ QString status(ControlBox& controlBox, Words&) {
         .arg(link.drop * kPercent);
 }
 
-QString clear(ControlBox& controlBox, Words& words) {
+QString clear(ControllerServices& controlBox, Words& words) {
     if (words.good()) {
         controlBox.services.link().set({});
         controlBox.services.link().unbury();
@@ -336,7 +336,7 @@ using Input = SafetySystem::Input;
 // clang-format off
 const Verb kVerbs[] = {
     {"protective-stop", "[CODE [JOINT]]", "the controller stops the arm (error code, default 157: collision; joint 1 to 6)",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          constexpr double kCollision = 157;
          const auto code = static_cast<std::int32_t>(w.numberOr(kCollision, 0, 9999));
          const int joint = w.has() ? w.integer(1, kJointCount) : 0;
@@ -350,55 +350,55 @@ const Verb kVerbs[] = {
     {"reduced", "on|off", "the reduced-mode input", &safetyInput<Input::Reduced>},
     {"recovery", "on|off", "a joint outside its safety limits", &safetyInput<Input::Recovery>},
     {"violation", "", "a safety limit is violated: power off, requires a restart of the safety system",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
     {"fault", "", "the safety system finds a fault: power off, requires a restart of the safety system",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
     {"power-loss", "", "the arm's supply fails",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
     {"restart", "[SECONDS] [unconfirmed]", "the controller restarts slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const double seconds = w.numberOr(20, 0, 3600);
          const bool unconfirmed = w.has() && w.choice("unconfirmed", "confirmed");
          if (w.good()) { m.plant.restart(seconds, unconfirmed); m.services.closeClients(); }
          return QString(); }},
     {"confirm-safety", "", "the operator confirms the safety configuration",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
     {"backdrive", "on|off", "moves joints by hand with the brakes overridden, from IDLE",
-     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
     {"script-error", "[TEXT]", "the running program fails with a runtime exception",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const QString text = w.has() ? w.rest() : QStringLiteral("injected_runtime_error");
          m.plant.failProgram(text.toStdString());
          return QString(); }},
     {"popup", "TEXT", "a popup on the pendant, which blocks `play`",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const QString text = w.has() ? w.rest() : w.word();
          if (w.good()) { m.plant.showPopup(text.toStdString(), true); }
          return QString(); }},
     {"close-popup", "", "the button of the newest popup is pressed",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
     {"answer", "VALUE", "answers a request of a program to primary clients: true|false, a number, a text", &answer},
     {"hold-registers", "lower|upper|NAME,NAME...", "another client owns these RTDE inputs", &holdRegisters},
     {"release-registers", "", "frees them again",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
     {"link", "lost|back", "unplugs the cable, or plugs it in again: no data pass, connections stay",
-     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
+     [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
     {"silence", "on|off", "a mute controller: time continues, nothing is read or sent",
-     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
+     [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
     {"delay", "MS [JITTER]", "delay in each direction, plus a random jitter; 0: none",
-     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
     {"split", "BYTES", "sent data arrive in two pieces, the first with this number of bytes; 0: unsplit",
-     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
     {"coalesce", "MS", "data sent within this time arrive together; 0: as sent",
-     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
     {"drop", "PERCENT", "this percentage of the RTDE data packages is not sent, as by an overloaded controller; 0: none",
-     [](ControlBox& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
+     [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.drop = r.number(0, 100) / kPercent; }); }},
     {"half-open", "", "the controller drops all connections without notifying the clients",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          if (w.good()) {
              m.services.link().setForgetting(true);
              m.services.closeClients();
@@ -406,32 +406,32 @@ const Verb kVerbs[] = {
          }
          return QString(); }},
     {"close-clients", "", "closes all connections in order",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
     {"joint-near-limit", "JOINT [DEGREES]", "moves joint 1 to 6 to this distance from the end of its range (default 1); below 0: beyond it, RECOVERY", &jointNearLimit},
     {"calibration", "SIZE", "the reported kinematics deviate from the arm by up to SIZE mm and mrad; 0: no deviation",
-     [](ControlBox& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
     {"remote", "on|off", "the pendant's Local/Remote switch",
-     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
     {"operational-mode", "manual|automatic|none", "", &operationalMode},
     {"freedrive-button", "on|off", "",
-     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setFreedriveButton(on); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setFreedriveButton(on); } return QString(); }},
     {"digital-input", "NUMBER on|off", "0-7 standard, 8-15 configurable, 16-17 tool",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const int pin = w.integer(0, kDigitalPins - 1);
          const bool on = w.on();
          if (w.good()) { Pins::setBit(m.plant.pins().digitalInputs, pin, on); }
          return QString(); }},
     {"speed", "FRACTION", "the speed slider, 0 to 1",
-     [](ControlBox& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
     {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros release it", &hand},
     {"plane", "HEIGHT", "a horizontal surface at that height [m], base frame", &plane},
     {"box", "X Y Z SX SY SZ", "a box centred at that point [m], base frame, with these edge lengths", &box},
     {"no-surfaces", "", "removes all planes and boxes",
-     [](ControlBox& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
+     [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
     {"load", "KG [X Y Z]|none", "actual load of the tool and its centre [m], flange frame; none: the payload of the controller", &load},
     {"conveyor", "0|1 TICKS", "ticks per second of that encoder", &conveyor},
     {"gripper-object", "POSITION|none", "an object between the gripper fingers stops them at 0 to 255",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const QString given = w.word();
          bool ok = false;
          const int position = given.toInt(&ok);
@@ -443,21 +443,21 @@ const Verb kVerbs[] = {
     {"modbus-memory", "KIND ADDRESS VALUE...", "the same by address; KIND: input, coil, input-register or register", &modbusMemory},
     {"modbus-error", "NAME CODE", "answer of the device to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
-     [](ControlBox& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
+     [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
     {"assume", "NAME=VALUE", "changes an assumption from now on; see 'tiller-cli simulate --assume help'",
-     [](ControlBox& m, Words& w) {
+     [](ControllerServices& m, Words& w) {
          const QString words = w.word();
          if (w.good()) {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
          return QString(); }},
-    {"status", "", "shows the present modes and faults", &status},
+    {"status", "", "shows the current modes and faults", &status},
     {"clear", "", "ends silence, link conditions, held registers and calibration errors", &clear},
 };
 // clang-format on
 
 }  // namespace
 
-Result<QString> injectFault(ControlBox& controlBox, const QString& line) {
+Result<QString> injectFault(ControllerServices& controlBox, const QString& line) {
     QStringList words = line.simplified().split(' ', Qt::SkipEmptyParts);
     if (words.isEmpty()) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("a word is missing; 'help' lists them"), {}};
@@ -484,7 +484,7 @@ Result<QString> injectFault(ControlBox& controlBox, const QString& line) {
         ErrorCode::InvalidArgument, QStringLiteral("'%1' is not known; 'help' lists all").arg(name), {}};
 }
 
-std::string answerFaultLine(ControlBox& controlBox, std::string_view line) {
+std::string answerFaultLine(ControllerServices& controlBox, std::string_view line) {
     const Result<QString> done =
         injectFault(controlBox, QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
     if (!done) {

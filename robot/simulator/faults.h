@@ -16,16 +16,16 @@
 
 namespace tiller::simulator {
 
-struct ControlBox;
+struct ControllerServices;
 
 /// Executes a line.
 /// Returns  the requested value, usually empty
 /// Errors   InvalidArgument, with the reason
 /// Threads  the simulator's
-Result<QString> injectFault(ControlBox& controlBox, const QString& line);
-/// The same as the fault port speaks, newline included.
-std::string answerFaultLine(ControlBox& controlBox, std::string_view line);
-/// All lines there are, one paragraph of text.
+Result<QString> injectFault(ControllerServices& controlBox, const QString& line);
+/// The same in the format of the fault port, newline included.
+std::string answerFaultLine(ControllerServices& controlBox, std::string_view line);
+/// Help on all lines, one paragraph of text.
 QString faultHelp();
 
 }  // namespace tiller::simulator

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -31,11 +31,11 @@ public:
             plant.arm().setTcp(*options.tcp);
         }
         plant.registers().followed.number = static_cast<std::size_t>(options.followedRegister);
-        // A period without a program: from here on the arm reports where it is.
+        // One period without a program, after which the arm reports its position.
         plant.step();
     }
 
-    Plant plant;
+    ControllerModel plant;
     double began = 0;
 };
 

@@ -22,15 +22,15 @@ struct ScriptRunOptions {
     RobotModelId model = RobotModelId::UR5e;
     SoftwareVersion software{5, 22, 1, 1214193};
     JointPositions start;       ///< [rad]
-    std::optional<Pose> tcp;    ///< flange to TCP at the start [m, rad]; nothing: the flange
+    std::optional<Pose> tcp;    ///< flange to TCP at the start [m, rad]; empty: the flange
     int followedRegister = 47;  ///< output integer register whose values takeWritten() returns
-    std::uint64_t seed = 1;     ///< of measurement noise and of the script's random()
+    std::uint64_t seed = 1;     ///< for measurement noise and the script's random()
 };
 
-/// Why a script could not be compiled, or ended before its end.
+/// The reason why a script could not be compiled, or why it ended early.
 struct ScriptFault {
-    int line = 0;  ///< from 1; 0: not known
-    QString text;  ///< as the controller words it
+    int line = 0;  ///< from 1; 0: unknown
+    QString text;  ///< the message of the controller
 };
 
 /// Threads  one at a time. Nothing blocks.
@@ -41,30 +41,30 @@ public:
     ScriptRun(const ScriptRun&) = delete;
     ScriptRun& operator=(const ScriptRun&) = delete;
 
-    /// Compiles without running.  Returns  nothing when the script is right
+    /// Compiles without running.  Returns  the error; nothing if there is none
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
-    /// The script runs from the next step on.  Returns  why it cannot; nothing when it does
+    /// The script starts with the next step.  Returns  the error; nothing if there is none
     std::optional<ScriptFault> start(const QString& script);
-    /// One control period.  Returns  false when no script runs any more
+    /// Runs one control period.  Returns  false when no script is running any more
     bool step();
 
     double stepTime() const;               ///< [s]
     double time() const;                   ///< since start() [s]
-    JointPositions q() const;              ///< where the arm is to be: target_q [rad]
+    JointPositions q() const;              ///< target position: target_q [rad]
     Pose tcpPose() const;                  ///< the same as target_TCP_pose [m, rad], base frame
     std::uint64_t digitalOutputs() const;  ///< 0-7 standard, 8-15 configurable, 16-17 tool
     SafetyMode safetyMode() const;
     /// The values that the script has written to the followed register since the last call.
     std::vector<std::int32_t> takeWritten();
-    /// Why the script failed; nothing: it runs, or came to its end.
+    /// Why the script failed; nothing if it is running or ended by itself.
     std::optional<ScriptFault> failure() const;
-    /// The cause of a protective stop, as the controller words it; empty: there was none.
+    /// The cause of a protective stop in the words of the controller; empty if there was none.
     QString stopText() const;
 
-    /// The script shows a message or asks a question, and does not go on without an answer.
+    /// The script shows a message or asks a question, and waits for an answer.
     bool waitsForOperator() const;
-    /// Closes the message; answers a question with no, zero or an empty text.
+    /// Closes the message; answers a question with "no", zero or an empty text.
     void answerOperator();
 
     void setDigitalInput(int channel, bool value);  ///< as digitalOutputs()

@@ -15,7 +15,7 @@
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/thread_priority.h"
 #include "robot/simulator/box/personality.h"
-#include "robot/simulator/control_box.h"
+#include "robot/simulator/controller_services.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/pendant/urcaps.h"
@@ -26,8 +26,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Periods caught up after the machine was busy; further ones are dropped, and robot time is stopped for them.
-constexpr std::uint64_t kMostCatchUp = 25;
+/// Maximum number of periods caught up after the machine was busy. Further ones are dropped, and robot time
+/// is paused for them.
+constexpr std::uint64_t kMaxCatchUp = 25;
 /// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;
 
@@ -35,7 +36,7 @@ constexpr auto kVirtualPoll = 500us;
 
 class Simulator::Impl {
 public:
-    using Work = std::function<void(ControlBox&)>;
+    using Work = std::function<void(ControllerServices&)>;
 
     explicit Impl(const SimulatorOptions& given) : options(given) {
         if (options.serialNumber.isEmpty()) {
@@ -73,7 +74,7 @@ public:
         thread.reset();
     }
 
-    /// Hands work to the thread; it is dropped when none runs.
+    /// Queues work for the thread; it is dropped when the thread is not running.
     void post(Work work) {
         {
             const std::lock_guard lock(mutex);
@@ -85,7 +86,7 @@ public:
         wake.notify_all();
     }
 
-    /// As post(), and waits until it is done.
+    /// As post(), but waits until the work is done.
     void call(const Work& work) {
         std::promise<void> done;
         std::future<void> finished = done.get_future();
@@ -94,7 +95,7 @@ public:
             if (!accepting) {
                 return;
             }
-            queue.push_back([&work, &done](ControlBox& controlBox) {
+            queue.push_back([&work, &done](ControllerServices& controlBox) {
                 work(controlBox);
                 done.set_value();
             });
@@ -111,15 +112,15 @@ public:
     bool accepting = false;
     bool stopping = false;
     Ports ports = Ports::none();
-    Truth truth;
+    SimulatedState truth;
     std::vector<RtdeDelivery> deliveries;
     bool linkIsPlain = true;
-    TickTiming timing;  ///< the thread's, as what follows
+    TickTiming timing;  ///< this and the following members belong to the simulator thread
     std::chrono::steady_clock::time_point timingBegan;
     double threadSecondsBefore = 0;
-    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read by any
+    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read from any thread
 
-    // In the thread.
+    // In the simulator thread.
     void resetTiming() {
         const bool granted = timing.priorityGranted;
         timing = TickTiming();
@@ -134,9 +135,9 @@ public:
         return now;
     }
 
-    void publishTruth(ControlBox& controlBox) {
+    void publishState(ControllerServices& controlBox) {
         const Telemetry& t = controlBox.plant.telemetry();
-        Truth now;
+        SimulatedState now;
         now.tick = t.tick;
         now.timestamp = t.timestamp;
         now.robotMode = t.robotMode;
@@ -164,20 +165,20 @@ private:
         timing.priorityGranted =
             options.priority && realtime::requestThreadPriority(*options.priority).granted > 0;
         resetTiming();
-        ControlBox controlBox(options);
+        ControllerServices controlBox(options);
         Result<void> outcome = checkSoftware(options.model, options.software);
         if (outcome.ok()) {
             outcome = controlBox.services.open(options);
         }
         const bool isOpen = outcome.ok();
         if (isOpen) {
-            publishTruth(controlBox);
+            publishState(controlBox);
             const std::lock_guard lock(mutex);
             ports = controlBox.services.ports();
             rtde = &controlBox.services.rtde();
             accepting = true;
         }
-        opened.set_value(std::move(outcome));  // from here on `opened` may be gone
+        opened.set_value(std::move(outcome));  // `opened` may be destroyed from here on
         if (!isOpen) {
             return;
         }
@@ -200,7 +201,7 @@ private:
         return stopping;
     }
 
-    void work(ControlBox& controlBox) {
+    void work(ControllerServices& controlBox) {
         std::vector<Work> batch;
         {
             const std::lock_guard lock(mutex);
@@ -211,18 +212,18 @@ private:
         }
     }
 
-    void runInRealTime(ControlBox& controlBox) {
+    void runInRealTime(ControllerServices& controlBox) {
         realtime::PeriodicTimer timer{
             std::chrono::nanoseconds(static_cast<std::int64_t>(controlBox.plant.stepTime() * 1e9 + 0.5))};
         while (!mustStop()) {
             const std::uint64_t over = timer.wait();
-            const std::uint64_t missed = std::min(over, kMostCatchUp);
+            const std::uint64_t missed = std::min(over, kMaxCatchUp);
             const auto began = std::chrono::steady_clock::now();
             work(controlBox);
             for (std::uint64_t i = 0; i <= missed; ++i) {
                 controlBox.tick();
             }
-            publishTruth(controlBox);
+            publishState(controlBox);
             timing.ticks += 1 + missed;
             timing.late += missed;
             timing.lost += over - missed;
@@ -231,7 +232,7 @@ private:
         }
     }
 
-    void runInVirtualTime(ControlBox& controlBox) {
+    void runInVirtualTime(ControllerServices& controlBox) {
         while (!mustStop()) {
             work(controlBox);
             controlBox.service();
@@ -243,14 +244,15 @@ private:
 
 namespace {
 
-/// Without one no socket notifier is called: the ports accept connections, but no client is served.
+/// Without an application object no socket notifier is called: the ports accept connections, but no client is
+/// served.
 void makeApplication() {
     if (QCoreApplication::instance() == nullptr) {
         static int count = 1;
         static char name[] = "tiller";
         static char* arguments[] = {name, nullptr};
         static QCoreApplication* const application = new QCoreApplication(count, arguments);
-        static_cast<void>(application);  // lives as long as the process
+        static_cast<void>(application);  // exists until the process exits
     }
 }
 
@@ -299,11 +301,11 @@ void Simulator::step(int ticks) {
     if (d_->options.time != Time::Virtual || ticks <= 0) {
         return;
     }
-    d_->call([this, ticks](ControlBox& controlBox) {
+    d_->call([this, ticks](ControllerServices& controlBox) {
         for (int i = 0; i < ticks; ++i) {
             controlBox.tick();
         }
-        d_->publishTruth(controlBox);
+        d_->publishState(controlBox);
     });
 }
 
@@ -312,7 +314,7 @@ bool Simulator::stepAnswered(const Deadline& deadline) {
     if (d_->options.time != Time::Virtual) {
         return answered;
     }
-    d_->call([&](ControlBox& controlBox) {
+    d_->call([&](ControllerServices& controlBox) {
         const RtdeServer& rtde = controlBox.services.rtde();
         const std::uint64_t inputs = rtde.inputPackages();
         const std::uint64_t outputs = rtde.outputPackages();
@@ -323,7 +325,7 @@ bool Simulator::stepAnswered(const Deadline& deadline) {
             controlBox.service();
         }
         answered = rtde.inputPackages() >= wanted;
-        d_->publishTruth(controlBox);
+        d_->publishState(controlBox);
     });
     return answered;
 }
@@ -333,7 +335,7 @@ void Simulator::stepSeconds(double seconds) {
 }
 
 void Simulator::drainSockets() {
-    d_->call([](ControlBox& controlBox) { controlBox.service(); });
+    d_->call([](ControllerServices& controlBox) { controlBox.service(); });
 }
 
 std::uint64_t Simulator::inputPackages() const {
@@ -374,61 +376,61 @@ int Simulator::rtdeClients() const {
     return d_->rtde == nullptr ? 0 : d_->rtde->clients();
 }
 
-Truth Simulator::truth() const {
+SimulatedState Simulator::truth() const {
     const std::lock_guard lock(d_->mutex);
     return d_->truth;
 }
 
 TickTiming Simulator::timing() {
     TickTiming now;
-    d_->call([this, &now](ControlBox&) { now = d_->timingNow(); });
+    d_->call([this, &now](ControllerServices&) { now = d_->timingNow(); });
     return now;
 }
 
 void Simulator::resetTiming() {
-    d_->post([this](ControlBox&) { d_->resetTiming(); });
+    d_->post([this](ControllerServices&) { d_->resetTiming(); });
 }
 
 // ---- hooks ----------------------------------------------------------------------------------------------
 
 void Simulator::protectiveStop() {
-    d_->post([](ControlBox& controlBox) {
+    d_->post([](ControllerServices& controlBox) {
         constexpr std::int32_t kCollision = 157;
         controlBox.plant.protectiveStop({kCollision, 0, primary::ReportLevel::Warning, ""});
     });
 }
 void Simulator::emergencyStop(bool pressed) {
-    d_->post([pressed](ControlBox& controlBox) {
+    d_->post([pressed](ControllerServices& controlBox) {
         controlBox.plant.safety().set(SafetySystem::Input::RobotEmergencyStop, pressed);
     });
 }
 void Simulator::systemEmergencyStop(bool active) {
-    d_->post([active](ControlBox& controlBox) {
+    d_->post([active](ControllerServices& controlBox) {
         controlBox.plant.safety().set(SafetySystem::Input::SystemEmergencyStop, active);
     });
 }
 void Simulator::safeguardStop(bool open) {
-    d_->post([open](ControlBox& controlBox) {
+    d_->post([open](ControllerServices& controlBox) {
         controlBox.plant.safety().set(SafetySystem::Input::Safeguard, open);
     });
 }
 void Simulator::reducedMode(bool active) {
-    d_->post([active](ControlBox& controlBox) {
+    d_->post([active](ControllerServices& controlBox) {
         controlBox.plant.safety().set(SafetySystem::Input::Reduced, active);
     });
 }
 void Simulator::violation() {
-    d_->post([](ControlBox& controlBox) { controlBox.plant.safety().violation(); });
+    d_->post([](ControllerServices& controlBox) { controlBox.plant.safety().violation(); });
 }
 void Simulator::fault() {
-    d_->post([](ControlBox& controlBox) { controlBox.plant.safety().fault(); });
+    d_->post([](ControllerServices& controlBox) { controlBox.plant.safety().fault(); });
 }
 
 void Simulator::setDigitalInput(int number, bool value) {
     if (number < 0 || number >= kDigitalPins) {
         return;
     }
-    d_->post([number, value](ControlBox& controlBox) {
+    d_->post([number, value](ControllerServices& controlBox) {
         Pins::setBit(controlBox.plant.pins().digitalInputs, number, value);
     });
 }
@@ -437,46 +439,48 @@ void Simulator::setAnalogInput(int number, double value) {
     if (number < 0 || number > 3) {
         return;
     }
-    d_->post([n = static_cast<std::size_t>(number), value](ControlBox& controlBox) {
+    d_->post([n = static_cast<std::size_t>(number), value](ControllerServices& controlBox) {
         Pins& pins = controlBox.plant.pins();
         (n < 2 ? pins.analogInputs[n] : pins.toolAnalogInputs[n - 2]) = value;
     });
 }
 
 void Simulator::setRemoteControl(bool remote) {
-    d_->post([remote](ControlBox& controlBox) { controlBox.setRemoteControl(remote); });
+    d_->post([remote](ControllerServices& controlBox) { controlBox.setRemoteControl(remote); });
 }
 
 Result<QString> Simulator::inject(const Text& words) {
     Result<QString> outcome =
         Error{ErrorCode::NotConnected, QStringLiteral("the controller does not run"), {}};
-    d_->call([&](ControlBox& controlBox) { outcome = injectFault(controlBox, words); });
+    d_->call([&](ControllerServices& controlBox) { outcome = injectFault(controlBox, words); });
     return outcome;
 }
 
 void Simulator::pressFreedriveButton(bool pressed) {
-    d_->post([pressed](ControlBox& controlBox) { controlBox.plant.setFreedriveButton(pressed); });
+    d_->post([pressed](ControllerServices& controlBox) { controlBox.plant.setFreedriveButton(pressed); });
 }
 void Simulator::pressHand(const Wrench& wrench) {
-    d_->post(
-        [wrench](ControlBox& controlBox) { controlBox.plant.arm().environment().setHandWrench(wrench); });
+    d_->post([wrench](ControllerServices& controlBox) {
+        controlBox.plant.arm().environment().setHandWrench(wrench);
+    });
 }
 void Simulator::changeWorld(std::function<void(arm::Environment&)> change) {
-    d_->post([change = std::move(change)](ControlBox& controlBox) {
+    d_->post([change = std::move(change)](ControllerServices& controlBox) {
         change(controlBox.plant.arm().environment());
     });
 }
 void Simulator::setSpeedSlider(double fraction) {
-    d_->post([fraction](ControlBox& controlBox) { controlBox.plant.setSpeedSlider(fraction); });
+    d_->post([fraction](ControllerServices& controlBox) { controlBox.plant.setSpeedSlider(fraction); });
 }
 void Simulator::answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer) {
-    d_->post([answer](ControlBox& controlBox) { controlBox.plant.scriptHost().answerRequest(answer); });
+    d_->post(
+        [answer](ControllerServices& controlBox) { controlBox.plant.scriptHost().answerRequest(answer); });
 }
 void Simulator::silence(bool silent) {
-    d_->post([silent](ControlBox& controlBox) { controlBox.silent = silent; });
+    d_->post([silent](ControllerServices& controlBox) { controlBox.silent = silent; });
 }
 void Simulator::closeClients() {
-    d_->post([](ControlBox& controlBox) { controlBox.services.closeClients(); });
+    d_->post([](ControllerServices& controlBox) { controlBox.services.closeClients(); });
 }
 
 }  // namespace tiller::simulator

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Who a simulated controller is, where it listens, and how its time passes.
+// Identity of a simulated controller, its network address, and its time mode.
 
 #include <QString>
 #include <chrono>
@@ -28,32 +28,32 @@ struct SimulatorOptions {
     SoftwareVersion software{5, 22, 1, 1214193};
     Text listenAddress = QStringLiteral("127.0.0.1");
     int portOffset = 0;         ///< added to every standard port
-    bool anyFreePorts = false;  ///< the system picks the ports; ask ports() after start()
+    bool anyFreePorts = false;  ///< the system assigns the ports; query ports() after start()
     Time time = Time::Real;
-    bool poweredOn = false;  ///< start with the brakes released, in RUNNING
+    bool poweredOn = false;  ///< start in RUNNING, with the brakes released
     JointPositions startJoints = kHomeJoints;
-    std::optional<int> priority = {};  ///< SCHED_FIFO priority wished for the thread; none: normal
-    std::uint64_t seed = 1;            ///< of measurement noise and of the scripts' random()
+    std::optional<int> priority = {};  ///< requested SCHED_FIFO priority of the thread; none: normal
+    std::uint64_t seed = 1;            ///< for measurement noise and the scripts' random()
     bool remoteControl = true;         ///< the pendant's Local/Remote switch
     bool gateLocalControl =
-        false;  ///< refuse what a robot in Local refuses (the vendor's simulator does not)
+        false;  ///< refuse what a robot in Local control refuses (the vendor's simulator does not)
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
     bool fastTransitions = false;      ///< power on and brake release within a few control periods
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
-    double bootTime = 0;      ///< [s] from the start to POWER_OFF; more than 0 makes `timestamp` begin at 0
+    double bootTime = 0;      ///< [s] from the start to POWER_OFF; above 0, `timestamp` starts at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibration =
-        0;  ///< deviation of the arm from its model, up to this many mm and mrad, as reported
+        0;  ///< deviation of the arm from its nominal model, up to this many mm and mrad, as reported
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
-    Text programsFolder = {};     ///< where `load` finds programs; empty: there are none
-    Text urcapsFolder = {};  ///< stand-ins for nodes of URCaps, see README.md; empty: the built-in ones only
-    Text serialNumber = {};  ///< empty: one of its own for each model
-    /// A pause this long after its last piece ends the script of an External Control node.
+    Text programsFolder = {};     ///< folder for `load`; empty: no programs
+    Text urcapsFolder = {};       ///< more stand-ins for nodes of URCaps, see README.md; empty: none
+    Text serialNumber = {};       ///< empty: a default per model
+    /// Pause in the received data after which the script of an External Control node is complete.
     std::chrono::milliseconds scriptSilence{150};
-    Assumptions assumptions = {};  ///< how it behaves where it is not known how a real one does
+    BehaviourOptions assumptions = {};  ///< behaviour that is not documented for real controllers
 };
 
-/// Port numbers in use; 0 before start(), and for a service that this software does not have.
+/// Port numbers in use; 0 before start(), and for services that this software does not have.
 struct Ports {
     std::uint16_t dashboard = 29999;
     std::uint16_t primary = 30001;
@@ -63,12 +63,12 @@ struct Ports {
     std::uint16_t primaryReadOnly = 30011;
     std::uint16_t secondaryReadOnly = 30012;
     std::uint16_t realtimeReadOnly = 30013;
-    std::uint16_t interpreter = 30020;  ///< 0 on software that has no interpreter mode
-    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 where the system keeps 80 to itself
-    std::uint16_t gripper = 63352;      ///< of Robotiq
-    std::uint16_t faults = 29990;       ///< faults on demand, see faults.h
+    std::uint16_t interpreter = 30020;  ///< 0 for software without interpreter mode
+    std::uint16_t robotApi = 80;    ///< HTTP, PolyScope X only; 8080 where port 80 is reserved by the system
+    std::uint16_t gripper = 63352;  ///< Robotiq gripper
+    std::uint16_t faults = 29990;   ///< fault injection, see faults.h
 
-    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No port at all.
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.
 };
 
 }  // namespace tiller::simulator

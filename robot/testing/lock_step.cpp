@@ -14,11 +14,11 @@ namespace tiller::virtual_time {
 
 namespace {
 
-/// How long a thread may take in real time for one packet: never reached on a machine that runs.
+/// Maximum real time for a thread to process one packet; only reached if a thread hangs.
 constexpr std::chrono::seconds kGiveUp{20};
-/// For the control thread to notice, in real time, that its data are too old: several of its looks.
+/// Real time in which the control thread detects that its data are too old: several of its check intervals.
 constexpr std::chrono::milliseconds kNoticeTime{50};
-/// An answer that does not come, of a controller that is losing control.
+/// Maximum wait for an answer before checking again, because a controller that is losing control sends none.
 constexpr std::chrono::milliseconds kAnswerSlice{20};
 
 template <class T>
@@ -88,7 +88,7 @@ std::shared_ptr<receive::Receiver> LockStep::makeReceiver(receive::ReceiverOptio
     options.clock = clock_.get();
     auto made = std::make_shared<receive::Receiver>(std::move(options));
     follow(made);
-    (void)made->start();  // what is wrong, waitForData() says
+    (void)made->start();  // waitForData() reports errors
     return made;
 }
 
@@ -127,7 +127,7 @@ void LockStep::tick() {
     clock_->advanceNs(static_cast<std::int64_t>(robot_.stepTime() * 1e9));
     robot_.step();
     const auto after = robot_.rtdeDeliveries();
-    // The time stamp of what reached the client in this period.
+    // Time stamp of the package that reached the client in this period.
     const auto reached = [&](std::uint16_t port) -> std::optional<double> {
         const auto isOfPort = [port](const simulator::RtdeDelivery& one) { return one.port == port; };
         const auto now = std::find_if(after.begin(), after.end(), isOfPort);
@@ -154,7 +154,7 @@ void LockStep::tick() {
         }
         answers += stamp && status.inControl ? 1 : 0;
     }
-    // Without packets nothing wakes the control thread: it looks at the clock by itself, and ends the motion.
+    // Without packets, the control thread detects outdated data by checking the clock, and ends the motion.
     const auto noticed = std::chrono::steady_clock::now() + kNoticeTime;
     for (const auto& controller : all) {
         control::ControllerStatus status = controller->status();
@@ -164,7 +164,7 @@ void LockStep::tick() {
             status = controller->status();
         }
     }
-    // On a link with faults the answers arrive when the link lets them through.
+    // If the connection has injected faults, the answers may be delayed.
     const auto inControl = [&] {
         return std::any_of(controllers.begin(), controllers.end(),
                            [](const auto& controller) { return controller->status().inControl; });
@@ -172,7 +172,7 @@ void LockStep::tick() {
     while (answers > 0 && robot_.isLinkPlain() && inControl() && goesOn() &&
            !robot_.waitForInputPackages(inputs + answers, Deadline::after(kAnswerSlice))) {
     }
-    // Clients that connect get their answers without time moving on.
+    // Connecting clients get their answers without advancing the time.
     robot_.drainSockets();
 }
 

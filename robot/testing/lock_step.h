@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For tests of programs: a simulated robot in virtual time, with receivers and controllers that follow its clock in lock-step.
-// Real sockets, real threads and the real control program, but no real time: a test runs as fast as the machine can, and
-// gives the same result on a slow one. examples/cpp/testing has fixtures for GoogleTest, Catch2 and Qt Test.
+// For tests of programs: a simulated robot in virtual time, with receivers and controllers that follow its
+// clock in lock-step. Sockets, threads and the control program are real, but the time is not: a test runs as
+// fast as the machine permits, and has the same result on a slow machine. examples/cpp/testing contains
+// fixtures for GoogleTest, Catch2 and Qt Test.
 //
 //     virtual_time::LockStep bench;
 //     bench.start().value();
@@ -29,14 +30,14 @@
 
 namespace tiller::virtual_time {
 
-/// Owns the simulated robot and its clock, which have to outlive what follows them: members that are declared after this
-/// one do. While a Flow exists, it owns a thread that moves time on.
-/// Threads  any, unless said otherwise
+/// Owns the simulated robot and its clock. Both must outlive all objects that use the clock, so declare these
+/// objects after this one. While a Flow exists, this object also owns a thread that advances the time.
+/// Threads  any, unless stated otherwise
 class LockStep {
 public:
-    /// A UR5e with its brakes released, at a loopback address that no other LockStep of this machine uses.
+    /// A UR5e with released brakes, at a loopback address that is unique on this machine.
     static simulator::SimulatorOptions defaultOptions();
-    /// options  time is always virtual
+    /// options  the time is always virtual
     explicit LockStep(simulator::SimulatorOptions options = defaultOptions());
     ~LockStep();
     LockStep(const LockStep&) = delete;
@@ -44,28 +45,33 @@ public:
 
     /// Errors  as Simulator::start()
     Result<void> start();
-    void stop();  ///< Ends the robot and every connection; harmless when it does not run.
+    void stop();  ///< Stops the robot and closes all connections. No effect if it is not running.
 
-    simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and its actual state.
-    const simulator::Simulator& robot() const { return robot_; }           ///< The same.
-    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For objects made elsewhere.
+    simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and the actual state.
+    const simulator::Simulator& robot() const { return robot_; }           ///< As above.
+    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For your own objects.
 
-    /// A receiver of this robot, started, by its clock. options  host, port and clock are set here
+    /// Creates and starts a receiver of this robot that uses its clock.
+    /// options  host, port and clock are overwritten
     std::shared_ptr<receive::Receiver> makeReceiver(receive::ReceiverOptions options = {});
-    /// A controller of this robot, by its clock. options  host, port offset and clock are set here
+    /// Creates a controller of this robot that uses its clock.
+    /// options  host, port offset and clock are overwritten
     std::shared_ptr<control::Controller> makeController(control::ControllerOptions options = {});
-    /// Has step() wait for one that was made elsewhere with clock(). What has been destroyed is forgotten.
+    /// Makes step() wait for an object that the caller created with clock(). Destroyed objects are removed
+    /// automatically.
     void follow(std::weak_ptr<const receive::Receiver> receiver);
-    void follow(std::weak_ptr<const control::Controller> controller);  ///< The same.
+    void follow(std::weak_ptr<const control::Controller> controller);  ///< As above.
 
-    /// One control period. When it returns, each receiver and controller that follows has taken in what reached it, and who
-    /// is in control has answered. What a fault of the link holds back is not waited for.
+    /// Advances the time by one control period. When the function returns, each following receiver and
+    /// controller has processed the data that reached it, and controllers in control have answered. The
+    /// function does not wait for data that an injected fault of the connection delays.
     void tick();
-    void step(double seconds);  ///< [s], in whole control periods
-    /// Steps until the condition holds, for at most so long [s]. Returns  whether it does
+    void step(double seconds);  ///< Advances the time [s], rounded to control periods.
+    /// Steps until the condition is true, at most for this time [s].
+    /// Returns  whether the condition is true
     bool stepUntil(const std::function<bool()>& condition, double atMost);
 
-    /// Moves time on in a thread of its own while one exists: around calls that wait for the robot.
+    /// Advances the time in a separate thread while an object exists, for calls that wait for the robot.
     class Flow {
     public:
         explicit Flow(LockStep& bench) : bench_(bench) { bench_.beginFlow(); }
@@ -76,14 +82,14 @@ public:
     private:
         LockStep& bench_;
     };
-    /// The result of a call that waits for the robot; time moves on meanwhile.
+    /// Returns the result of a call that waits for the robot, and advances the time meanwhile.
     template <class Call>
     auto whileTimePasses(Call call) {
         const Flow flow(*this);
         return call();
     }
-    void beginFlow();  ///< As a Flow; each call needs an endFlow().
-    void endFlow();    ///< Blocks: until time is at standstill, unless other flows go on.
+    void beginFlow();  ///< As creating a Flow; each call needs an endFlow().
+    void endFlow();    ///< Blocks: until the time has stopped, unless other flows exist.
 
 private:
     struct Ticking {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A fixture for any test framework: a simulated UR5e in virtual time, and a controller in control of it.
+// A fixture for any test framework: a simulated UR5e in virtual time, and a controller that has taken control.
 //
 //     class Arm : public ::testing::Test, protected tiller::virtual_time::RobotFixture {};  // GoogleTest
 //     TEST_CASE_METHOD(tiller::virtual_time::RobotFixture, "a protective stop ends the move")  // Catch2
@@ -18,7 +18,7 @@ namespace tiller::virtual_time {
 
 /// Threads  one
 struct RobotFixture {
-    /// Starts the robot and takes control. Throws ResultError where that does not work.
+    /// Starts the robot and takes control. Throws ResultError on failure.
     explicit RobotFixture(simulator::SimulatorOptions options = LockStep::defaultOptions())
         : bench(std::move(options)) {
         bench.start().value();
@@ -33,13 +33,13 @@ struct RobotFixture {
     RobotFixture(const RobotFixture&) = delete;
     RobotFixture& operator=(const RobotFixture&) = delete;
 
-    /// The result of a motion; time moves on until it has ended.
+    /// Waits for the end of a motion while the time advances, and returns the result.
     Result<void> finish(const control::Motion& motion) {
         return bench.whileTimePasses([&] { return motion.wait(limit()); });
     }
-    /// For hangs only: a test in virtual time never reaches it.
+    /// Only limits hangs: a test in virtual time never reaches it.
     static Deadline limit() { return Deadline::after(std::chrono::seconds(60)); }
-    /// Of the controller.
+    /// Motion commands of the controller.
     control::Motions motions() { return control::Motions(*controller); }
     /// Actual joint positions [rad].
     JointPositions q() const { return bench.robot().truth().q; }

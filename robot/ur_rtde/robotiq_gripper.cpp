@@ -133,7 +133,7 @@ struct RobotiqGripper::Private {
         requested = std::clamp(position, 0, kDeviceMax);
         if (!set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ||
             !poll(kGripperReplyTime, [this] { return get("PRE") == requested; })) {
-            throw std::runtime_error("the gripper does not take the request to move");
+            throw std::runtime_error("the gripper did not accept the move request");
         }
     }
 };
@@ -169,11 +169,11 @@ void RobotiqGripper::activate(bool auto_calibrate) {
     if (!isActive()) {
         d_->set({{"ACT", 0}, {"ATR", 0}});
         if (!d_->poll(kGripperReplyTime, [this] { return d_->get("ACT") == 0 && d_->get("STA") == RESET; })) {
-            throw std::runtime_error("the gripper cannot be reset");
+            throw std::runtime_error("the gripper could not be reset");
         }
         d_->set({{"ACT", 1}});
         if (!d_->poll(kActivationTime, [this] { return d_->get("ACT") == 1 && d_->get("STA") == ACTIVE; })) {
-            throw std::runtime_error("the gripper does not become active");
+            throw std::runtime_error("the gripper did not become active");
         }
     }
     if (auto_calibrate) {
@@ -192,7 +192,7 @@ void RobotiqGripper::autoCalibrate(float Speed) {
         d_->moveDevice(position, speed, 1);
         const eObjectStatus status = waitForMotionComplete();
         if (status != AT_DEST && status != STOPPED_INNER_OBJECT && status != STOPPED_OUTER_OBJECT) {
-            throw std::runtime_error("the gripper does not reach the end of its range");
+            throw std::runtime_error("the gripper did not reach the end of its range");
         }
         return d_->get("POS");
     };
@@ -250,10 +250,10 @@ void RobotiqGripper::emergencyRelease(ePostionId Direction, eMoveMode MoveMode) 
     const auto hasEnded = [this] { return faultStatus() == FAULT_EMCY_RELEASE_FINISHED; };
     const auto hasBegun = [&] { return faultStatus() == FAULT_EMCY_RELEASE_ACTIVE || hasEnded(); };
     if (!d_->poll(kGripperReplyTime, hasBegun)) {
-        throw std::runtime_error("the gripper's emergency release does not begin");
+        throw std::runtime_error("the gripper's emergency release did not start");
     }
     if (MoveMode == WAIT_FINISHED && !d_->poll(kMotionTime, hasEnded)) {
-        throw std::runtime_error("the gripper's emergency release does not end");
+        throw std::runtime_error("the gripper's emergency release did not end");
     }
 }
 

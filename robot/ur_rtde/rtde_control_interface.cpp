@@ -300,14 +300,14 @@ bool RTDEControlInterface::enableExternalFtSensor(bool enable, double sensor_mas
                     sensor(enable, sensor_mass, sensor_measuring_offset, sensor_cog));
 }
 
-// ---- questions ------------------------------------------------------------------------------------------
+// ---- queries --------------------------------------------------------------------------------------------
 
 namespace {
 
 [[noreturn]] void throwUnanswered(const char* what) {
-    throw std::runtime_error(
-        std::string(what) +
-        ": the robot did not answer. Does the control program run, and is there no stop?");
+    throw std::runtime_error(std::string(what) +
+                             ": the robot did not answer. Check that the control program is running and the "
+                             "robot is not stopped.");
 }
 
 List answered(const char* what, const List& answer) {
@@ -327,7 +327,7 @@ double RTDEControlInterface::getStepTime() {
 List RTDEControlInterface::getActualJointPositionsHistory(int steps) {
     check::integer("steps", steps, 0, 100000);
     if (steps > 0 && !d_->feelsContact()) {
-        return {};  // software without a history of positions has none of contacts either
+        return {};  // software without a history of positions has no history of contacts
     }
     return d_->six(CommandId::JointPositionsHistory, 9, {static_cast<double>(steps)});
 }
@@ -489,7 +489,7 @@ int RTDEControlInterface::getAsyncOperationProgress() {
     return status.isAsyncOperationRunning() ? status.progress() : status.operationId() % 2 - 2;
 }
 
-// ---- streams --------------------------------------------------------------------------------------------
+// ---- streams of set points ------------------------------------------------------------------------------
 
 bool RTDEControlInterface::speedJ(const List& qd, double acceleration, double time) {
     check::jointSpeeds("qd", qd, d_->limits());
@@ -554,7 +554,7 @@ bool RTDEControlInterface::jogStop() {
     return d_->session.backend()->stop({CommandId::JogStop, 4, {}});
 }
 
-// ---- force and hands ------------------------------------------------------------------------------------
+// ---- force mode and freedrive ---------------------------------------------------------------------------
 
 bool RTDEControlInterface::forceMode(const List& task_frame, const std::vector<int>& selection_vector,
                                      const List& wrench, int type, const List& limits) {

@@ -87,7 +87,7 @@ struct RTDEIOInterface::Private {
                                           : "another RTDE client or a fieldbus owns " + owned.front());
         }
         return connection->sendInputs(recipe, values) == Connection::Send::Sent ||
-               complain("the robot does not read");
+               complain("the robot does not read its inputs");
     }
     bool send(std::size_t recipe, std::initializer_list<double> values) {
         return send(recipe, std::span(values.begin(), values.size()));
@@ -126,7 +126,7 @@ RTDEIOInterface::RTDEIOInterface(std::string hostname, bool verbose, bool use_up
     }
     check::priority(rt_priority);
     if (rt_priority > 0) {
-        tiller::realtime::requestThreadPriority(rt_priority);  // there is no other thread than the caller's
+        tiller::realtime::requestThreadPriority(rt_priority);  // all work is done in the caller's thread
     }
     d_->host = std::move(hostname);
     d_->verbose = verbose;

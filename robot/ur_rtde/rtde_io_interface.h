@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets outputs, the speed slider and general purpose registers through an own RTDE connection, with or without a
-// running program. All other outputs remain unchanged.
+// Sets outputs, the speed slider and general purpose registers through a separate RTDE connection, with or
+// without a running program. All other outputs remain unchanged.
 
 #include <ur_rtde/rtde_utility.h>
 
@@ -32,8 +32,8 @@ public:
     bool setStandardDigitalOut(std::uint8_t output_id, bool signal_level);      ///< 0 ... 7
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
-    /// speed  0.02 ... 1. Lower values would make the arm creep, and 0 has caused protective stops: to hold the
-    ///        arm, pause or stop the program
+    /// speed  0.02 ... 1. At lower values the arm would move extremely slowly, and 0 has caused protective
+    /// stops. To hold the arm, pause or stop the program
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V

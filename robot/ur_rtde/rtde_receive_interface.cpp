@@ -69,19 +69,19 @@ struct RTDEReceiveInterface::Private {
     PausingState state = PausingState::RUNNING;
     double resumedAt = 0;  ///< `timestamp` at the end of the last pause [s]
 
-    /// The newest package, in a copy of the calling thread.
+    /// Copies the newest package to the buffer of the calling thread and returns it.
     const Sample& newest() const;
     List list(std::string_view field) const;
     double number(std::string_view field) const;
     double registerValue(const std::string& field) const;
     double speed();
-    /// Starts the receiver and waits for the first package. Without data, the receiver keeps trying.
+    /// Starts the receiver and waits for the first package. Without data, the receiver keeps retrying.
     void start();
     bool waitForPackage(milliseconds atMost);
 };
 
 const Sample& RTDEReceiveInterface::Private::newest() const {
-    // One per thread, to avoid locking and allocation.
+    // One buffer per thread, to avoid locking and allocation.
     thread_local Sample sample;
     receiver.latest(sample);
     return sample;
@@ -90,7 +90,7 @@ const Sample& RTDEReceiveInterface::Private::newest() const {
 List RTDEReceiveInterface::Private::list(std::string_view field) const {
     const auto values = newest().field(field);
     if (values.empty()) {
-        throw std::runtime_error(std::string(field) + " is not followed, or this robot does not send it");
+        throw std::runtime_error(std::string(field) + " is not received, or this robot does not send it");
     }
     return {values.begin(), values.end()};
 }
@@ -98,7 +98,7 @@ List RTDEReceiveInterface::Private::list(std::string_view field) const {
 double RTDEReceiveInterface::Private::number(std::string_view field) const {
     const auto values = newest().field(field);
     if (values.empty()) {
-        throw std::runtime_error(std::string(field) + " is not followed, or this robot does not send it");
+        throw std::runtime_error(std::string(field) + " is not received, or this robot does not send it");
     }
     return values.front();
 }
@@ -108,8 +108,8 @@ double RTDEReceiveInterface::Private::registerValue(const std::string& field) co
     if (values.empty()) {
         throw std::range_error(
             field +
-            " is not followed: registers 12-19 are, or 36-43 with use_upper_range_registers, or "
-            "those named in `variables`");
+            " is not received: only registers 12-19 (36-43 with use_upper_range_registers) and those "
+            "named in `variables` are");
     }
     return values.front();
 }
@@ -233,7 +233,7 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     for (const std::string& name : variables) {
         if (std::find(options.fields.begin(), options.fields.end(), name) == options.fields.end()) {
-            throw std::invalid_argument("variables: \"" + name + "\" is not followed");
+            throw std::invalid_argument("variables: \"" + name + "\" is not received");
         }
     }
     if (!variables.empty()) {

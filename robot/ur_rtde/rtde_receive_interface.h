@@ -156,7 +156,7 @@ public:
 
     void disconnect();
     /// Reconnects and waits for data.
-    /// Returns  false without data for 3 s; the thread keeps trying
+    /// Returns  false without data for 3 s; the thread keeps retrying
     bool reconnect();
     bool isConnected();
 

@@ -81,7 +81,7 @@ bool RTDEUtility::setRealtimePriority(int priority) {
 #endif
     const auto report = tiller::realtime::requestThreadPriority(priority);
 #ifdef __linux__
-    // With a limited amount of lockable memory, later allocations would fail: then do without locking.
+    // With a limited amount of lockable memory, later allocations would fail, so memory is not locked then.
     rlimit limit{};
     if (report.ok() && ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) {
         ::mlockall(MCL_CURRENT | MCL_FUTURE);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// The thread keeps its current priority.
+/// Value for a thread that keeps its current priority.
 #define RT_PRIORITY_UNDEFINED 0
 
 namespace ur_rtde {
@@ -20,7 +20,7 @@ public:
     static std::vector<std::string> split(const std::string& s, char delimiter);
     /// True if the whole text is one decimal number.
     static bool isNumber(const std::string& s);
-    /// Sleeps, and waits actively at the end to be precise.
+    /// Sleeps, then busy-waits at the end for precision.
     /// seconds  [s]; no effect if not positive
     static void preciseSleep(double seconds);
     /// Sleeps for the rest of a period.

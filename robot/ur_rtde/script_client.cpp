@@ -151,8 +151,7 @@ std::string ScriptClient::getScript() {
         throw std::runtime_error("cannot read the script " + d_->file);
     }
     if (!removeUnsupportedFunctions(text) || !scanAndInjectAdditionalScriptCode(text)) {
-        throw std::runtime_error(
-            "a version mark of the script cannot be understood, or a place to inject is missing");
+        throw std::runtime_error("the script has an invalid version mark, or a place to inject is missing");
     }
     return text;
 }

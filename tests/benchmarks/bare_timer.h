@@ -14,7 +14,7 @@
 
 namespace tiller::benchmark {
 
-/// Threads  one, from construction to stop()
+/// Threads: one, from construction to stop().
 class BareTimer {
 public:
     explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
@@ -28,7 +28,7 @@ public:
             thread_.join();
         }
     }
-    /// After stop(): delays and intervals of the wake-ups [ns].
+    /// Available after stop(): delays and intervals of the wake-ups [ns].
     const realtime::Histogram& lateness() const { return lateness_; }
     const realtime::Histogram& cycles() const { return cycles_; }
 

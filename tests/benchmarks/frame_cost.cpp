@@ -24,7 +24,7 @@
 #include "robot/station/history/state_lane.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/scene/scene_view.h"
 
@@ -56,9 +56,9 @@ double seconds(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
 }
 
-/// A signal like a robot's: slow movement with noise.
-/// stretch  factor for the duration of the movement, so that a history with this factor in length has the same
-///          appearance
+/// A signal similar to a robot's: slow movement with noise.
+/// `stretch`: factor for the duration of the movement, so that a history that is longer by this factor looks
+/// the same.
 float signalAt(std::int64_t sample, int signal, double stretch) {
     const double t = static_cast<double>(sample) * kPeriod / stretch;
     const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
@@ -86,7 +86,7 @@ struct CurveCase {
     SeriesBuffer& history;
     double span;
     std::vector<std::unique_ptr<Curve>> curves = {};
-    std::unique_ptr<CurveSheet> sheet = {};
+    std::unique_ptr<CurveRaster> sheet = {};
     ColumnGrid grid = {};
     std::vector<double> times = {};
     double end = 0;
@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
             }
             c.curves.back()->setPen(pen);
         }
-        c.sheet = std::make_unique<CurveSheet>(c.curves, nullptr);
+        c.sheet = std::make_unique<CurveRaster>(c.curves, nullptr);
     }
     QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
     // The cases alternate, so that load of the machine affects all of them.

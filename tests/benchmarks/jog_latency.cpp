@@ -35,7 +35,7 @@
 
 #include "app/main_window.h"
 #include "robot/simulator/simulator.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 using namespace tiller;
@@ -270,7 +270,7 @@ int main(int argc, char* argv[]) {
     whole.start();
     const int presses = parser.value("presses").toInt();
     for (int i = 0; i < presses; ++i) {
-        auto* key = window.findChild<HoldButton*>(i % 2 == 0 ? "jog.X+" : "jog.X-");
+        auto* key = window.findChild<HoldToRunButton*>(i % 2 == 0 ? "jog.X+" : "jog.X-");
         const auto now = [] { return Time::now().time_since_epoch().count(); };
         const std::int64_t pressed = now();
         mouse(*key, QEvent::MouseButtonPress);

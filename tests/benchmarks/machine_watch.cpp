@@ -15,8 +15,8 @@ constexpr int kAboveAll = 99;
 // Not more often: on a virtual machine each wake-up costs time of the hypervisor, so that the watch would be a
 // disturbance itself. Not a fraction of a control period, which would always sample the same phase.
 constexpr auto kPeriod = std::chrono::microseconds(263);
-constexpr std::int64_t kLongestNs = 350'000;  ///< maximum interval of wake-ups on an available CPU
-constexpr std::size_t kMost = 1'000'000;
+constexpr std::int64_t kMaxNs = 350'000;  ///< maximum interval of wake-ups on an available CPU
+constexpr std::size_t kMaxValue = 1'000'000;
 
 std::int64_t nowNs() {
     return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -28,7 +28,7 @@ MachineWatch::MachineWatch() {
     const int count = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     for (int i = 0; i < count; ++i) {
         Processor& processor = *processors_.emplace_back(std::make_unique<Processor>());
-        processor.absences.resize(kMost);
+        processor.absences.resize(kMaxValue);
         processor.thread = std::thread([this, &processor, i] { watch(processor, i); });
         // Staggered: a thread disturbed on one CPU can use another one.
         std::this_thread::sleep_for(kPeriod / count);
@@ -52,7 +52,7 @@ void MachineWatch::watch(Processor& processor, int number) {
         timer.wait();
         const std::int64_t now = nowNs();
         const std::size_t next = processor.count;
-        if (now - woke > kLongestNs && next < processor.absences.size()) {
+        if (now - woke > kMaxNs && next < processor.absences.size()) {
             processor.absences[next] = {woke, now};
             processor.count = next + 1;
         }
@@ -61,8 +61,9 @@ void MachineWatch::watch(Processor& processor, int number) {
 }
 
 bool MachineWatch::isWatching() const {
-    return std::all_of(processors_.begin(), processors_.end(),
-                       [](const auto& processor) { return processor->granted && processor->count < kMost; });
+    return std::all_of(processors_.begin(), processors_.end(), [](const auto& processor) {
+        return processor->granted && processor->count < kMaxValue;
+    });
 }
 
 bool MachineWatch::wasAway(std::int64_t fromNs, std::int64_t toNs) const {

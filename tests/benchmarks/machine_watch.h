@@ -14,7 +14,7 @@
 namespace tiller::benchmark {
 
 /// Requires SCHED_FIFO (root, or a line in limits.d): see isWatching().
-/// Threads  one caller, after stop() or while it is running
+/// Threads: one caller, after stop() or while the watch is running.
 class MachineWatch {
 public:
     MachineWatch();

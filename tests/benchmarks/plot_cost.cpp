@@ -66,8 +66,8 @@ struct Times {
 /// Parts of a frame [ms of processor time].
 struct Parts {
     Times lookUp;  // repeated outside of the view with separate curves
-    Times show;    // the view's part: look-up, painting of columns, scales
-    Times draw;    // Qt's part
+    Times show;    // work of the view: look-up, painting of columns, scales
+    Times draw;    // work of Qt
 };
 
 struct Row {

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What it costs a Python program to read every packet of a robot at 500 Hz.
+"""Cost for a Python program that reads every packet of a robot at 500 Hz.
 
     PYTHONPATH=build/release/python python3 tests/benchmarks/read_in_python.py build/release/bin/tests/tiller_python_robot [60]
 
-The robot is simulated, in a process of its own and in real time. Two readers, one after the other: `tiller.Robot.samples()`,
-which gives every packet once, and `rtde_receive` polled once a period, as programs written for ur_rtde do. For each: how many
-packets the controller sent meanwhile, how many were read, read twice, missed, and the processor time of this process as a
-share of one core (the receive thread included). Exit code 1 when samples() missed or repeated a packet.
+The robot is simulated in a separate process in real time. Two readers, one after the other: `tiller.Robot.samples()`,
+which returns every packet once, and `rtde_receive` polled once per period, as in programs written for ur_rtde. For
+each reader: the number of packets that the controller sent, that were read, read twice and missed, and the processor
+time of this process, including the receive thread, as a share of one core. Exits with 1 if samples() missed or
+repeated a packet.
 """
 import subprocess
 import sys
@@ -20,7 +21,7 @@ PERIOD = 0.002  # [s]
 
 
 def measure(read, seconds):
-    """(timestamps read, share of a core)"""
+    """Returns (timestamps read, share of a core)."""
     stamps = []
     busy = time.process_time()
     begin = time.monotonic()

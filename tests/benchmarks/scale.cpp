@@ -175,7 +175,7 @@ double memoryOf(int numbers) {
     return (static_cast<double>(history.memoryBytes()) - empty) * kHalfHour * kRate / kRows / 1e6;
 }
 
-/// Cost of one frame of a page with this number of curves, following [ms].
+/// Cost of one live frame of a page with this number of curves [ms].
 double frameOf(int curves) {
     SignalStore store;
     const auto columns = static_cast<int>(store.liveColumns().size());

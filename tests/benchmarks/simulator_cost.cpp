@@ -137,7 +137,7 @@ QString load() {
     return text.empty() ? QStringLiteral("unknown") : QString::fromStdString(text);
 }
 
-/// Runs this number of controllers for a while; results of each, and finally of a bare timer.
+/// Runs this number of controllers for a while and prints the results of each, and of a bare timer.
 std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients, int priority, int seconds) {
     std::vector<std::unique_ptr<Cell>> cells;
     for (int i = 1; i <= controllers; ++i) {

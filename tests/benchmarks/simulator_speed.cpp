@@ -50,7 +50,7 @@ double secondsSince(Steady::time_point begin) {
     return std::chrono::duration<double>(Steady::now() - begin).count();
 }
 
-/// Of all threads of this program [s].
+/// Processor time of all threads of this program [s].
 double processorSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -63,7 +63,7 @@ simulator::SimulatorOptions virtualRobot() {
     return options;
 }
 
-/// Returns  whether the program is running
+/// Returns whether the program is running.
 bool play(simulator::Simulator& robot, const char* program) {
     QTcpSocket upload;
     upload.connectToHost(robot.listenAddress(), robot.ports().secondary);
@@ -71,8 +71,8 @@ bool play(simulator::Simulator& robot, const char* program) {
         return false;
     }
     upload.flush();
-    constexpr int kMost = 20'000;  // attempts
-    for (int i = 0; i < kMost && robot.truth().runtimeState != RuntimeState::Playing; ++i) {
+    constexpr int kMaxValue = 20'000;  // attempts
+    for (int i = 0; i < kMaxValue && robot.truth().runtimeState != RuntimeState::Playing; ++i) {
         robot.step();
     }
     return robot.truth().runtimeState == RuntimeState::Playing;

@@ -27,7 +27,7 @@
 #include <unistd.h>
 
 #include "app/main_window.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 using namespace tiller;
@@ -151,11 +151,11 @@ Figures atRest(TimedApplication& application, int ms) {
     return meter.read();
 }
 
-/// Back and forth, half a second in each direction, so that the arm stays at its position.
+/// Jogs back and forth, half a second in each direction, so that the arm stays at its position.
 Figures jogging(TimedApplication& application, app::MainWindow& window, int ms) {
     const Meter meter(application);
     for (int way = 0; way * 500 < ms; ++way) {
-        auto* key = window.findChild<HoldButton*>(way % 2 == 0 ? "jog.X+" : "jog.X-");
+        auto* key = window.findChild<HoldToRunButton*>(way % 2 == 0 ? "jog.X+" : "jog.X-");
         mouse(*key, QEvent::MouseButtonPress);
         spin(450, [] { return false; });
         mouse(*key, QEvent::MouseButtonRelease);

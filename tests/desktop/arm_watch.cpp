@@ -9,10 +9,11 @@
 namespace tiller::test {
 namespace {
 
-// Commanded speeds have no noise; measured ones have, and show a hand that moves the arm in freedrive.
+// Commanded speeds have no noise. Measured speeds do, but they show an external force that moves the arm in
+// freedrive.
 constexpr double kCommandedMoves = 5e-4;  // [rad/s]
 constexpr double kMeasuredMoves = 0.012;  // [rad/s]
-// Nothing came for so long: there is no controller any more.
+// Without data for this time the controller is considered to have stopped.
 constexpr int kSilenceMs = 20'000;
 
 double largest(std::span<const double> values) {
@@ -80,7 +81,7 @@ bool ArmWatch::untilMoving(double seconds) {
         if (!isMoving(sample)) {
             lastStood = now;
         }
-        underWay = now - lastStood >= kUnderWay;
+        underWay = now - lastStood >= kConnectPending;
         return underWay || (now - *from > seconds && now - lastStood < 0.01);
     });
     return underWay;

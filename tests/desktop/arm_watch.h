@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The arm as seen from outside: an RTDE client of its own, in a process that is not the window's. All times
-// are the robot's own, so that a slow machine does not look like a slow stop.
+// Observes the arm from outside, with a separate RTDE client in another process than the window. All times
+// are robot times, so that a slow machine does not look like a slow stop.
 
 #include <QString>
 #include <functional>
@@ -14,53 +14,55 @@
 
 namespace tiller::test {
 
-/// What became of the arm after the last key was let go.
+/// Result for the arm after the last key was released.
 struct Standstill {
     enum class Verdict {
-        Stood,   ///< within the contract
-        Late,    ///< it stopped, but later
-        GoesOn,  ///< it still moved a second later
-        Blind,   ///< no data came: nothing can be said
+        Stood,   ///< within the time of the contract
+        Late,    ///< the arm stopped, but later
+        GoesOn,  ///< the arm still moved a second later
+        Blind,   ///< no data were received, so there is no result
     };
     Verdict verdict = Verdict::Blind;
     double seconds =
-        0;  ///< of the robot's time, from the first package after the release to the last that moved
+        0;  ///< robot time, from the first package after the release to the last package with motion
 };
 
-/// Threads  one, besides the receiver's own
+/// Threads: one, in addition to the receiver's own.
 class ArmWatch {
 public:
-    /// host  of the simulated controller
+    /// `host`: address of the simulated controller.
     explicit ArmWatch(const QString& host);
 
-    /// Waits until a package has come.
+    /// Waits until a package has arrived.
     bool isConnected();
-    /// The newest package says that the arm moves.
+    /// True if the arm moves according to the latest package.
     bool moves();
-    /// Waits until it has moved for kUnderWay, for at most so much of the robot's time.
+    /// Waits until the arm has moved for kConnectPending, for at most this robot time [s].
     bool untilMoving(double seconds);
-    /// Waits until it has not moved for `quiet` seconds of the robot's time, for at most `seconds`.
+    /// Waits until the arm has been at standstill for `quiet`, for at most `seconds` (both in robot time
+    /// [s]).
     bool untilStanding(double seconds, double quiet = kQuiet);
-    /// Call it at once after the release. Follows the arm until it has stood for `quiet`.
-    /// contract  within which it has to stand [s]
+    /// Call immediately after the release. Observes the arm until it has been at standstill for `quiet`.
+    /// `contract`: permitted time until standstill [s].
     Standstill standstill(double contract, double quiet = kQuiet);
-    /// True when it did not move at all for so much of the robot's time.
+    /// True if the arm does not move at all during this robot time [s].
     bool stays(double seconds);
 
-    /// Of the newest package.
+    /// Values of the latest package.
     Vector6 joints();
     Vector6 tcpPose();
-    /// The largest of the joints' commanded speeds [rad/s].
+    /// The highest commanded joint speed [rad/s].
     double speed();
 
-    /// So long without motion counts as standing [s]: longer than anything that only pauses.
+    /// Time without motion that counts as standstill [s]: longer than any short pause.
     static constexpr double kQuiet = 0.06;
-    /// So long with motion is no twitch: a release has something to end [s].
-    static constexpr double kUnderWay = 0.05;
+    /// Time with motion that counts as moving [s], so that a release has a motion to end.
+    static constexpr double kConnectPending = 0.05;
     static constexpr double kGoesOnAfter = 1.0;
 
 private:
-    /// Looks at every package from now on, until `done` says so or none came for long.
+    /// Evaluates every package from now on, until `done` returns true or no package has arrived for a long
+    /// time.
     bool follow(const std::function<bool(const receive::Sample&)>& done);
     bool isMoving(const receive::Sample& sample) const;
     double timeOf(const receive::Sample& sample) const { return sample.at(timestamp_); }

@@ -31,7 +31,7 @@ QProcessEnvironment environmentWith(const QString& home, const QString& display)
     environment.insert("LC_ALL", "C.UTF-8");
     environment.insert("QT_QPA_PLATFORM", "xcb");
     environment.remove("WAYLAND_DISPLAY");
-    // No desktop's own ideas of how programs look and behave, and no bus of the person who runs the tests.
+    // Independent of the desktop's theme and of the message bus of the user who runs the tests.
     environment.insert("QT_QPA_PLATFORMTHEME", "none");
     environment.insert("DBUS_SESSION_BUS_ADDRESS", "disabled:");
     return environment;
@@ -72,7 +72,7 @@ QString Child::waitForLine(const QString& beginning) {
     time.start();
     while (time.elapsed() < kStartMs) {
         QStringList lines = output().split('\n');
-        lines.removeLast();  // not whole yet
+        lines.removeLast();  // not complete yet
         for (const QString& line : std::as_const(lines)) {
             if (line.startsWith(beginning)) {
                 return line;
@@ -96,11 +96,11 @@ void Child::signal(int number) {
 
 namespace {
 
-/// How it is started.
+/// How a window manager is started.
 struct WindowManager {
     QString name;
     QStringList arguments;
-    bool needsBus = false;  ///< a message bus of its own
+    bool needsBus = false;  ///< needs a separate message bus
 };
 
 WindowManager windowManagerOf(const QString& name) {
@@ -139,7 +139,7 @@ DesktopCell::~DesktopCell() {
     }
     arm_.reset();
     places_.reset();
-    // The window before its display, or it would complain of having lost it.
+    // The window must end before its display; otherwise it would report a lost display.
     program_.signal(SIGCONT);
 }
 
@@ -161,7 +161,7 @@ bool DesktopCell::fail(const QString& what) {
 }
 
 bool DesktopCell::startDisplay() {
-    // It chooses a free number itself and prints it.
+    // Xvfb chooses a free number and prints it.
     const QString size = QStringLiteral("%1x%2x24").arg(screen_.width()).arg(screen_.height());
     if (!display_.start("Xvfb", {"-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
                         QProcessEnvironment::systemEnvironment())) {
@@ -190,7 +190,7 @@ bool DesktopCell::startDisplay() {
     if (!windowManager_.start(program, command, environment())) {
         return fail(program + " could not be started");
     }
-    // It has taken over when it names the desktops; openbox has several of them.
+    // The window manager is ready when it has announced its desktops; openbox has several.
     const int desktops = windowManagerName_ == kOpenbox ? 2 : 1;
     if (!until([&] { return hand_->desktopCount() >= desktops; })) {
         return fail(windowManagerName_ + " does not manage the display");
@@ -209,7 +209,7 @@ bool DesktopCell::startController() {
             arm_ = std::make_unique<ArmWatch>(host_);
             return arm_->isConnected() || fail("the simulated controller sends nothing");
         }
-        controller_.waitForEnd(kStartMs);  // another one listens there
+        controller_.waitForEnd(kStartMs);  // another controller is listening there
     }
     return fail("no simulated controller could be started");
 }
@@ -241,7 +241,7 @@ bool DesktopCell::startProgram() {
 }
 
 bool DesktopCell::takeControl() {
-    // The one step that is next: first none, while it connects, then "Take control".
+    // There is no next step while the window connects; then it is "Take control".
     return until([&] {
         if (place("jog.X+").enabled) {
             return true;
@@ -273,7 +273,7 @@ Place DesktopCell::place(const QString& name) {
     places_->readAll();
     places_->write(QStringLiteral("widget %1\n").arg(name).toUtf8());
     while (!places_->canReadLine()) {
-        if (!places_->waitForReadyRead(kPatienceMs)) {
+        if (!places_->waitForReadyRead(kWaitTimeoutMs)) {
             return place;
         }
     }

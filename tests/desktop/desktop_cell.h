@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A whole workplace: an X server with a window manager, the built program in it, and a simulated controller,
-// each in a process of its own, so that any of them can be frozen or killed while the arm is watched from
+// A complete workplace: an X server with a window manager, the built program, and a simulated controller.
+// Each is a separate process, so that any of them can be frozen or killed while the arm is observed from
 // outside.
 
 #include <QJsonObject>
@@ -22,20 +22,21 @@
 
 namespace tiller::test {
 
-/// A program of ours, that ends with its object.
+/// A child process that ends with this object.
 class Child {
 public:
     ~Child();
-    /// Returns  false when it could not be started
+    /// Returns false if the process could not be started.
     bool start(const QString& program, const QStringList& arguments, const QProcessEnvironment& environment);
-    /// Waits until it has printed this; returns the line, empty when it ended or never did.
+    /// Waits until the process has printed a line that starts with `beginning`, and returns it; empty if the
+    /// process ended or the wait timed out.
     QString waitForLine(const QString& beginning);
     void signal(int number);
     bool isRunning() const { return process_.state() == QProcess::Running; }
     bool waitForEnd(int ms) {
         return process_.state() == QProcess::NotRunning || process_.waitForFinished(ms);
     }
-    /// Everything it said so far.
+    /// The complete output so far.
     QString output();
 
 private:
@@ -43,12 +44,12 @@ private:
     QByteArray output_;
 };
 
-/// A widget of the window, as somebody in front of the screen sees it.
+/// A widget of the window as visible on the screen.
 struct Place {
     bool found = false;
     bool visible = false;
     bool enabled = false;
-    bool active = false;  ///< its window is the one that has the keyboard
+    bool active = false;  ///< its window has the keyboard focus
     bool focus = false;
     QString text;
     QString toolTip;
@@ -59,50 +60,50 @@ struct Place {
 
 class DesktopCell {
 public:
-    /// What is missing on this machine; empty when nothing is.
+    /// The missing requirement of this machine; empty if there is none.
     static QString obstacle(const QString& windowManager = kOpenbox);
 
-    /// windowManager  "openbox", "xfwm4" or "metacity"
+    /// `windowManager`: "openbox", "xfwm4" or "metacity".
     explicit DesktopCell(QSize screen = {1280, 800}, const QString& windowManager = kOpenbox);
     ~DesktopCell();
 
-    /// Display, window manager, controller, window; the arm watched, in control. All of it waits on what is
-    /// seen.
+    /// Starts display, window manager, controller and window, observes the arm, and takes control. Every step
+    /// waits for a visible result.
     bool bringUp();
-    /// Why it did not work: what the parts said.
+    /// The reason for a failure, with the output of the processes.
     QString what() const { return what_; }
 
     QSize screen() const { return screen_; }
     XHand& hand() { return *hand_; }
     ArmWatch& arm() { return *arm_; }
     QString displayName() const { return displayName_; }
-    /// Of the simulated controller.
+    /// Address of the simulated controller.
     QString host() const { return host_; }
-    /// For programs that are to run on this display.
+    /// Environment for programs on this display.
     QProcessEnvironment environment() const;
     Child& display() { return display_; }
     Child& program() { return program_; }
 
-    /// As `setxkbmap` sets it: "de", or "us,de" for two groups.
+    /// `layout` as for `setxkbmap`: "de", or "us,de" for two groups.
     bool setLayout(const QString& layout);
-    /// Widgets by objectName, as the program tells.
+    /// Returns a widget by its objectName, as reported by the program.
     Place place(const QString& name);
-    bool until(const std::function<bool()>& condition, int ms = kPatienceMs);
+    bool until(const std::function<bool()>& condition, int ms = kWaitTimeoutMs);
     bool untilShown(const QString& name) {
         return until([&] { return place(name).visible; });
     }
-    /// Moves there and clicks.
+    /// Moves the pointer to the widget and clicks.
     bool click(const QString& name);
-    /// Brings the window to the front where it is not, and closes what is open over it.
+    /// Brings the window to the front if necessary, and closes everything open above it.
     bool toTheFront();
-    /// Takes control by the key in the header, where it is not taken.
+    /// Takes control with the button in the header, if not in control yet.
     bool takeControl();
     /// Arms the keyboard jog by its shortcut.
     bool armKeyboard();
-    /// The controller's hand-made faults: "hand 30 0 0".
+    /// Sends a fault command to the controller, e.g. "hand 30 0 0".
     bool fault(const QString& words);
 
-    static constexpr int kPatienceMs = 60'000;
+    static constexpr int kWaitTimeoutMs = 60'000;
     static inline const QString kOpenbox = QStringLiteral("openbox");
 
 private:

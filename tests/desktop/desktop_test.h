@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the tests at a real display share: a cell that is up, in control, with nothing held, before each test
-// function; and the judgement of what the arm did after the last key was let go.
+// Common parts of the tests on a real display: before each test function a running cell, in control, with no
+// key held; and the evaluation of the arm's motion after the last key was released.
 
 #include <QObject>
 #include <QTest>
@@ -14,12 +14,12 @@
 
 namespace tiller::test {
 
-/// What ctest takes for "skipped".
+/// Exit code that ctest reports as "skipped".
 inline constexpr int kSkipped = 77;
 
-/// The jog contract: nothing may move so long after the last key [s].
+/// Jog contract: maximum time of motion after the release of the last key [s].
 inline constexpr double kContract = 0.25;
-/// Longer than it takes to get going, in the robot's time.
+/// Longer than the start of a motion takes, in robot time [s].
 inline constexpr double kGetsGoing = 3.0;
 
 inline QByteArray words(const Standstill& stop) {
@@ -42,15 +42,15 @@ class DesktopTest : public QObject {
 
 protected:
     DesktopCell& cell() { return *cell_; }
-    /// What is to be tried must be in sight.
+    /// The controls used by the test must be visible on this screen.
     virtual QSize screen() const { return {1280, 800}; }
     XHand& hand() { return cell_->hand(); }
     ArmWatch& arm() { return cell_->arm(); }
-    /// For tests that leave something broken behind: the next one gets a cell of its own.
+    /// For tests that leave the cell in a broken state: the next test gets a new cell.
     void useUp() { usedUp_ = true; }
 
-    /// Presses, waits until the arm is under way. On a busy machine a press may be refused, because data were
-    /// late: then another one, after `release`.
+    /// Presses and waits until the arm is moving. On a busy machine a press may be refused because of late
+    /// data: then it is repeated after `release`.
     void holdBy(const std::function<void()>& press, const std::function<void()>& release) {
         for (int attempt = 0; attempt < 5; ++attempt) {
             QVERIFY(cell().until([&] { return cell().place("jog.X+").enabled; }));
@@ -62,7 +62,7 @@ protected:
         }
         QFAIL("nothing moved while it was held: this proves nothing");
     }
-    /// The arm stands for good, now that nothing is held. What only came late on a busy machine is told.
+    /// Verifies that the arm comes to a standstill within the contract and does not move again.
     void verifyStands(double contract = kContract) {
         const Standstill stop = arm().standstill(contract);
         qInfo("%s", words(stop).constData());
@@ -89,7 +89,7 @@ private Q_SLOTS:
         }
         hand().letGoOfAll();
         hand().tap(kEscape);
-        // A run-away must not be the next test's.
+        // An arm that is still moving must not affect the next test.
         if (usedUp_ || QTest::currentTestFailed() || !arm().untilStanding(2)) {
             cell_.reset();
             usedUp_ = false;
@@ -104,7 +104,8 @@ private:
 
 }  // namespace tiller::test
 
-/// Says what is missing and ends with ctest's code for "skipped" where the machine has no display to test on.
+/// Prints the missing requirement and exits with ctest's code for "skipped" if the machine has no display for
+/// tests.
 #define TILLER_DESKTOP_MAIN(Test)                                       \
     int main(int argc, char* argv[]) {                                  \
         QCoreApplication application(argc, argv);                       \

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What happens on a desktop while something is held, whatever hand holds it: each class that is one brings its own
-// way to hold and to let go, and gets these tests with it.
+// Tests of desktop events during a hold, independent of the input device: a derived class defines how to hold
+// and release, and inherits these tests.
 
 #include <signal.h>
 
@@ -14,10 +14,10 @@ class InterruptedHold : public DesktopTest {
     Q_OBJECT
 
 protected:
-    /// Holds until the arm is under way.
+    /// Holds until the arm is moving.
     virtual void hold() = 0;
     virtual void letGo() = 0;
-    /// What the hand does, still holding, when it sees the window again.
+    /// Action of the operator, who is still holding, when the window is visible again.
     virtual void comeBack() {}
 
     /// Waits until the window has lost the focus: the time of the window manager is not that of the stop.
@@ -30,8 +30,8 @@ protected:
         return mainWindow_;
     }
 
-    /// The arm stands although it is still held, and goes on standing when the window is back and the hand lets go:
-    /// a stopped motion needs a new press.
+    /// The arm is at standstill although the input is still held. It remains at standstill when the window is
+    /// active again and the input is released: a stopped motion needs a new press.
     void verifyEndedForGood() {
         verifyStands();
         QVERIFY(cell().toTheFront());
@@ -64,7 +64,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // A remote desktop whose connection hangs looks like this too: no release can arrive any more.
+    // Equivalent to a remote desktop with a blocked connection: no release can arrive any more.
     void theDisplayServerIsFrozen() {
         hold();
         cell().display().signal(SIGSTOP);
@@ -73,7 +73,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // Some programs do this for as long as a menu of theirs is open: the server answers nobody else.
+    // Some programs do this while one of their menus is open: the server does not answer other clients.
     void anotherProgramTakesTheServerForItself() {
         XHand other(cell().displayName());
         hold();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Every key that moves the arm, with every modifier and lock key before, while and after it is held, on
-// several layouts: what there is to try, a part of it in which every pair of them is met, and the trial.
+// Every key that moves the arm, combined with every modifier and lock key before, during and after the hold,
+// on several layouts: the complete matrix, a part of it that covers all pairs, and a class that runs its
+// cells.
 
 #include <QList>
 #include <QString>
@@ -11,22 +12,22 @@
 
 namespace tiller::test {
 
-/// What is pressed for one motion: key codes, or characters where the layout decides which key that is.
+/// Keys to be pressed for one motion: key codes, or characters whose keys depend on the layout.
 struct HeldKey {
     QString name;
     QList<int> codes;       ///< pressed in this order
-    QString characters;     ///< pressed after them
-    bool numLock = false;   ///< only with NumLock lit does it mean this
-    QString preparation{};  ///< what has to be done before, so that there is a way to go
+    QString characters;     ///< pressed after the codes
+    bool numLock = false;   ///< has this meaning only with NumLock on
+    QString preparation{};  ///< required preparation, so that a motion is possible
 };
 
 enum class Modifier { None, Shift, Control, Alt, AltGr, NumLock, CapsLock };
-/// When the modifier is pressed and let go; a lock key is switched on and off again at the same moments.
+/// When the modifier is pressed and released. A lock key is toggled at the same times.
 enum class Order {
-    Before,  ///< down before the keys, up while they are held
-    Around,  ///< down before the keys, up after them
-    During,  ///< down and up while they are held
-    After,   ///< down while they are held, up after them
+    Before,  ///< pressed before the keys, released while they are held
+    Around,  ///< pressed before the keys, released after them
+    During,  ///< pressed and released while the keys are held
+    After,   ///< pressed while the keys are held, released after them
 };
 
 struct MatrixCell {
@@ -44,46 +45,47 @@ QString nameOf(Modifier modifier);
 QString nameOf(Order order);
 QString nameOf(const MatrixCell& cell);
 
-/// All of it. With no modifier there is no order.
+/// The complete matrix. Without a modifier there is no order.
 QList<MatrixCell> wholeMatrix();
-/// Few of them, in which each two values of key, layout, modifier and order meet. Always the same.
+/// A small part of the matrix that covers each pair of values of key, layout, modifier and order.
+/// Deterministic.
 QList<MatrixCell> everyPair();
 
 struct CellOutcome {
     enum class Kind {
-        Stood,       ///< moved while held, and stood in time
-        Late,        ///< moved, and stood, but later than the contract says
-        GoesOn,      ///< still moved long after the last key
-        DidNotMove,  ///< and should have: nothing was to be stopped
-        OtherKeys,   ///< did not move, and that is right: with this modifier the keys mean something else
+        Stood,       ///< moved while held, and stopped in time
+        Late,        ///< moved, and stopped later than permitted by the contract
+        GoesOn,      ///< still moved long after the last key was released
+        DidNotMove,  ///< no motion although one was expected, so there was nothing to stop
+        OtherKeys,   ///< no motion, as expected: with this modifier the keys have another meaning
         NoSuchKeys,  ///< the layout has no such keys within reach of one hand
-        Broken,      ///< the workplace itself gave up
+        Broken,      ///< the workplace failed
     };
     Kind kind = Kind::Broken;
-    double seconds = 0;  ///< from the last key to standstill
-    QString note;        ///< why
+    double seconds = 0;  ///< from the release of the last key to standstill
+    QString note;        ///< details
 };
 QString nameOf(CellOutcome::Kind kind);
 
-/// Tries cells one after the other, on a workplace that is made anew when it has to be.
+/// Runs cells one after the other, on a workplace that is created again if necessary.
 class MatrixTrial {
 public:
     CellOutcome run(const MatrixCell& cell);
-    /// Why there is no workplace.
+    /// The reason why there is no workplace.
     QString what() const { return what_; }
 
 private:
     bool makeReady(int layout);
     bool prepare(const QString& preparation);
-    /// The keys in the order they are pressed; empty where the layout does not have them.
+    /// The keys in the order of pressing; empty if the layout does not have them.
     QList<Typed> strokes(const HeldKey& key);
-    /// Presses them. Returns why nothing is to be expected of it; empty when the arm should move.
+    /// Presses the keys. Returns the reason why no motion is expected; empty if the arm should move.
     QString put(const HeldKey& key, const QList<Typed>& strokes, bool shiftHeld);
     static CellOutcome judge(const Standstill& stop);
 
     std::unique_ptr<DesktopCell> cell_;
     int layout_ = -1;
-    Vector6 waypoint_ = Vector6::Zero();  ///< the joints where it was taught
+    Vector6 waypoint_ = Vector6::Zero();  ///< joint positions of the taught waypoint [rad]
     QString what_;
 };
 

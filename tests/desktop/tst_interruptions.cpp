@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What else happens on a desktop while a key is held: other windows, other desktops, locked screens, frozen
-// and dying programs. Whatever it is, the arm stands.
+// Events on a desktop while a key is held: other windows, other desktops, locked screens, frozen and ending
+// programs. In all cases the arm stops.
 
 #include <signal.h>
 
@@ -14,7 +14,7 @@ namespace tiller::test {
 class TestInterruptions : public InterruptedHold {
     Q_OBJECT
 
-    /// By the key "right".
+    /// Holds with the key "right".
     void hold() override {
         holdBy([&] { hand().press(kRight); }, [&] { letGo(); });
     }
@@ -27,9 +27,9 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // The server repeats a key that is held; each repetition is a release and a press on the wire.
+    // The server repeats a held key; each repetition is sent as a release and a press.
     void autoRepeatIsNeitherAReleaseNorAPress() {
-        // A machine that stands still for 100 ms ends any hold, and rightly; the repetition would end each.
+        // A machine that is blocked for 100 ms ends a hold, as intended. Auto-repeat would end every hold.
         constexpr int kAttempts = 12;
         bool went = false;
         for (int attempt = 0; attempt < kAttempts && !went; ++attempt) {
@@ -57,7 +57,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // A screen lock takes keyboard and pointer for itself.
+    // A screen lock grabs keyboard and pointer.
     void theScreenIsLocked() {
         hold();
         XHand lock(cell().displayName());
@@ -78,7 +78,7 @@ private Q_SLOTS:
         hold();
         Child lock;
         QVERIFY(lock.start(program, {}, cell().environment()));
-        // It wants a password to ask for; an account without one, as in most containers, has none.
+        // xtrlock requires a password; an account without one, as in most containers, cannot be locked.
         if (lock.waitForEnd(1000)) {
             hand().release(kRight);
             QSKIP(qPrintable("xtrlock does not lock here: " + lock.output().trimmed()));
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(1), "it moved again when the program went on");
     }
 
-    // A program tells the window of a press that no hand made: of its release it would never be told.
+    // A program sends the window a press that did not come from the keyboard; no release would ever follow.
     void aKeyIsSentThatNobodyPressed() {
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);
@@ -108,9 +108,9 @@ private Q_SLOTS:
         const Place key = cell().place("jog.X+");
         hand().moveTo(key.middle());
         hand().sendButton(key.window, key.middle(), true);
-        arm().untilMoving(kContract);  // it may have begun, or the window is told of buttons in another way
+        arm().untilMoving(kContract);  // a motion may have begun, depending on the input mechanism
         verifyStands();
-        useUp();  // nobody lets it go: to the window a button stays down
+        useUp();  // no release follows: for the window the button stays down
     }
 
     void theDisplayServerIsKilled() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every key, layout, modifier and order, each two of them together at least once. The whole of it takes half
-// an hour and is a run of its own:
+// All pairs of values of key, layout, modifier and order. The complete matrix takes half an hour and is a
+// separate run:
 //   tst_key_matrix --all [--layout NAME] [--key NAME] [--file FILE]
-// It prints one line for each cell and a table at the end. With a file, what is in there already is not tried
-// again: an interrupted run goes on where it ended.
+// It prints one line per cell, and a table at the end. With a file, cells that the file already contains are
+// skipped, so that an interrupted run can be continued.
 
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -17,7 +17,8 @@
 namespace tiller::test {
 namespace {
 
-/// A busy machine may be late once; what is late twice is slow, and what goes on is a run-away at once.
+/// Returns true if a cell deserves a second run: a busy machine may be late once, but not twice. An arm that
+/// keeps moving fails at once.
 bool deservesAnother(const CellOutcome& outcome) {
     return outcome.kind == CellOutcome::Kind::Late || outcome.kind == CellOutcome::Kind::Broken ||
            outcome.kind == CellOutcome::Kind::DidNotMove;
@@ -34,7 +35,7 @@ QString line(const MatrixCell& cell, const CellOutcome& outcome) {
         .arg(outcome.note);
 }
 
-/// What a run found, counted by modifier and order, by layout, and by key.
+/// Results of a run, counted by modifier and order, by layout, and by key.
 class Tally {
 public:
     void add(const MatrixCell& cell, const QString& kind, double ms) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Keyboard jogging with real keys on a real X server: what is let go stands, whatever layouts, modifiers and
-// lock keys made of the key meanwhile.
+// Keyboard jogging with real keys on a real X server: a release stops the arm, even if layout, modifiers or
+// lock keys have changed the meaning of the key in the meantime.
 
 #include "tests/desktop/desktop_test.h"
 
@@ -28,7 +28,8 @@ class TestKeyboard : public DesktopTest {
     }
 
 private Q_SLOTS:
-    // Found by hand: Shift turned the release of "1" into that of "!", and the base joint went on.
+    // A bug found in manual tests: Shift turned the release of "1" into that of "!", and the base joint kept
+    // moving.
     void shiftBetweenPressAndReleaseOnAGermanKeyboard() {
         QVERIFY(cell().setLayout("de"));
         holdJoint();
@@ -38,7 +39,8 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // One map with two layouts, switched by a key of the desktop: the map stays, its group changes.
+    // A keyboard map with two layouts, switched by a key of the desktop: the map is unchanged, its group
+    // changes.
     void theGroupIsSwitchedWhileHeld_data() {
         QTest::addColumn<QString>("map");
         for (const char* map : {"us,fr", "us,ru", "de,us", "es,jp"}) {
@@ -56,7 +58,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(0.3), "it moved again when the first layout came back");
     }
 
-    // As when somebody chooses another layout in the desktop's settings.
+    // The map is replaced as if another layout were selected in the settings of the desktop.
     void theMapIsReplacedWhileHeld_data() {
         QTest::addColumn<QString>("before");
         QTest::addColumn<QString>("after");
@@ -77,7 +79,7 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // The arrow is still held, but what was begun was a turn.
+    // The arrow key is still held, but the motion was started as a rotation.
     void altIsLetGoUnderShift() {
         holdBy(
             [&] {
@@ -120,7 +122,6 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(0.3), "it moved again when the keys were let go");
     }
 
-    // Disarmed means disarmed.
     void nothingMovesWhenNotArmed() {
         hand().press(kControl);
         hand().tap(kLetterJ);

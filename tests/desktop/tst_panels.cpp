@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A panel on a screen of its own, and the key that arms the keyboard, by real keys and buttons: whatever takes the
-// hand elsewhere ends what is held.
+// A floating panel and the key that arms the keyboard, with real keys and buttons: everything that moves the
+// operator's input elsewhere ends a hold.
 
 #include "tests/desktop/desktop_test.h"
 
@@ -11,7 +11,7 @@ class TestPanels : public DesktopTest {
     Q_OBJECT
 
     bool isInTheWindow() { return cell().place("tabsDock").window == cell().place("mainWindow").window; }
-    /// Takes the panel with the waypoints out of the window, by its menu.
+    /// Floats the panel with the waypoints, by its menu.
     void takeOut() {
         const QString dock = "tabsDock";
         if (!isInTheWindow()) {
@@ -31,7 +31,7 @@ class TestPanels : public DesktopTest {
     }
 
 private Q_SLOTS:
-    // With the hand at the main window.
+    // The keyboard jog is started in the main window.
     void aFloatingPanelComesToTheFrontWhileTheKeyboardJogs() {
         takeOut();
         QVERIFY(cell().armKeyboard());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A key of the pad held with a real mouse button: everything but plain holding ends the motion, and nothing
-// but a new press begins another.
+// A pad key held with a real mouse button: everything except a steady hold ends the motion, and only a new
+// press starts another one.
 
 #include "tests/desktop/interrupted_hold.h"
 
@@ -11,7 +11,7 @@ class TestPointer : public InterruptedHold {
     Q_OBJECT
 
     void hold() override { hold("jog.X+"); }
-    /// Holds this key with the left button until the arm is under way.
+    /// Holds this key with the left button until the arm is moving.
     void hold(const QString& name) {
         QVERIFY2(cell().until([&] { return cell().place(name).enabled; }),
                  qPrintable(cell().place(name).toolTip));
@@ -23,7 +23,7 @@ class TestPointer : public InterruptedHold {
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
 
 private Q_SLOTS:
-    // On a screen smaller than the window would like to be.
+    // The screen is smaller than the preferred size of the window.
     void stopAndThePadAreOnTheScreen() {
         for (const char* name : {"stopButton", "jog.X+", "homeKey", "backKey"}) {
             const Place place = cell().place(name);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // Two hands at once, the mouse on the pad and the other on the armed keyboard; or it presses a key that stops.
+    // A second hand at the armed keyboard while the mouse holds a pad key, or a press of a stop key.
     void aKeyOfTheKeyboardIsPressed_data() {
         QTest::addColumn<int>("code");
         QTest::newRow("arrow") << int(kUp);
@@ -157,7 +157,7 @@ private Q_SLOTS:
         hand().release(kControl);
         QVERIFY(cell().untilShown("commandPalette"));
         verifyStands();
-        // Just after a motion Esc still means stop.
+        // Shortly after a motion, Esc still means stop.
         QVERIFY(cell().until([&] {
             hand().tap(kEscape);
             return !cell().place("commandPalette").visible;

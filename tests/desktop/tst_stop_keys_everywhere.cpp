@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In control, and for three seconds after it was lost, Space and Esc stop from whatever window of the application has the
-// keyboard: also from the main window behind a dialog, with each window manager. The arm is moved by a program of another
-// client that has just replaced ours, which is what can move it while a dialog is open.
+// In control, and for three seconds after control was lost, Space and Esc stop the arm from any window of the
+// application that has the keyboard focus, including the main window behind a dialog, with each window
+// manager. The arm is moved by a program of another client that has just replaced ours, because no other
+// program can move it while a dialog is open.
 
 #include <QTcpSocket>
 #include <QTest>
@@ -18,11 +19,11 @@ namespace {
 constexpr int kPrimaryPort = 30002;
 constexpr const char* kWindowManagers[] = {"openbox", "xfwm4", "metacity"};
 
-/// What is open, how it is opened, and the window that then belongs to the keyboard.
+/// A window, the key that opens it, and the window that then has the keyboard focus.
 struct Opened {
     const char* name;
     const char* widget;
-    int letter;  ///< with Ctrl
+    int letter;  ///< pressed with Ctrl
     bool isMenu = false;
 };
 constexpr int kComma = 59;
@@ -56,7 +57,7 @@ class TestStopKeysEverywhere : public QObject {
         windowManager_ = windowManager;
     }
 
-    /// Closes what is open over the window, as a person does: Esc, until it is gone.
+    /// Closes everything open above the window with Esc, as a user would.
     bool closeAll() {
         return cell().until([&] {
             for (const Opened& each : kOpened) {
@@ -86,11 +87,11 @@ class TestStopKeysEverywhere : public QObject {
         QVERIFY(what.isMenu || cell().until([&] { return cell().place(what.widget).active; }));
     }
 
-    /// Another client's program takes the arm over.
+    /// A program of another client takes over the arm.
     void startForeignProgram() {
         pendant_ = std::make_unique<QTcpSocket>();
         pendant_->connectToHost(cell().host(), kPrimaryPort);
-        QVERIFY(pendant_->waitForConnected(DesktopCell::kPatienceMs));
+        QVERIFY(pendant_->waitForConnected(DesktopCell::kWaitTimeoutMs));
         pendant_->write(
             "def others():\n"
             "  while True:\n"
@@ -98,10 +99,10 @@ class TestStopKeysEverywhere : public QObject {
             "    movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=1.2, v=0.25)\n"
             "  end\n"
             "end\n");
-        QVERIFY(pendant_->waitForBytesWritten(DesktopCell::kPatienceMs));
+        QVERIFY(pendant_->waitForBytesWritten(DesktopCell::kWaitTimeoutMs));
         QVERIFY2(cell().arm().untilMoving(kGetsGoing),
                  "the program of the other client does not move the arm");
-        // From here on the window knows, and Space and Esc still stop for three seconds.
+        // From here on the window has noticed, and Space and Esc still stop for three seconds.
         QVERIFY(cell().until([&] {
             return cell().place("nextStepButton").text == "Take control" &&
                    cell().place("nextStepButton").visible;
@@ -145,12 +146,12 @@ private Q_SLOTS:
         QVERIFY(closeAll() && cell().toTheFront() && cell().takeControl());
         open(kOpened[opened]);
         if (focusOnMainWindow) {
-            // A place of the main window that no dialog covers.
+            // A position in the main window that no dialog covers.
             const QRect window = cell().place("mainWindow").area;
             hand().moveTo({window.left() + 6, window.center().y()});
             hand().button(1, true);
             hand().button(1, false);
-            // Some window managers, and Qt for some dialogs, hand the keyboard on to the dialog at once.
+            // Some window managers, and Qt for some dialogs, pass the keyboard focus to the dialog at once.
             (void)cell().until([&] { return cell().place("mainWindow").active; }, 1000);
         }
         QVERIFY(cell().place(kOpened[opened].widget).visible);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second witness in front of a real X server: it knows keys and the left button, says nothing while the
-// server is frozen, and outlives its end.
+// The key-state check with a real X server: it reports the state of keys and of the left button, reports
+// nothing while the server is frozen, and survives the end of the server.
 #include <QRegularExpression>
 #include <QTest>
 #include <csignal>
 
 #include "robot/core/clock.h"
 #include "tests/desktop/desktop_test.h"
-#include "widgets/common/xcb_witness.h"
+#include "widgets/common/xcb_key_state_probe.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -16,27 +16,27 @@ class TestXcbWitness : public QObject {
     Q_OBJECT
 
 private:
-    static constexpr int kPatienceMs = DesktopCell::kPatienceMs;
+    static constexpr int kWaitTimeoutMs = DesktopCell::kWaitTimeoutMs;
     QByteArray display_;
     std::unique_ptr<Child> server_;
 
-    /// What was said by a question put after this call.
-    HoldWitness::Word fresh(const XcbWitness& witness, int code) {
+    /// The reply to a query sent after this call.
+    KeyStateProbe::Word fresh(const XcbKeyStateProbe& witness, int code) {
         const std::int64_t from = SteadyClock::shared().nowNs();
         const auto word = [&] {
             return code == 0 ? witness.leftButton() : witness.key(static_cast<KeyCode>(code));
         };
-        if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kPatienceMs)) {
-            qFatal("the witness says nothing");
+        if (!QTest::qWaitFor([&] { return word().askedNs > from; }, kWaitTimeoutMs)) {
+            qFatal("the key-state check does not respond");
         }
         return word();
     }
-    static bool isDown(const HoldWitness::Word& word) { return word.downNs == word.askedNs; }
+    static bool isDown(const KeyStateProbe::Word& word) { return word.downNs == word.askedNs; }
 
 private Q_SLOTS:
     void init() {
         server_ = std::make_unique<Child>();
-        // The server says on its output which number was free.
+        // Xvfb prints the free number that it has chosen.
         QVERIFY(server_->start(QStringLiteral("Xvfb"),
                                {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                 QStringLiteral("0"), QStringLiteral("320x200x24")},
@@ -49,7 +49,7 @@ private Q_SLOTS:
                          found = number.match(server_->output());
                          return found.hasMatch();
                      },
-                     kPatienceMs),
+                     kWaitTimeoutMs),
                  qPrintable(server_->output()));
         display_ = ':' + found.captured(1).toLatin1();
         qputenv("DISPLAY", display_);
@@ -60,8 +60,8 @@ private Q_SLOTS:
     }
 
     void itSaysWhatIsDown() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         XHand hand(QString::fromLatin1(display_));
         QVERIFY(hand.isOpen());
         witness.want(true);
@@ -80,8 +80,8 @@ private Q_SLOTS:
     }
 
     void itSleepsUntilItIsWanted() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         QTest::qWait(50);
         QCOMPARE(witness.leftButton().askedNs, 0);
         witness.want(true);
@@ -90,32 +90,32 @@ private Q_SLOTS:
 
     void aFrozenServerIsSilenceAndNobodyWaitsForIt() {
         {
-            XcbWitness witness;
-            QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+            XcbKeyStateProbe witness;
+            QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
             witness.want(true);
             fresh(witness, 0);
             server_->signal(SIGSTOP);
-            QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+            QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kWaitTimeoutMs));
             const std::int64_t said = witness.leftButton().askedNs;
             QTest::qWait(100);
             QCOMPARE(witness.leftButton().askedNs, said);
-        }  // it ends with a question unanswered
+        }  // ends with an unanswered query
         server_->signal(SIGCONT);
     }
 
     void aDeadServerIsSilenceForEver() {
-        XcbWitness witness;
-        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kPatienceMs));
+        XcbKeyStateProbe witness;
+        QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         witness.want(true);
         fresh(witness, 0);
         server_->signal(SIGKILL);
-        QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kPatienceMs));
+        QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kWaitTimeoutMs));
         QVERIFY2(witness.isThere(), "who was there once is not replaced by trust");
     }
 
     void withoutAServerThereIsNone() {
         qputenv("DISPLAY", ":4711");
-        XcbWitness witness;
+        XcbKeyStateProbe witness;
         QTest::qWait(100);
         QVERIFY(!witness.isThere());
         QVERIFY(witness.description().contains(QStringLiteral("unavailable")));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells the tests where things are on the screen. A plugin of Qt that the tests, and they alone, let the
-// built program load (QT_QPA_GENERIC_PLUGINS): the program itself stays the one that ships. It looks and
-// answers, and changes nothing.
+// Reports the positions of widgets on the screen to the tests. A Qt plugin that the built program loads only
+// in tests (QT_QPA_GENERIC_PLUGINS), so that the tested program is the one that is shipped. It only answers
+// queries and changes nothing.
 //
-// One line of a local socket asks, one line of JSON answers:
-//   widget NAME    the first one of this objectName, those that are seen before those that are not
-//   windows        what is open, the active one marked
+// Each query is one line on a local socket, each reply one line of JSON:
+//   widget NAME    the first widget with this objectName; visible ones have priority
+//   windows        all open windows, with the active one marked
 
 #include <QApplication>
 #include <QComboBox>
@@ -90,7 +90,7 @@ class WindowPlacesPlugin : public QGenericPlugin {
     Q_PLUGIN_METADATA(IID QGenericPluginFactoryInterface_iid FILE "window_places.json")
 
 public:
-    /// specification  the socket to answer on
+    /// `specification`: the socket to listen on.
     QObject* create(const QString& key, const QString& specification) override {
         return key.compare(QLatin1String("window_places"), Qt::CaseInsensitive) == 0
                    ? new WindowPlaces(specification)

@@ -3,7 +3,7 @@
 
 #include <QSet>
 
-// Last, and here only: they define None, Bool, KeyPress and the like as macros.
+// Included last, and only here: these headers define None, Bool, KeyPress and others as macros.
 #include <X11/XKBlib.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -13,7 +13,7 @@
 namespace tiller::test {
 namespace {
 
-// What a window that went away meanwhile is answered with is no reason to end the test.
+// An error for a window that has been closed in the meantime must not end the test.
 int ignoreError(Display*, XErrorEvent*) {
     return 0;
 }
@@ -50,7 +50,7 @@ struct XHand::Connection {
         }
         return value;
     }
-    /// Asks the window manager.
+    /// Sends a request to the window manager.
     void request(Window window, const char* what, long first, long second = 0) {
         XEvent event{};
         event.xclient.type = ClientMessage;
@@ -68,7 +68,7 @@ XHand::XHand(const QString& display) : d_(std::make_unique<Connection>()) {
     XSetErrorHandler(ignoreError);
     d_->display = XOpenDisplay(qPrintable(display));
     if (d_->display != nullptr) {
-        // Without these Xlib ends the process when the server dies.
+        // Without these handlers Xlib exits the process when the server exits.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(
             d_->display, [](Display*, void* broken) { *static_cast<bool*>(broken) = true; }, &d_->broken);
@@ -189,7 +189,7 @@ std::optional<Typed> XHand::find(char character) const {
     if (!d_->usable()) {
         return std::nullopt;
     }
-    // Not from what Xlib remembers: the layout has just been changed.
+    // Read from the server, because the map cached by Xlib is outdated after a change of the layout.
     XkbDescPtr map = XkbGetMap(d_->display, XkbAllClientInfoMask, XkbUseCoreKbd);
     if (map == nullptr) {
         return std::nullopt;
@@ -198,7 +198,7 @@ std::optional<Typed> XHand::find(char character) const {
     XkbGetState(d_->display, XkbUseCoreKbd, &state);
     std::optional<Typed> found;
     for (int level = 0; level < 2 && !found; ++level) {
-        for (int code = map->min_key_code; code <= 61 && !found; ++code) {  // up to AB10: the letters' block
+        for (int code = map->min_key_code; code <= 61 && !found; ++code) {  // up to AB10: the letter block
             const int groups = XkbKeyNumGroups(map, code);
             const int group = groups == 0 ? 0 : std::min(int(state.group), groups - 1);
             if (groups > 0 && level < XkbKeyGroupWidth(map, code, group) &&

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A hand at the keyboard and mouse of an X server: keys by their key code, as the hardware counts them, so
-// that layout, modifiers and lock keys do to them what they do to a person's. And the other programs of a
-// desktop: windows that take the focus, grabs, the window manager's requests.
+// Simulated keyboard and mouse of an X server. Keys are pressed by key code, as by hardware, so that layout,
+// modifiers and lock keys have their usual effect. Also simulates other programs of a desktop: windows that
+// take the focus, grabs, and requests to the window manager.
 
 #include <QPoint>
 #include <QString>
@@ -12,7 +12,7 @@
 
 namespace tiller::test {
 
-/// Key codes of X with the evdev rules (the kernel's plus 8), by their place on a PC keyboard.
+/// X key codes with the evdev rules (kernel code plus 8), by position on a PC keyboard.
 enum PcKey : int {
     kEscape = 9,
     kLetterT = 28,
@@ -48,25 +48,25 @@ enum PcKey : int {
     kReturn = 36,
 };
 
-/// How a character is typed on the present layout.
+/// The key for a character on the current layout.
 struct Typed {
     int code = 0;
     bool shift = false;
 };
 
-/// One connection to the display. Every call reaches the server before it returns, unless it says otherwise.
-/// A server that dies takes nothing of the test with it: calls after that do nothing.
-/// Threads  one
+/// One connection to the display. Every call reaches the server before it returns, unless stated otherwise.
+/// If the server exits, the test continues and later calls have no effect.
+/// Threads: one.
 class XHand {
 public:
-    /// display  ":93"
+    /// `display`: for example ":93".
     explicit XHand(const QString& display);
     ~XHand();
     XHand(const XHand&) = delete;
     XHand& operator=(const XHand&) = delete;
 
     bool isOpen() const;
-    /// Whether the server can be driven at all (the extensions XTEST and XKEYBOARD).
+    /// True if the server supports simulated input (the extensions XTEST and XKEYBOARD).
     bool canDrive() const;
 
     void key(int code, bool down);
@@ -75,31 +75,31 @@ public:
     void tap(int code) { press(code), release(code); }
     void button(int number, bool down);
     void moveTo(const QPoint& place);
-    /// Whether the server counts this key as down.
+    /// True if the key is down according to the server.
     bool isDown(int code) const;
-    /// What the key would write with the layout, modifiers and lock keys of now, by the name of the symbol:
-    /// "1", "exclam", "KP_Left".
+    /// The name of the symbol that the key produces with the current layout, modifiers and lock keys: "1",
+    /// "exclam", "KP_Left".
     QString writes(int code) const;
-    /// Lets go of everything: keys, buttons, lock keys, the second group.
+    /// Releases all keys and buttons, and resets the lock keys and the group.
     void letGoOfAll();
 
-    /// CapsLock and NumLock are lit, by the server.
+    /// True if CapsLock or NumLock is on, according to the server.
     bool isLocked(int code) const;
-    /// Shift, Ctrl or Alt is down, as the layout has it.
+    /// True if Shift, Ctrl or Alt is down in the current layout.
     bool hasModifier() const;
-    /// Where a character is on the layout that holds now; nothing where it needs more than Shift. The keypad
-    /// does not count.
+    /// The key of a character on the current layout; empty if it needs more than Shift. The keypad is not
+    /// searched.
     std::optional<Typed> find(char character) const;
-    /// The layout of a map with several: 0, 1...
+    /// Selects a layout of a map with several layouts: 0, 1...
     void lockGroup(int group);
 
     using WindowId = unsigned long;
-    /// A window of another program, shown; the window manager does what it does with new windows.
+    /// Shows a window of another program; the window manager treats it as any new window.
     WindowId openWindow(const QPoint& place);
     void closeWindow(WindowId window);
-    /// Without asking the window manager.
+    /// Sets the focus without the window manager.
     void setFocus(WindowId window);
-    /// As a taskbar would: the window manager is asked to bring it to the front.
+    /// Asks the window manager to bring the window to the front, as a taskbar does.
     void activate(WindowId window);
     void iconify(WindowId window);
     void switchDesktop(int number);
@@ -107,14 +107,14 @@ public:
     int desktop() const;
     int desktopCount() const;
 
-    // What other programs of a desktop do at bad moments.
+    // Actions of other programs on the desktop that interfere with a hold.
     bool grabKeyboard();
     bool grabPointer();
     void ungrab();
-    /// Tells a window of a press, or a release, that no hand made: the server does not count it as down.
+    /// Sends a press or release event to a window. The server does not count the key as down.
     void sendKey(WindowId window, int code, bool down);
     void sendButton(WindowId window, const QPoint& place, bool down);
-    /// No other client is served until it is undone.
+    /// The server answers no other client until ungrabServer().
     void grabServer();
     void ungrabServer();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any lines said to the dashboard and to the gripper of one robot, which takes a control period now and then;
-// Every command gets one line, and nothing crashes.
+// Arbitrary lines sent to the dashboard and to the gripper of one robot, with occasional control periods in
+// between. Every command gets one line as its reply, and nothing crashes.
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/equipment/gripper.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"
@@ -17,7 +17,7 @@ using namespace tiller;
 using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Plant plant{[] {
+    static ControllerModel plant{[] {
         SimulatorOptions options;
         options.poweredOn = true;
         options.fastTransitions = true;

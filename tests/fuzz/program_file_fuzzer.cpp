@@ -13,7 +13,7 @@ using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const QByteArray content(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
-    // Every program that the input refers to is the input again, every script and installation a half of it.
+    // Every referenced program is the input itself; every referenced script or installation is a half of it.
     pendant::PendantSource source;
     source.files = [&content](const QString& name) -> std::optional<QByteArray> {
         return name.endsWith(QLatin1String(".urp"))            ? content

@@ -16,15 +16,15 @@ using namespace tiller;
 namespace {
 
 void readAll(const recording::Recording& recording) {
-    constexpr std::uint64_t kMostRows = 10'000;
-    constexpr std::size_t kMostColumns = 20;
+    constexpr std::uint64_t kMaxRows = 10'000;
+    constexpr std::size_t kMaxColumns = 20;
     std::vector<std::size_t> columns;
-    for (std::size_t i = 0; i < std::min(recording.columns().size(), kMostColumns); ++i) {
+    for (std::size_t i = 0; i < std::min(recording.columns().size(), kMaxColumns); ++i) {
         columns.push_back(i);
     }
-    static_cast<void>(recording.read(columns, {0, kMostRows}));
-    static_cast<void>(recording.times({0, kMostRows}));
-    static_cast<void>(recording.summaries(columns, {0, kMostRows}, 7));
+    static_cast<void>(recording.read(columns, {0, kMaxRows}));
+    static_cast<void>(recording.times({0, kMaxRows}));
+    static_cast<void>(recording.summaries(columns, {0, kMaxRows}, 7));
     static_cast<void>(recording.rowAt(0.5));
     for (const QString& name : recording.attachments()) {
         static_cast<void>(recording.attachment(name));

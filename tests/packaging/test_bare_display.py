@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The demonstration passes on a display that has no window manager, which is what xvfb-run gives."""
+"""The demonstration works on a display without a window manager, as provided by xvfb-run."""
 import os
 import pathlib
 import shutil

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What the container file counts on: its entry as process 1 of a PID namespace serves and ends cleanly on SIGTERM, and
-its health check tells a controller that serves from one that does not."""
+"""Requirements of the container file: its entry point serves as process 1 of a PID namespace and exits cleanly on
+SIGTERM, and its health check distinguishes a serving controller from one that is not."""
 import json
 import os
 import re
@@ -25,7 +25,7 @@ class TestContainer(unittest.TestCase):
     def start(self, *before):
         entry = json.loads(re.search(r"^ENTRYPOINT (.*)$", containerfile(), re.MULTILINE)[1])
         self.assertEqual(entry[0], "tiller-cli")
-        # Not on every address of this machine: others run the suite too.
+        # Not on all addresses of this machine, because other users may run the suite too.
         command = [PROGRAM if word == "tiller-cli" else word for word in entry]
         command[command.index("0.0.0.0")] = address()
         process = subprocess.Popen([*before, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

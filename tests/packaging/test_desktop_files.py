@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What desktop, shells, man and systemd are told about the programs is well-formed, and true: it names the options that
-the programs have."""
+"""The files for desktops, shells, man and systemd are well-formed and list exactly the options of the programs."""
 import os
 import pathlib
 import re
@@ -59,7 +58,7 @@ class TestDesktopFiles(unittest.TestCase):
 
     def test_the_manual_pages_name_every_option_and_no_other(self):
         man = (SOURCE / "packaging/manual/man/tiller.1.rst").read_text()
-        said = options_in(help_of("tiller")) - {"help-all", "platform"}  # Qt's own
+        said = options_in(help_of("tiller")) - {"help-all", "platform"}  # options of Qt
         self.assertEqual(options_in(man), said)
         page = self.page_of_the_commands()
         for command in commands():
@@ -102,7 +101,8 @@ class TestDesktopFiles(unittest.TestCase):
         with open(SOURCE / "packaging/dependencies", encoding="utf-8") as file:
             wanted = file.read().partition("[run]\n")[2].partition("[test]")[0].split()
         text = (SOURCE / "packaging/debian/control").read_text()
-        # What a build has anyway, what only makes it quicker, and what the programs load when they run.
+        # Includes build dependencies and packages loaded at run time; excludes the basic build tools and optional
+        # accelerators.
         for package in set(wanted) - {"build-essential", "ccache"}:
             self.assertRegex(text, rf"(?m)^(Build-Depends: | +|Depends: ){re.escape(package)}[ ,\n]")
 
@@ -116,7 +116,7 @@ class TestDesktopFiles(unittest.TestCase):
         for unit in (LINUX / "systemd").glob("*.service"):
             for line in re.findall(r"^Exec\w+=.*$", unit.read_text(), re.MULTILINE):
                 self.assertNotRegex(line, r"\b(sh|bash|env)\b", unit)
-                # One argument by itself, which no option can be: behind "--", or the value of an option.
+                # A single argument that cannot be an option: after "--", or as the value of an option.
                 self.assertRegex(line, r"(-- %i$|=%i( |$))", unit)
 
     def test_the_units_pass_the_check_of_systemd(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The manual can be built without a warning, its links lead somewhere, and its programs run as they stand there."""
+"""The manual builds without a warning, its links are valid, and its example programs run unchanged."""
 import html.parser
 import os
 import pathlib

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The archive for other Linuxes has all that the programs load, starts from where it lies, and says what it needs."""
+"""The portable archive for other Linux distributions contains everything that the programs load, runs from any
+folder, and lists its requirements."""
 import os
 import pathlib
 import re
@@ -42,7 +43,7 @@ class TestPortable(unittest.TestCase):
         self.assertGreater(len(code), 50)
         wanted = 0
         for path in code:
-            # Programs know the way by themselves. What they load goes by theirs.
+            # Programs find their libraries by themselves; libraries are found through the program that loads them.
             own = path.parent == self.folder / "bin"
             way = {} if own else {"LD_LIBRARY_PATH": str(self.folder / "lib")}
             loaded = subprocess.run(["ldd", str(path)], env=dict(os.environ, **way), capture_output=True, text=True, check=True).stdout
@@ -86,7 +87,7 @@ class TestPortable(unittest.TestCase):
             text = (licences / f"{package}.txt").read_text(encoding="utf-8", errors="replace")
             self.assertNotEqual(text, "", package)
             for common in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", text):
-                # One package says GPL-3.0 for GPL-3.
+                # One package refers to GPL-3.0 instead of GPL-3.
                 if os.path.exists("/usr/share/common-licenses/" + common):
                     self.assertTrue((licences / "common-licenses" / common).exists(), f"{package}: {common}")
         self.assertTrue((licences / "common-licenses/GPL-3").exists())

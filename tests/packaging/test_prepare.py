@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What packaging/run and packaging/test say while they install and build, on a terminal and in a log."""
+"""Output of packaging/run and packaging/test during installation and build, on a terminal and in a log."""
 import os
 import pty
 import re
@@ -77,7 +77,7 @@ class TestPrepare(unittest.TestCase):
             if select.select([ours], [], [], 1)[0]:
                 try:
                     piece = os.read(ours, 65536)
-                except OSError:  # the other side is closed
+                except OSError:  # the other end is closed
                     break
                 if not piece:
                     break
@@ -104,7 +104,7 @@ class TestPrepare(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertIn("\r\033[K  Building   50 %  100 of 200", said)
         self.assertIn("\r\033[K  Installing   75 %  Unpacking ninja-build", said)
-        # What stays is the steps and their ends.
+        # Only the steps and their results remain visible.
         kept = [line.rstrip("\r").split("\r")[-1].replace("\033[K", "").strip() for line in said.split("\n")]
         kept = [line for line in kept if line]
         self.assertEqual([line[:5] for line in kept if line.startswith("[")], ["[1/3]", "[2/3]", "[3/3]"])

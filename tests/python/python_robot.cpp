@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software that takes
-// torques), "low" (begins where the programs of the stop contract do). Writes its address on the first line,
-// obeys the words that come in on standard input (freeze, thaw, hand, push, free, cut, join, still, speed, turning,
-// watch), and ends with it. "still" answers when the arm is at standstill: with how long it moved after the last
-// packet that came in, in milliseconds of the robot's time. "speed" answers with that of the TCP [m/s], "turning" with that of the fastest joint [rad/s]. "watch"
-// looks on for a second and answers with how long [ms] and how far [rad] it moved after that packet, how long
-// after the word [ms], and whether it still moves.
+// A simulated robot for the Python tests. Arguments: "real" (in real time), "torque" (software with torque
+// commands), "low" (starts at the start position of the stop contract programs). Prints its address on the
+// first line, executes the commands on its standard input (freeze, thaw, hand, push, free, cut, join, still,
+// speed, turning, watch), and exits when the input ends.
+// "still" waits until the arm is at standstill and returns the duration of its motion after the last received
+// packet, in milliseconds of robot time. "speed" returns the TCP speed [m/s], "turning" the speed of the
+// fastest joint [rad/s].
+// "watch" observes the arm for one second and returns how long [ms] and how far [rad] it moved after the last
+// received packet, how long it moved after the command [ms], and whether it is still moving.
 #include <QCoreApplication>
 #include <algorithm>
 #include <iostream>
@@ -19,7 +21,7 @@ double untilStill(tiller::test::FaceCell& cell) {
     double told = cell.robot.truth().timestamp;
     std::uint64_t packages = cell.robot.inputPackages();
     double moved = told;
-    const auto stands = [&](const tiller::simulator::Truth& truth) {
+    const auto stands = [&](const tiller::simulator::SimulatedState& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
             told = truth.timestamp;
@@ -34,14 +36,14 @@ double untilStill(tiller::test::FaceCell& cell) {
 
 std::string watch(tiller::test::FaceCell& cell) {
     constexpr double kSeconds = 1.0;
-    tiller::simulator::Truth heard = cell.robot.truth();
+    tiller::simulator::SimulatedState heard = cell.robot.truth();
     const double begin = heard.timestamp;
     const double end = begin + kSeconds;
     std::uint64_t packages = cell.robot.inputPackages();
     double moved = heard.timestamp;
     bool moves = false;
     tiller::JointPositions last = heard.q;
-    cell.until([&](const tiller::simulator::Truth& truth) {
+    cell.until([&](const tiller::simulator::SimulatedState& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
             heard = truth;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A simulated robot in a process of its own, for one test class."""
+"""A simulated robot in a separate process, for one test class."""
 import os
 import subprocess
 import time
@@ -25,7 +25,7 @@ class Robot:
 
 
 def until(condition, patience=30.0):
-    """Waits for a condition; the patience is for hangs only."""
+    """Waits for a condition; the timeout is only for hanging tests."""
     end = time.monotonic() + patience
     while time.monotonic() < end:
         if condition():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Small faults of calls: wrong arguments, a link that is lost, fields that are not followed. Each has a clear error."""
+"""Common mistakes and faults: wrong arguments, a lost connection, fields that are not received. Each has a clear
+error."""
 import time
 import traceback
 import unittest
@@ -7,11 +8,11 @@ import unittest
 import tiller
 from tiller import errors
 
-LIMIT = 60.0  # for hangs only
+LIMIT = 60.0  # only for hanging tests
 
 
 class TestArguments(unittest.TestCase):
-    """A value of the wrong type is named with its argument; no signature of the binding reaches the user."""
+    """The error for a value of the wrong type names the argument; users never see a signature of the binding."""
 
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True).start()
@@ -100,12 +101,12 @@ class TestLink(unittest.TestCase):
         self.assertEqual((robot.state.robot_mode, robot.status["robot_mode"]), ("DISCONNECTED", "DISCONNECTED"))
         self.assertEqual((robot.state.safety_mode, robot.status["safety_mode"]), ("UNDEFINED_SAFETY_MODE",) * 2)
         self.assertEqual(robot.state.runtime_state, "STOPPED")
-        self.assertEqual(robot.state["safety_mode"], 1.0)  # the packet is as it came
+        self.assertEqual(robot.state["safety_mode"], 1.0)  # the packet is unchanged
 
     def test_a_refused_connection_is_not_waited_for(self):
         self.simulator.stop()
         with self.assertRaises(errors.ConnectionRefused):
-            tiller.Robot(self.simulator.address, timeout=None)  # hangs where it is waited for
+            tiller.Robot(self.simulator.address, timeout=None)  # would hang if the refused connection were waited for
         with self.assertRaises(errors.AddressInvalid):
             tiller.Robot("no host", timeout=None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What tests/benchmarks/run makes of its list and of what programs print. No benchmark runs here."""
+"""Evaluation of the list and of program outputs by tests/benchmarks/run. Runs no benchmark."""
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -16,7 +16,7 @@ FOLDER = Path(os.environ["TILLER_SOURCE"]) / "tests" / "benchmarks"
 def script():
     loader = importlib.machinery.SourceFileLoader("benchmarks_run", str(FOLDER / "run"))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    sys.modules[loader.name] = module  # where its data classes look for their own names
+    sys.modules[loader.name] = module  # dataclasses look up their module here
     loader.exec_module(module)
     return module
 

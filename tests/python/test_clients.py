@@ -14,7 +14,7 @@ from script_client import ScriptClient
 
 
 class Gripper(socketserver.StreamRequestHandler):
-    """The URCap's socket: a gripper that is where it shall be at once."""
+    """The socket of the URCap: a gripper that reaches its target immediately."""
     values = {"ACT": 0, "STA": 0, "POS": 3, "PRE": 3, "OBJ": 3, "FLT": 0, "SPE": 0, "FOR": 0, "GTO": 0}
 
     def handle(self):
@@ -72,7 +72,7 @@ class TestClients(unittest.TestCase):
         try:
             dashboard.unlockProtectiveStop()
         except RuntimeError:
-            pass  # there is nothing to unlock
+            pass  # no protective stop to unlock
         dashboard.powerOff()
         self.assertTrue(until(lambda: dashboard.robotmode() == "Robotmode: POWER_OFF"))
         dashboard.restartSafety()

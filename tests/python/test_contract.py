@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The stop contract in Python: a program that is killed, stopped or cut off leaves nothing behind that moves. The arm
-stands within 250 ms of the robot's own time, and does not move again by itself."""
+"""The stop contract in Python: no motion remains after a program was killed, suspended or disconnected. The arm is at
+standstill within 250 ms of robot time, and does not move again by itself."""
 import os
 import signal
 import subprocess
@@ -13,7 +13,7 @@ from rtde_receive import RTDEReceiveInterface
 
 CONTRACT_MS = 250
 
-# Each as a program of a user's: it does not look at what the calls return.
+# As in typical user programs, return values are ignored.
 PROGRAMS = {
     "moveJ": "c.moveJ(turned(1.5), 0.4, 1.4, True)",
     "moveL": "c.moveL(lowered(0.3), 0.1, 0.5, True)",

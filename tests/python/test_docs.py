@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every class and method of the modules explains itself: help(), inspect.signature(), repr(), units of the headers."""
+"""Every class and method of the modules is documented: help(), inspect.signature(), repr(), units as in the
+headers."""
 import importlib
 import inspect
 import os
@@ -12,7 +13,7 @@ MODULES = {"rtde_receive": "rtde_receive_interface.h", "rtde_control": "rtde_con
 
 
 def public(module):
-    """(class, name, method) of everything a program can call."""
+    """Yields (class, name, method) for every public method."""
     for cls in vars(module).values():
         if isinstance(cls, type) and not hasattr(cls, "__members__"):
             for name, member in vars(cls).items():

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What the arm does when the process that moves it ends, for every call that moves it: robot/ENDS.md.
+"""Behaviour of the arm when the process that moves it ends, for every call that moves it: robot/ENDS.md.
 
-Each cell of the table is one process, in C++ or Python, that moves a simulated arm of its own and then ends in one way. The
-simulated controller measures how long and how far the arm moves after the last packet of that process. Without arguments a
-part of the table runs, every call with at least one end; TILLER_ALL=1 runs all cells, TILLER_UPDATE_TABLES=1 runs all and
-writes the table.
+Each cell of the table is one process, in C++ or Python, that moves its own simulated arm and then ends in one way.
+The simulated controller measures how long and how far the arm moves after the last packet of that process. Without
+arguments a part of the table runs: every call with at least one end. TILLER_ALL=1 runs all cells;
+TILLER_UPDATE_TABLES=1 runs all cells and writes the table.
 """
 import collections
 import concurrent.futures
@@ -22,7 +22,7 @@ from robot import Robot
 BRAKES_MS = 250
 AT_ONCE = 8
 ATTEMPTS = 3
-PATIENCE = 60  # [s], for hangs only
+PATIENCE = 60  # [s], only for hanging tests
 START = [-1.57, -1.2, -2.3, -1.2, 1.57, 0.0]
 TABLE = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/ENDS.md")
 HELPERS = pathlib.Path(os.environ["TILLER_HELPERS"])
@@ -30,18 +30,18 @@ BEGIN, END = "<!-- table: written by tests/python/test_ends.py -->\n", "<!-- end
 
 ENDS = ["exception", "exit", "Ctrl-C", "SIGTERM", "SIGHUP", "SIGKILL", "lost link", "object"]
 SIGNALS = {"Ctrl-C": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.SIGHUP, "SIGKILL": signal.SIGKILL}
-#: What a Python program raises in its main thread.
+#: Signals on which a Python program ends itself in its main thread.
 ORDERS = {"exception": signal.SIGUSR1, "exit": signal.SIGUSR2, "object": signal.SIGALRM, "_exit": signal.SIGVTALRM,
           "leave": signal.SIGPROF}
 
 BRAKES, GOES_ON = "brakes", "**moves on**"
 
-#: call: as users write it. program: of the helper, or lines of Python. fast: TCP speed at which it ends [m/s].
-#: turning: at which joint speed, if not 0 [rad/s].
+#: call: as written by users. program: for the helper, or lines of Python. fast: TCP speed at the end [m/s].
+#: turning: joint speed at the end, if not 0 [rad/s].
 Row = collections.namedtuple("Row", "api call program fast hand robot unattended turning",
                              defaults=(0.05, False, (), (), 0))
 
-SCRIPT_ENDS = tuple(end for end in ENDS if end != "object")  # an unattended script moves on after these
+SCRIPT_ENDS = tuple(end for end in ENDS if end != "object")  # an unattended script continues after these
 
 NATIVE = [
     Row("C++", "Motions::moveJ", "free moveJ"),
@@ -258,7 +258,7 @@ PYTHON_NATIVE = [
 
 ROWS = NATIVE + PYTHON_NATIVE + FACE + PYTHON_FACE
 
-#: Further ends, each tried with a move and with a script. "leave" is the request to let a move continue.
+#: Further ends, each tested with a move and with a script. "leave" is the request to let a move continue.
 FURTHER = [
     ("C++", "`leave(Supervision::Unattended)`", "leave", ("free moveJ", "script")),
     ("C++", "`std::abort`", "abort", ("free moveJ", "script")),
@@ -282,7 +282,7 @@ FURTHER = [
            ("c.moveJ(turned(1.5), 0.4)", "c.sendCustomScript(SCRIPT)"))),
 ]
 
-#: milliseconds and radians: after the last packet. late: how long after the order the arm still moved [ms].
+#: milliseconds, radians: motion after the last packet. late: how long after the command the arm still moved [ms].
 Seen = collections.namedtuple("Seen", "what milliseconds radians late", defaults=(0,))
 
 
@@ -345,7 +345,7 @@ def attempt(row, end):
             if time.monotonic() > patience or mover.process.poll() is not None:
                 return None
             if row.hand:
-                # Not before: an arm that is pushed when freedrive begins goes into a protective stop.
+                # Not earlier: an external force at the start of freedrive causes a protective stop.
                 moving_since = moving_since or time.monotonic()
                 if time.monotonic() > moving_since + 1.5:
                     robot.tell("push")
@@ -360,7 +360,8 @@ def attempt(row, end):
 
 
 def run(row, end):
-    """What the arm did; on a busy machine the process may be late and its motion over before it ends."""
+    """The behaviour of the arm. On a busy machine the process may be late, and its motion may end before the
+    process."""
     for _ in range(ATTEMPTS):
         seen = attempt(row, end)
         if seen is not None and (seen.what == expected(row, end) or seen.what == GOES_ON):
@@ -373,7 +374,7 @@ def expected(row, end):
 
 
 def cells():
-    """Of a part each call once, and each end with as many calls."""
+    """The cells to run: in a partial run each call once, with the ends distributed evenly."""
     everything = [(row, end) for row in ROWS for end in ENDS]
     if {"TILLER_ALL", "TILLER_UPDATE_TABLES"} & os.environ.keys():
         return everything
@@ -395,7 +396,7 @@ def name_of(row):
 
 
 def table(seen, further):
-    """The text between the marks."""
+    """The generated text between the markers."""
     lines = []
     titles = {"C++": "C++", "Python": "Python (`tiller.Robot`)", "ur_rtde C++": "`ur_rtde`, C++",
               "ur_rtde Python": "`ur_rtde`, Python"}
@@ -442,7 +443,8 @@ class TestEnds(unittest.TestCase):
             TABLE.write_text(before + BEGIN + table(seen, further) + END + after, encoding="utf-8")
 
     def test_the_table_is_up_to_date(self):
-        """Each cell is what the rows above say, which the other test compares with what the arm does."""
+        """Each cell equals the expectation of its row, which the other test compares with the behaviour of the
+        arm."""
         rows = {(row, end): Seen(expected(row, end), 0, 0) for row in ROWS for end in ENDS}
         further = {(row, end): Seen(expected(row, end), 0, 0) for row, end in further_cells()}
         text = TABLE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]

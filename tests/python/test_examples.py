@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The examples of robot/examples/python run as they are, each against simulated robots of its own."""
+"""The examples of robot/examples/python run unchanged, each with its own simulated robots."""
 import ast
 import os
 import subprocess
@@ -13,7 +13,7 @@ FOLDER = os.path.join(os.environ["TILLER_SOURCE"], "robot", "examples", "python"
 SAYS = {"read": "RUNNING", "record": "rows, 0 packets lost", "move_and_wait": "ended by Completed", "jog": "rose ",
         "servo_circle": "cycles", "force": "force on the TCP", "outputs": "output 0 True", "several_robots": "is back",
         "recover": "RUNNING NORMAL", "simulate": "PROTECTIVE_STOP", "drop_in": "["}
-# A machine that stands still for 100 ms ends what is held, and rightly.
+# A machine that is blocked for 100 ms ends a held motion, as intended.
 LATE = ("LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed")
 ATTEMPTS = 5
 

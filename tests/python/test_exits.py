@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Programs that end while the library works: each in a process of its own, several times (TILLER_EXIT_RUNS, for example 100).
-None crashes or hangs, each has the exit status that its author expects, and the arm is at standstill afterwards."""
+"""Programs that exit while the library is in use, each in a separate process, several times (TILLER_EXIT_RUNS, for
+example 100). None crashes or hangs, each has the expected exit status, and the arm is at standstill afterwards."""
 import os
 import signal
 import subprocess
@@ -13,8 +13,8 @@ import numpy as np
 import tiller
 
 RUNS = int(os.environ.get("TILLER_EXIT_RUNS", "1"))
-HANG = 60.0  # [s]; for hangs only
-# A machine that stands still for 100 ms ends what moves, and rightly; such a run says nothing about the exit.
+HANG = 60.0  # [s]; only for hanging tests
+# A machine that is blocked for 100 ms ends a motion, as intended; such a run does not test the exit.
 LATE = ("too late", "LinkLost", "DataStale", "EventLoopStalled", "did not come in time")
 ATTEMPTS = 5
 CRASHES = ("Fatal Python error", "terminate called", "exception not rethrown", "Segmentation fault", "Aborted")
@@ -42,7 +42,7 @@ def until(condition):
         time.sleep(0.002)
 """
 
-# name: (program, exit status, what it prints)
+# name: (program, exit status, output)
 CASES = {
     "a_daemon_thread_reads_samples": ("""
 robot = connected(False)
@@ -255,7 +255,7 @@ class TestExits(unittest.TestCase):
         cls.simulator.stop()
 
     def result_of(self, program):
-        """(exit status, output, error output, the recording or nothing)"""
+        """Returns (exit status, output, error output, content of the recording or "")."""
         with tempfile.TemporaryDirectory() as folder:
             recording = os.path.join(folder, "recording.csv")
             process = subprocess.Popen([sys.executable, "-B", "-c", BEGIN + program, self.simulator.address, recording],
@@ -263,7 +263,7 @@ class TestExits(unittest.TestCase):
             try:
                 said, complaint = process.communicate(timeout=HANG)
             except subprocess.TimeoutExpired:
-                os.killpg(process.pid, signal.SIGKILL)  # its children hold the pipes too
+                os.killpg(process.pid, signal.SIGKILL)  # child processes hold the pipes too
                 said, complaint = process.communicate()
                 self.fail(f"hangs\n{said}{complaint}")
             recorded = ""
@@ -277,13 +277,13 @@ class TestExits(unittest.TestCase):
             code, said, complaint, recorded = self.result_of(program)
             for word in CRASHES:
                 self.assertNotIn(word, complaint)
-            self.assertGreaterEqual(code, -signal.SIGINT, complaint)  # by no other signal
+            self.assertGreaterEqual(code, -signal.SIGINT, complaint)  # no signal other than SIGINT
             if not any(word in said + complaint for word in LATE):
                 break
         self.assertEqual((code, said), (status, output), complaint)
         self.assertNotIn("Traceback", complaint)
         if "another_thread" not in self.id():
-            self.assertNotIn("Application", complaint)  # Qt's warnings
+            self.assertNotIn("Application", complaint)  # no warnings of Qt
         if recorded:
             self.assertGreater(recorded.count("\n"), 50)
             self.assertTrue(recorded.endswith("\n"))

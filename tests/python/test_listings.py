@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Listings 2, 4 and 5 of the ur_rtde paper, as printed; only the robot's address is the test's. The packages they
-import that are not here are replaced by small ones of our own in listings/."""
+"""Listings 2, 4 and 5 of the ur_rtde paper as printed; only the address of the robot is replaced. Packages they
+import that are not installed are replaced by small ones in listings/."""
 import os
 import runpy
 import sys
@@ -43,7 +43,7 @@ class TestListings(unittest.TestCase):
 
     def test_listing_2(self):
         self.run_listing(2)
-        # Seen through a connection of its own, which may be behind the one that moved.
+        # A separate connection, whose data may be older than those of the one that moved the arm.
         self.assertTrue(until(lambda: near(self.receive.getActualQ(), [0, 0.5, -0.5, 0.5, -0.5, 0.5])))
 
     def test_listing_4(self):
@@ -58,7 +58,7 @@ class TestListings(unittest.TestCase):
         self.assertTrue(until(lambda: near(self.receive.getActualQ(), moved(START, 0, 0.3), 0.02)))
 
     def test_listing_5(self):
-        # The arm is somewhere from where a straight line leads to the first pose.
+        # Moves the arm to a position from which it can reach the first pose on a straight line.
         control = RTDEControlInterface(self.robot.host)
         self.assertTrue(control.moveJ_IK([0.36177, 0.10525, 0.6, 0, np.pi, 0]))
         control.disconnect()

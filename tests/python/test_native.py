@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The package `tiller` against the simulated controller in this process, in virtual time but where a process is killed."""
+"""The package `tiller` with the simulated controller in this process, in virtual time except where a process is
+killed."""
 import asyncio
 import contextlib
 import gc
@@ -19,7 +20,7 @@ import numpy as np
 import tiller
 from tiller import errors
 
-PATIENCE = 60.0  # for hangs only
+PATIENCE = 60.0  # only for hanging tests
 FAR = [1.5, 0, 0, 0, 0, 0]
 SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] * 6, "limits": [0.1] * 3 + [0.5] * 3}
 
@@ -38,7 +39,7 @@ def until(condition):
 
 
 class VirtualCase(unittest.TestCase):
-    software = ""  # the simulator's own
+    software = ""  # empty: the default of the simulator
 
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True, software=self.software).start()
@@ -50,7 +51,7 @@ class VirtualCase(unittest.TestCase):
         self.robot.take_control(PATIENCE)
 
     def assert_brakes(self):
-        """Within the contract's 250 ms of the robot's own time, and stays."""
+        """The arm stops within the 250 ms of robot time of the contract, and does not move again."""
         self.simulator.step(0.25)
         self.assertTrue(stands(self.simulator))
         q = self.simulator.truth["q"]
@@ -59,7 +60,7 @@ class VirtualCase(unittest.TestCase):
 
 
 class TestHandles(VirtualCase):
-    """A Robot without a name stays open while a handle exists: what ends motions has to find it."""
+    """A Robot without a variable stays open while a handle exists, because the functions that end motions need it."""
     BEGINNINGS = {"move": lambda robot: robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0]), "stream": lambda robot: robot.speed_j(),
                   "jog": lambda robot: robot.jog([0.1, 0, 0, 0, 0, 0], "joints"),
                   "force mode": lambda robot: robot.force_mode(**SOFT, timeout=None)}
@@ -94,7 +95,7 @@ class TestReceive(VirtualCase):
         self.assertEqual(sample.safety_mode, "NORMAL")
         self.assertIsInstance(sample["timestamp"], float)
         self.assertIs(sample.digital_input(3), False)
-        with self.assertRaisesRegex(KeyError, "is not followed"):
+        with self.assertRaisesRegex(KeyError, "is not received"):
             sample["no_such_field"]
         q, pose = self.robot.snapshot("actual_q", "actual_TCP_pose")
         self.assertEqual((len(q), len(pose)), (6, 6))
@@ -116,9 +117,9 @@ class TestReceive(VirtualCase):
         numbers = [next(samples).sequence for _ in range(500)]
         self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 500)))
         self.assertEqual(samples.lost, 0)
-        self.assertGreater(next(samples).sequence, numbers[-1])  # waits: time goes on meanwhile
+        self.assertGreater(next(samples).sequence, numbers[-1])  # waits until time has advanced
         self.robot.close()
-        self.assertLess(len(list(samples)), 500)  # ends
+        self.assertLess(len(list(samples)), 500)  # the iteration ends
 
     def test_misspelt_names_are_refused(self):
         with self.assertRaisesRegex(errors.FieldUnknown, 'did you mean "actual_q"'):
@@ -245,7 +246,7 @@ class TestLife(VirtualCase):
                 if kept is not None:
                     robot.close()
                     kept.append(robot)
-            self.assertLess(resident() - before, 20)  # 120 MB when each stays
+            self.assertLess(resident() - before, 20)  # 120 MB if none were released
 
 
 class TestErrors(unittest.TestCase):
@@ -270,7 +271,7 @@ class TestMotion(VirtualCase):
         self.take_control()
 
     def begin(self):
-        """A move under way."""
+        """Starts a move that is still active on return."""
         move = self.robot.move_j(self.robot.state.q + FAR, 0.5, 1.0)
         self.simulator.step(0.5)
         self.assertFalse(stands(self.simulator))
@@ -359,13 +360,13 @@ class TestMotion(VirtualCase):
         self.begin()
         gone = weakref.ref(self.robot)
         self.robot = None
-        self.doCleanups()  # without it: a clean-up holds the robot
+        self.doCleanups()  # otherwise a clean-up function would keep a reference to the robot
         self.assertIsNone(gone())
 
     def test_ctrl_c_in_wait_brakes(self):
         move = self.begin()
         timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-        move._waiting = contextlib.nullcontext  # time stands still, so the move cannot come to its end
+        move._waiting = contextlib.nullcontext  # time does not advance, so the move cannot complete
         with self.assertRaises(KeyboardInterrupt):
             timer.start()
             move.wait(PATIENCE)
@@ -442,7 +443,7 @@ class TestMotion(VirtualCase):
                 1 / 0
 
     def in_force_mode(self):
-        self.simulator.step(0.02)  # the status is as old as the newest packet
+        self.simulator.step(0.02)  # the status is as old as the latest packet
         return self.robot.status["force_mode"]
 
     def test_force_mode_begins_at_the_call(self):
@@ -458,7 +459,7 @@ class TestMotion(VirtualCase):
         self.assertFalse(self.in_force_mode())
 
     def test_force_modes_nest(self):
-        """Pushed down the arm goes down: by which of the two is in force."""
+        """The downward motion of the arm shows which of the two force modes is active."""
         down, rest = dict(SOFT, wrench=[0, 0, -20, 0, 0, 0]), dict(SOFT, compliant=[False] * 6)
 
         def sinks():
@@ -510,7 +511,7 @@ class TestMotion(VirtualCase):
         self.assert_brakes()
 
     def test_a_refreshed_jog_keeps_its_frame_and_its_contact_force(self):
-        quarter = [0, 0, 0, 0, 0, math.pi / 2]  # its X is the Y of the base
+        quarter = [0, 0, 0, 0, 0, math.pi / 2]  # the X axis of this frame is Y of the base
         start = self.simulator.truth["tcp_pose"]
         with self.robot.jog([0.05, 0, 0, 0, 0, 0], "custom", custom_frame=quarter, contact_force=60) as jog:
             for _ in range(20):
@@ -591,7 +592,7 @@ class TestMotion(VirtualCase):
                 call()
         self.simulator.step(0.5)
         self.assertTrue(stands(self.simulator))
-        # Only sums with plain numbers keep the meaning.
+        # Only sums with plain numbers remain poses; all other operations return plain arrays.
         for plain in (pose[:3], 2 * pose, pose - pose, pose + q, -q, np.round(pose @ np.eye(6), 3)):
             self.assertIs(type(plain), np.ndarray)
         up = pose.copy()
@@ -614,7 +615,7 @@ class TestMotion(VirtualCase):
 
         def callback(sample):
             calls.append(sample.sequence)
-            if len(calls) == 2:  # the first one after the jog has begun
+            if len(calls) == 2:  # the first call after the start of the jog
                 raise ValueError("mine")
             return [0, 0, 0.02, 0, 0, 0]
 
@@ -854,10 +855,10 @@ with tiller.Robot(sys.argv[1], timeout=60) as robot:
 
 
 class TestSlowLoops(unittest.TestCase):
-    """In real time: calls that take longer than a period."""
+    """In real time: calls that take longer than a control period."""
 
     def run_loop(self, work):
-        """A packet loop of a second whose callback does some work: the cycles, and what ended the loop."""
+        """Runs a packet loop for a second whose callback takes some time; returns its cycles and its report."""
         cycles = []
 
         def callback(cycle):
@@ -869,7 +870,7 @@ class TestSlowLoops(unittest.TestCase):
             robot.take_control(PATIENCE)
             try:
                 report = robot.packet_loop("speed_j", callback, timeout=PATIENCE)
-            except errors.Stopped as stopped:  # a busy machine made a call even longer
+            except errors.Stopped as stopped:  # a call took even longer on a busy machine
                 self.assertRegex(str(stopped), "a call of the callback took [0-9.]+ ms")
                 report = None
         return cycles, report
@@ -877,7 +878,7 @@ class TestSlowLoops(unittest.TestCase):
     def check(self, cycles, report):
         for cycle in cycles:
             self.assertTrue(not cycle["fresh"] or cycle["age"] <= 2 * cycle["period"], cycle)
-        # Calls do not fall behind the robot: no call is older at the end than at the beginning.
+        # Calls do not fall behind the robot: the age of the samples does not increase.
         ages = sorted(cycle["age"] for cycle in cycles)
         self.assertLess(ages[len(ages) // 2], 0.02)
         if report is not None:
@@ -940,7 +941,8 @@ class TestEnds(unittest.TestCase):
                 self.check(what, signal.SIGKILL)
 
     def test_a_longer_silence_is_survived(self):
-        """A process that is held for half a second, as a busy machine does it, and a move that allows it."""
+        """A process that is suspended for half a second, as on a busy machine, and a move whose timeout permits
+        this."""
         with tiller.Simulator() as simulator:
             process = subprocess.Popen([sys.executable, "-B", "-c", SILENT, simulator.address], stdout=subprocess.PIPE, text=True)
             try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python example of the README, as it stands there, against the controller that tiller-cli simulates."""
+"""The Python example of the README, unchanged, with the controller simulated by tiller-cli."""
 import os
 import re
 import subprocess
@@ -28,8 +28,8 @@ class TestReadme(unittest.TestCase):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         pose = [float(number) for number in ran.stdout.strip().strip("[]").split(",")]
         self.assertEqual(len(pose), 6)
-        self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m], within the arm's reach
-        # Both stand in the examples word for word (tests/integration/examples); test_examples runs the other one.
+        self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m], within the reach of the arm
+        # Both are contained literally in the examples (tests/integration/examples); test_examples runs the other one.
 
 
 if __name__ == "__main__":

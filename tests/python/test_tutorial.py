@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python code of robot/PROGRAMMING.md, step after step, against the simulated controller."""
+"""The Python code of robot/PROGRAMMING.md, step by step, with the simulated controller."""
 import os
 import pathlib
 import re

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Type checkers agree with the stubs, the package and a program that uses both; those not installed are skipped."""
+"""Type checkers accept the stubs, the package, and a program that uses both. Checkers that are not installed are
+skipped."""
 import os
 import shutil
 import subprocess
@@ -67,7 +68,7 @@ class TestTypes(unittest.TestCase):
         return self.run_checker([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", *what])
 
     def pyright(self):
-        """Over all that is in the folder; beside it go the stubs, the package and the examples."""
+        """Checks all files of the folder, to which the stubs, the package and the examples are copied."""
         own = os.path.join(os.environ["TILLER_SOURCE"], "build", "npm", "node_modules", ".bin")
         checker = shutil.which("pyright", path=own + os.pathsep + os.environ["PATH"])
         if checker is None:

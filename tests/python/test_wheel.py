@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The wheels hold what they say, and work where they are unpacked, with no library of the system's but the C++ runtime."""
+"""The wheels contain what their metadata list, and work where they are unpacked, with no system library except the
+C++ runtime."""
 import base64
 import glob
 import hashlib
@@ -46,7 +47,7 @@ SYSTEM = re.compile(r"linux-vdso|ld-linux|statically linked|lib(c|m|dl|rt|util|p
 
 
 def unpacked(wheel, folder):
-    """As pip does it: with the modes."""
+    """Unpacks the wheel with file modes, as pip does."""
     for entry in wheel.infolist():
         path = wheel.extract(entry, folder)
         os.chmod(path, entry.external_attr >> 16 & 0o777)
@@ -155,7 +156,7 @@ class TestWheel(unittest.TestCase):
             self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
 
     def test_pytest_finds_the_fixtures(self):
-        """By the entry point alone, as after an installation: a program of somebody else's that is tested with them."""
+        """Only through the entry point, as after an installation: tests of a user's program with these fixtures."""
         with tempfile.TemporaryDirectory() as folder:
             unpacked(self.wheel, folder)
             result = run_pytest(folder, MINE)

@@ -36,18 +36,18 @@ inline bool near(const List& a, const List& b, double tolerance = 1e-3) {
     return true;
 }
 
-inline List jointsOf(const simulator::Truth& truth) {
+inline List jointsOf(const simulator::SimulatedState& truth) {
     const auto q = truth.q.array();
     return {q.begin(), q.end()};
 }
 
-inline List poseOf(const simulator::Truth& truth) {
+inline List poseOf(const simulator::SimulatedState& truth) {
     const auto pose = truth.tcpPose.array();
     return {pose.begin(), pose.end()};
 }
 
 // The measured speeds are noisy.
-inline bool stands(const simulator::Truth& truth) {
+inline bool stands(const simulator::SimulatedState& truth) {
     return truth.qd.values.cwiseAbs().maxCoeff() < 5e-3;
 }
 
@@ -59,11 +59,11 @@ protected:
     List pose() const { return poseOf(cell_->robot.truth()); }
     bool untilStanding() { return cell_->until(stands); }
     bool untilMoving() {
-        return cell_->until([](const simulator::Truth& truth) { return !stands(truth); });
+        return cell_->until([](const simulator::SimulatedState& truth) { return !stands(truth); });
     }
     bool untilNotRunning() {
         return cell_->until(
-            [](const simulator::Truth& t) { return t.runtimeState == RuntimeState::Stopped; });
+            [](const simulator::SimulatedState& t) { return t.runtimeState == RuntimeState::Stopped; });
     }
 
     std::unique_ptr<FaceCell> cell_;

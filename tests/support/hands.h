@@ -15,7 +15,7 @@
 
 #include "tests/support/jog_scene.h"
 #include "tests/support/key_events.h"
-#include "widgets/common/hold_witness.h"
+#include "widgets/common/key_state_probe.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/project/undoable_document.h"
@@ -24,7 +24,7 @@
 namespace tiller::test {
 
 /// A display server: pressed keys, and whether it responds.
-class FakeWitness : public HoldWitness {
+class FakeWitness : public KeyStateProbe {
 public:
     explicit FakeWitness(const Clock& clock) : clock_(clock) {}
 
@@ -32,7 +32,7 @@ public:
     bool leftDown = false;
     QSet<KeyCode> keysDown;
 
-    /// From now on no query is answered.
+    /// While frozen, no query is answered.
     void freeze(bool frozen) {
         look();
         frozenNs_ = frozen ? clock_.nowNs() : 0;
@@ -154,7 +154,7 @@ struct Hands {
     VirtualClock clock;
     TimedArm arm{clock};
     FakeWitness witness{clock};
-    HoldTerms terms;
+    HoldPolicy terms;
     RobotSession session;
     UndoableDocument document;
     QWidget window;
@@ -180,15 +180,16 @@ struct Hands {
         keyboard.setClock(clock);
         devices.setClock(clock);
         column->axisJog().setClock(clock);
-        for (HoldButton* key : keys()) {
+        for (HoldToRunButton* key : keys()) {
             key->guard().setClock(clock);
-            key->guard().setTerms(terms);
+            key->guard().setPolicy(terms);
         }
-        column->setHoldTerms(terms);
+        column->setHoldPolicy(terms);
         column->addHoldKeys(keyboard);
         window.show();
         activate();
-        // A way behind the arm, so that "Back" leads somewhere, and a waypoint elsewhere.
+        // Moves the arm for some time, so that "Back" has a path, and teaches a waypoint away from the
+        // current position.
         SessionState state = readyState();
         for (int i = 0; i < 20; ++i) {
             state.q[0] += 0.05;
@@ -212,16 +213,16 @@ struct Hands {
             qFatal("the window did not become active");
         }
     }
-    QVector<HoldButton*> keys() const {
-        QVector<HoldButton*> all = column->holdKeys();
+    QVector<HoldToRunButton*> keys() const {
+        QVector<HoldToRunButton*> all = column->holdKeys();
         for (const char* name :
              {"waypoint.goTo", "waypoint.goThrough", "waypoint.stepOn", "waypoint.stepBack"}) {
-            all << tab->findChild<HoldButton*>(QLatin1String(name));
+            all << tab->findChild<HoldToRunButton*>(QLatin1String(name));
         }
         return all;
     }
-    HoldButton& key(const char* name) const {
-        auto* found = window.findChild<HoldButton*>(QLatin1String(name));
+    HoldToRunButton& key(const char* name) const {
+        auto* found = window.findChild<HoldToRunButton*>(QLatin1String(name));
         if (found == nullptr) {
             qFatal("there is no %s", name);
         }
@@ -252,14 +253,15 @@ struct Hands {
     }
     void pump() {
         column->axisJog().pump();
-        for (HoldButton* key : keys()) {
+        for (HoldToRunButton* key : keys()) {
             key->guard().pump();
         }
     }
     bool isHolding() const {
-        const QVector<HoldButton*> all = keys();
-        return column->isHolding() ||
-               std::any_of(all.begin(), all.end(), [](const HoldButton* key) { return key->isHolding(); });
+        const QVector<HoldToRunButton*> all = keys();
+        return column->isHolding() || std::any_of(all.begin(), all.end(), [](const HoldToRunButton* key) {
+                   return key->isHolding();
+               });
     }
 
     // Each function simulates a user action: the display server knows it, and the window receives the event.

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <numbers>
 
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_column.h"
 
@@ -71,7 +71,7 @@ struct JogScene {
     SessionState state = readyState();
 
     explicit JogScene(QSize size = {390, 948}) {
-        for (HoldButton* key : column.holdKeys()) {
+        for (HoldToRunButton* key : column.holdKeys()) {
             key->guard().setClock(clock);
         }
         column.resize(size);
@@ -82,7 +82,7 @@ struct JogScene {
         }
         column.applyState(state);
     }
-    HoldButton* key(const char* name) { return column.findChild<HoldButton*>(QLatin1String(name)); }
+    HoldToRunButton* key(const char* name) { return column.findChild<HoldToRunButton*>(QLatin1String(name)); }
     void press(const char* name, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mousePress(key(name), Qt::LeftButton, modifiers);
     }

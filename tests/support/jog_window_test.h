@@ -29,7 +29,7 @@ protected:
 
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
-    HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
+    HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
     KeyboardJog& keyboard() { return *window().findChild<KeyboardJog*>(); }
 
     /// A stick pushed upwards.

@@ -21,7 +21,7 @@ namespace tiller::test {
 /// RTDE data of the robot, package by package.
 class ArmWatcher {
 public:
-    /// registers  used by the moving process
+    /// `registers`: range used by the moving process.
     ArmWatcher(const simulator::Simulator& robot, control::RegisterRange registers) {
         rtde::ConnectionOptions options;
         options.host = robot.listenAddress();
@@ -38,7 +38,7 @@ public:
         values_.resize(connection_->outputs().size());
     }
 
-    /// Reads the next package. False: none arrived.
+    /// Reads the next package; false if none arrived.
     bool look() {
         if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
             return false;
@@ -86,12 +86,12 @@ private:
     double heard_ = 0;
 };
 
-/// For use without any data connection: queries the robot itself until this time [s].
-/// Returns  duration of the observed motion after `since`, or after the last heartbeat [s]
+/// For use without any data connection: queries the robot itself until this time [s]. Returns the duration of
+/// the motion observed after `since`, or after the last heartbeat [s].
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
-    for (simulator::Truth now = robot.truth(); now.timestamp < until; now = robot.truth()) {
+    for (simulator::SimulatedState now = robot.truth(); now.timestamp < until; now = robot.truth()) {
         if (robot.inputPackages() != heard) {
             heard = robot.inputPackages();
             since = now.timestamp;
@@ -109,7 +109,7 @@ public:
     MovingProcess(const QString& program, const QStringList& arguments) {
         process_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         process_.start(program, arguments);
-        if (!process_.waitForStarted(kPatienceMs)) {
+        if (!process_.waitForStarted(kWaitTimeoutMs)) {
             qFatal("%s: %s", qPrintable(program), qPrintable(process_.errorString()));
         }
     }
@@ -118,7 +118,7 @@ public:
     /// Sends one line to its standard input. Time may have to advance before it has an effect.
     void tell(const char* line) {
         process_.write(QByteArray(line) + "\n");
-        process_.waitForBytesWritten(kPatienceMs);
+        process_.waitForBytesWritten(kWaitTimeoutMs);
     }
     /// Whether it has printed this since the last call.
     bool hasSaid(const QByteArray& words) {
@@ -129,12 +129,12 @@ public:
     /// SIGKILL, also after SIGSTOP.
     void kill() {
         process_.kill();
-        process_.waitForFinished(kPatienceMs);
+        process_.waitForFinished(kWaitTimeoutMs);
     }
     bool isRunning() const { return process_.state() == QProcess::Running; }
 
 private:
-    static constexpr int kPatienceMs = 20'000;
+    static constexpr int kWaitTimeoutMs = 20'000;
     QProcess process_;
 };
 

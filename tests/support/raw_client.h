@@ -17,7 +17,7 @@
 namespace tiller::test {
 
 /// Longer than any reply on a working machine: reaching this limit is a failure.
-inline constexpr int kPatienceMs = 20'000;
+inline constexpr int kWaitTimeoutMs = 20'000;
 
 template <class Number>
 QByteArray bigEndian(Number value) {
@@ -49,7 +49,7 @@ class RawClient {
 public:
     RawClient(const QString& host, quint16 port) {
         socket_.connectToHost(host, port);
-        socket_.waitForConnected(kPatienceMs);
+        socket_.waitForConnected(kWaitTimeoutMs);
         // Otherwise a second small package waits for the acknowledgement of the first one.
         socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     }
@@ -58,19 +58,19 @@ public:
     bool isConnected() const { return socket_.state() == QAbstractSocket::ConnectedState; }
     void send(const QByteArray& bytes) {
         socket_.write(bytes);
-        while (socket_.bytesToWrite() > 0 && socket_.waitForBytesWritten(kPatienceMs)) {
+        while (socket_.bytesToWrite() > 0 && socket_.waitForBytesWritten(kWaitTimeoutMs)) {
         }
     }
     /// Waits for this number of bytes; returns fewer only if the connection ended or timed out.
     QByteArray take(qsizetype count) {
-        while (buffer_.size() < count && receive(kPatienceMs)) {
+        while (buffer_.size() < count && receive(kWaitTimeoutMs)) {
         }
         const QByteArray taken = buffer_.left(count);
         buffer_.remove(0, count);
         return taken;
     }
     QByteArray line() {
-        while (!buffer_.contains('\n') && receive(kPatienceMs)) {
+        while (!buffer_.contains('\n') && receive(kWaitTimeoutMs)) {
         }
         const qsizetype end = buffer_.indexOf('\n') + 1;
         const QByteArray taken = buffer_.left(end);
@@ -87,7 +87,7 @@ public:
     bool waitClosed() {
         QElapsedTimer timer;
         timer.start();
-        while (isConnected() && timer.elapsed() < kPatienceMs) {
+        while (isConnected() && timer.elapsed() < kWaitTimeoutMs) {
             receive(100);
         }
         return !isConnected();
@@ -95,7 +95,7 @@ public:
     void close() {
         socket_.disconnectFromHost();
         if (socket_.state() != QAbstractSocket::UnconnectedState) {
-            socket_.waitForDisconnected(kPatienceMs);
+            socket_.waitForDisconnected(kWaitTimeoutMs);
         }
     }
     QTcpSocket& socket() { return socket_; }

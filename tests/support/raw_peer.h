@@ -74,7 +74,7 @@ public:
             closed_ = true;
             return std::exchange(socket_, -1);
         }
-        /// Sends nothing until then.
+        /// Sends nothing until the client disconnects or the test is over.
         void beMute() { readAll(); }
 
     private:

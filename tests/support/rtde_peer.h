@@ -25,7 +25,7 @@ struct RtdePeerOptions {
     std::uint16_t port = 0;
 };
 
-/// Threads  the functions are called by the test; the peer serves in its own thread
+/// Threads: the functions are called by the test; the peer serves in its own thread.
 class RtdePeer {
 public:
     explicit RtdePeer(RtdePeerOptions options = {});

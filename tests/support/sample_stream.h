@@ -21,8 +21,8 @@ struct SampleStream {
     std::vector<receive::Sample> samples;
     std::uint64_t lost = 0;
 
-    /// time      time stamp of the controller [s]
-    /// sequence  packet number, from 1
+    /// `time`: time stamp of the controller [s].
+    /// `sequence`: packet number, from 1.
     receive::Sample& add(double time, std::uint64_t sequence) {
         receive::Sample& sample = samples.emplace_back(layout);
         sample.sequence = sequence;
@@ -30,7 +30,7 @@ struct SampleStream {
         set(sample, "timestamp", time);
         return sample;
     }
-    /// component  name as in recordings, e.g. "actual_current_0"
+    /// `component`: name as in recordings, e.g. "actual_current_0".
     void set(receive::Sample& sample, const char* component, double value) const {
         sample.values.at(layout->indexOfComponent(component).value()) = value;
     }

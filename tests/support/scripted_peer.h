@@ -91,8 +91,8 @@ public:
 
     using Script = std::function<void(Link&)>;
 
-    /// script  runs in the peer's thread for every connection
-    /// port    0: a free one
+    /// `script`: runs in the peer's thread for every connection.
+    /// `port`: 0 for a free port.
     explicit ScriptedPeer(Script script, std::uint16_t port = 0) {
         std::promise<std::uint16_t> listening;
         auto portKnown = listening.get_future();

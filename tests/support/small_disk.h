@@ -107,7 +107,7 @@ public:
         return false;
 #endif
     }
-    void makeRoom() const {
+    void fitToContents() const {
         QFile::remove(QString::fromLocal8Bit(ballast()));
     }
 

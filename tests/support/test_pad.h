@@ -14,8 +14,8 @@ namespace tiller::test {
 
 class TestPad : public DeviceSource {
 public:
-    /// name, directions  as displayed
-    /// reading           its state, neutral by default
+    /// `name`, `directions`: as displayed.
+    /// `reading`: state of the gamepad, neutral by default.
     explicit TestPad(QString name = QStringLiteral("Test pad"), QString directions = {},
                      const DeviceReading& reading = {})
         : made_(std::make_unique<Pad>(std::move(name), std::move(directions), reading)) {}
@@ -38,7 +38,7 @@ private:
             DeviceShape shape;
             static_cast<DeviceTuning&>(shape) = kGamepadTuning;
             shape.kind = kGamepadKind;
-            shape.deadManName = QStringLiteral("left shoulder");
+            shape.deadManName = QStringLiteral("left bumper");
             shape.directions = directions_;
             return shape;
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Runs a part of a Qt Test program, so that ctest can run the parts side by side:
+// Runs a part of a Qt Test program, so that ctest can run the parts in parallel:
 //     tiller_test_part <part> <parts> <program> [arguments]
-// Every <parts>-th of its test functions and data rows, from number <part> (1, 2, ...) on. All parts together are the
-// whole program.
+// A part consists of every <parts>-th test function and data row, starting with number <part> (1, 2, ...).
+// All parts together run the complete program.
 
 #include <QCoreApplication>
 #include <QProcess>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// What the program can run, as its command line takes it: "function" or "function:row".
+/// The tests of the program, in the form of its command line: "function" or "function:row".
 QStringList testsOf(const QString& program) {
     QProcess lister;
     lister.start(program, {QStringLiteral("-datatags")});

@@ -23,7 +23,7 @@ inline QByteArray inputDoubles(int first, int count) {
     return registerNames("input_double_register_", first, count);
 }
 
-/// Outputs of the control interface. offset  0, or 24 for the upper registers
+/// Outputs of the control interface. `offset`: 0, or 24 for the upper registers.
 inline QByteArray urRtdeControlOutputs(int offset = 0) {
     return "robot_status_bits,safety_status_bits,runtime_state," +
            registerNames("output_int_register_", offset, 3) +

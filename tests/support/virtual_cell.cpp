@@ -18,18 +18,17 @@ constexpr int kRefreshMs = 16;
 constexpr int kPumpMs = 20;
 /// Windows repaint in every fifth refresh, as on a slow machine: painting takes most of a test's processor time.
 constexpr int kRefreshesPerPaint = 5;
-/// How long a peer thread may take in real time before the test is given up: never reached on a machine that
-/// runs.
+/// Real time that a peer thread may take before the test fails. Never reached on a working machine.
 constexpr std::chrono::seconds kPatience{20};
 
 }  // namespace
 
-/// Keeps back the repainting of windows while the cell's time advances.
+/// Delays the repainting of windows while the time of the cell advances.
 class VirtualCell::PaintDelay : public QObject {
 public:
     PaintDelay() { QCoreApplication::instance()->installEventFilter(this); }
 
-    /// Events are handled now; windows repaint in every kRefreshesPerPaint-th call.
+    /// Processes events; windows repaint in every kRefreshesPerPaint-th call.
     void processEvents() {
         isDelaying_ = ++refreshes_ % kRefreshesPerPaint != 0;
         if (!isDelaying_) {
@@ -38,7 +37,7 @@ public:
         QCoreApplication::processEvents();
         isDelaying_ = false;
     }
-    /// Whatever processes events next may repaint.
+    /// Delivers the delayed repaints with the next event processing.
     void release() {
         for (const QPointer<QObject>& window : std::exchange(waiting_, {})) {
             if (window) {
@@ -167,9 +166,9 @@ void VirtualCell::tick() {
     }
 }
 
-// The program's watchdog uses robot time, which must not advance faster than the answering thread runs, even before
-// the session knows that it is in control.
-// inputs  packages from the client up to the robot's last step
+// The program's watchdog uses robot time, which must not advance faster than the answering thread runs, even
+// before the session knows that it is in control.
+// `inputs`: packages from the client up to the robot's last step.
 void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
     if (session.state().control != ControlState::Taking) {
         inputsBeforeTaking_ = inputs;

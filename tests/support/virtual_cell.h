@@ -18,7 +18,7 @@ namespace tiller::test {
 class VirtualCell {
 public:
     /// Both arguments must outlive the cell; the session must have been created with the clock.
-    /// robot  its options, based on options()
+    /// `robot`: simulator options, based on options().
     VirtualCell(VirtualClock& clock, RobotSession& session,
                 const simulator::SimulatorOptions& robot = options());
     /// A UR5e, powered, brakes released, in virtual time, at a loopback address of this process.
@@ -26,10 +26,10 @@ public:
     ~VirtualCell();
 
     /// Starts the robot and connects to it.
-    /// Returns  false without data; what() contains the reason
+    /// Returns false without data; what() contains the reason.
     bool connect();
     /// As connect(), and takes control.
-    /// Returns  false on failure; what() contains the failed step
+    /// Returns false on failure; what() contains the failed step.
     bool bringUp();
     QString what() const { return what_; }
 
@@ -38,7 +38,7 @@ public:
     void advanceMs(int ms);
     /// Advances until the condition is true, for at most this virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
-    /// As advanceMs(), without the user interface, like a window that hangs.
+    /// As advanceMs(), but without processing the user interface, as if the window were hanging.
     void advanceWithFrozenInterface(int ms);
 
     std::function<void()> everyRefresh;
@@ -47,7 +47,7 @@ public:
     RobotSession& session;
     simulator::Simulator robot;
 
-    simulator::Truth truth() const { return robot.truth(); }
+    simulator::SimulatedState truth() const { return robot.truth(); }
 
 private:
     void tick();

@@ -15,7 +15,7 @@ inline Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
-/// For a result with an error.
+/// Returns the text of the error of a result.
 template <class Result>
 QByteArray why(const Result& result) {
     return result.error().toString().toUtf8();

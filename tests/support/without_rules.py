@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes each rule by which a held motion ends away in turn and shows which tests notice.
+"""Removes each rule that ends a held motion, one after the other, and prints which tests fail.
 
-A rule is a row of the tables in hold_rules.cpp, or a line of the files below that ends in "// rule: NAME". The
-source file without that line is compiled aside and put in front of the libraries when the test is linked again;
-neither the source tree nor the build tree is changed. A rule that nobody misses makes the script fail.
+A rule is a row of the tables in hold_rules.cpp, or a line of the files below that ends in "// rule: NAME". The source
+file without that line is compiled separately and linked before the libraries when the test is linked again; neither
+the source tree nor the build tree is changed. The script fails if no test fails without a rule.
 
     tests/support/without_rules.py [BUILD_FOLDER] [NAME_CONTAINS]
 
-needs a build of the tests named below, in BUILD_FOLDER (build/dev): a preset that compiles each file by itself.
+Requires a build of the tests named below in BUILD_FOLDER (build/dev): a preset that compiles each file separately.
 """
 import json
 import os
@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Where rules are, and which test is to notice; functions that only read the list of rules do not count.
+# Files with rules, and the test that must fail without them. Functions that only read the list of rules do not count.
 PLACES = [
     ("widgets/common/hold_rules.cpp", "tst_hold_rules"),
     ("widgets/common/hold_guard.cpp", "tst_hold_rules"),
@@ -30,7 +30,7 @@ PLACES = [
     ("widgets/jog/device_jog.cpp", "tst_devices"),
 ]
 NOT_COUNTED = {"everyRuleHasATrial()"}
-ROW = re.compile(r'^\s*\{"([^"]+)", &Book::\w+\},\s*$')
+ROW = re.compile(r'^\s*\{"([^"]+)", &HoldRuleTable::\w+\},\s*$')
 MARK = re.compile(r"// rule: (.+?)\s*$")
 
 
@@ -55,15 +55,15 @@ def link_command(build, test):
 
 
 def listing(binary, option, environment):
-    """What Qt Test lists, on one stream or the other."""
+    """The list printed by Qt Test, on either output stream."""
     done = subprocess.run([binary, option], capture_output=True, text=True, env=environment)
     return (done.stdout + done.stderr).splitlines()
 
 
 def run(binary, rule=""):
-    """Names of the failing test functions; "ended badly" when the program did not finish.
+    """Names of the failing test functions; "ended badly" if the program did not finish.
 
-    The trials that bear the rule's name come first: mostly they are the ones that notice.
+    The rows with the name of the rule run first, because they are most likely to fail.
     """
     env = dict(os.environ, QT_QPA_PLATFORM="offscreen")
     functions = [n[:-2] for n in listing(binary, "-functions", env) if n.endswith("()") and n not in NOT_COUNTED]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds words that are cut off: on labels, buttons, fields, tabs and table headers, and whatever reaches out
-// of the widget it is in. A text may be shortened only where the whole of it is in the tool tip.
+// Finds clipped text on labels, buttons, fields, tabs and table headers, and widgets that extend beyond their
+// parent. A text may be elided only if the tooltip contains the full text.
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -43,7 +43,7 @@ inline int widthOf(const QWidget& widget, const QString& text) {
     return static_cast<int>(std::ceil(QFontMetricsF(widget.font()).horizontalAdvance(text)));
 }
 
-/// Words that are longer than the line they are in.
+/// Returns true if every single word of the label fits in the width `room` [px].
 inline bool wordsFit(const QLabel& label, int room) {
     QString text = label.text();
     if (Qt::mightBeRichText(text)) {
@@ -51,7 +51,7 @@ inline bool wordsFit(const QLabel& label, int room) {
         document.setHtml(text);
         text = document.toPlainText();
     }
-    // Chinese and Japanese lines end between any two signs.
+    // Chinese and Japanese lines can break between any two characters.
     static const QRegularExpression kBreaks(
         QStringLiteral("[\\s/-]+|(?<=[\\x{3000}-\\x{9FFF}\\x{FF00}-\\x{FFEF}])"));
     const QStringList words = text.split(kBreaks);
@@ -83,7 +83,7 @@ inline QString problemOfLabel(const QLabel& label) {
 }
 
 inline QString problemOfButton(const QAbstractButton& button) {
-    // Keys that paint themselves say themselves how small they can be.
+    // Custom-painted buttons report their own minimum size.
     const bool ordinary = button.inherits("QPushButton") || button.inherits("QToolButton") ||
                           button.inherits("QCheckBox") || button.inherits("QRadioButton");
     const QSize needed = ordinary ? button.sizeHint() : button.minimumSizeHint();
@@ -104,7 +104,7 @@ inline QString problemOfField(const QString& text, const QWidget& field, int roo
                : QString();
 }
 
-/// What border, padding and margin leave of a line to type in.
+/// The width for text inside the border, padding and margins of a line edit [px].
 inline int roomIn(const QLineEdit& field) {
     QStyleOptionFrame option;
     option.initFrom(&field);
@@ -156,7 +156,7 @@ inline QString problemOfList(const QListWidget& list) {
     return {};
 }
 
-/// What is wrong with this one widget; empty when nothing is.
+/// The problem of this widget; empty if there is none.
 inline QString problemOf(const QWidget& widget) {
     if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
         return chip->width() < chip->sizeHint().width() && !chip->toolTip().contains(chip->text())
@@ -199,7 +199,7 @@ inline QString problemOf(const QWidget& widget) {
     return {};
 }
 
-/// Qt's own inner parts, which arrange themselves.
+/// Internal parts of Qt widgets, which Qt lays out itself.
 inline bool isInner(const QWidget& widget) {
     const QWidget* parent = widget.parentWidget();
     return (widget.objectName().startsWith(QLatin1String("qt_")) &&
@@ -236,7 +236,7 @@ inline QStringList overlaps(const QWidget& parent) {
 
 }  // namespace clipping
 
-/// All that is cut off in a window that is shown.
+/// All problems in a visible window.
 inline QStringList clipped(const QWidget& window) {
     if (!window.isWindow()) {
         return {clipping::nameOf(window) + QStringLiteral(" is no window: nothing in it was looked at")};
@@ -247,12 +247,12 @@ inline QStringList clipped(const QWidget& window) {
             continue;
         }
         const QWidget* parent = widget->parentWidget();
-        // What scrolls may be longer than what shows it, but not wider.
+        // The content of a scroll area may be higher than its viewport, but not wider.
         const QRect place = clipping::isViewport(*parent)
                                 ? QRect(widget->x(), 0, widget->width(), std::min(1, parent->height()))
                                 : widget->geometry();
         const bool cell = parent->parentWidget() != nullptr && parent->parentWidget()->inherits("QTableView");
-        // Qt places the parts of a splitter that is read from right to left one pixel too far to the right.
+        // In right-to-left layouts Qt places the parts of a splitter one pixel too far to the right.
         const int outside = parent->inherits("QSplitter") && parent->isRightToLeft() ? 1 : 0;
         if (!cell && !place.isEmpty() && !parent->rect().adjusted(0, 0, outside, 0).contains(place)) {
             found << clipping::nameOf(*widget) +

@@ -8,17 +8,17 @@
 #include <QTest>
 
 #include "tests/support/virtual_cell.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {
 
-/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of real
-/// time.
-/// devices  for jogging without a button on the screen, may be null
-inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys, AxisJog* devices = nullptr) {
-    for (HoldButton* key : keys) {
+/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of
+/// real time.
+/// `devices`: for jogging without a button on the screen; may be null.
+inline void driveKeys(VirtualCell& cell, const QVector<HoldToRunButton*>& keys, AxisJog* devices = nullptr) {
+    for (HoldToRunButton* key : keys) {
         key->guard().setClock(cell.clock);
     }
     if (devices != nullptr) {
@@ -28,7 +28,7 @@ inline void driveKeys(VirtualCell& cell, const QVector<HoldButton*>& keys, AxisJ
         if (devices != nullptr) {
             devices->pump();
         }
-        for (HoldButton* key : keys) {
+        for (HoldToRunButton* key : keys) {
             if (key->guard().active()) {
                 key->guard().pump();
             }
@@ -60,7 +60,7 @@ inline double tcpSpeed(const VirtualCell& cell) {
 }
 
 inline bool standsStill(const VirtualCell& cell) {
-    const simulator::Truth truth = cell.truth();
+    const simulator::SimulatedState truth = cell.truth();
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 

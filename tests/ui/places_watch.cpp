@@ -17,8 +17,8 @@
 namespace tiller::test {
 namespace {
 
-/// Keys whose very purpose is to give their surroundings another shape: the key's name, or that of the control
-/// it is part of, and the name of what it shapes.
+/// Controls whose purpose is to change the layout around them: the name of the control, or of the control it
+/// is part of, and the name of the widget whose layout it changes.
 struct ShapingKey {
     const char* key;
     const char* shapes;

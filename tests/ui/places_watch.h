@@ -46,14 +46,14 @@ public:
     static const QWidget* containerOf(const QWidget& clicked);
 
     /// Call just before the press.
-    /// at  in the window [px]
+    /// `at`: position in the window [px].
     void begin(const QWidget& window, QPoint at);
     void end() { places_.clear(); }
     /// True while the watch is active.
     bool isOn();
     /// The moved controls so far, as text; empty: none.
     QStringList moved() const;
-    /// Number of controls near the pointer: a watch without any checks nothing.
+    /// Number of controls near the pointer. If it is 0, the watch checks nothing.
     int controlsAtPointer() const;
 
 private:
@@ -71,7 +71,7 @@ private:
     bool hadModal_ = false;
     bool hadPopup_ = false;
     QPoint at_;
-    QSize size_;  ///< of the window at the start: after a change everything may move
+    QSize size_;  ///< of the window at the start: after a resize everything may move
     QList<Place> places_;
     QElapsedTimer sincePress_;
 };

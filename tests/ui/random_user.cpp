@@ -19,7 +19,7 @@
 #include "robot/station/jog/jog_motion.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/ui/step_log.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {
@@ -31,7 +31,7 @@ constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
 /// Steps per hundred that are painted: painting is most of the cost of a step.
 constexpr int kPaintedOfHundred = 10;
-/// From release to standstill [ms]; the contract's bounds are tested in virtual time.
+/// Time from release to standstill [ms]; the contract's bounds are tested in virtual time.
 constexpr int kStandstillMs = 1000;
 /// Apparent motion of an arm at standstill due to the noise of its encoders [rad].
 constexpr double kRestTolerance = 0.0015;
@@ -163,7 +163,7 @@ QStringList clippings() {
             QString()};
 }
 
-bool stands(const simulator::Truth& truth) {
+bool stands(const simulator::SimulatedState& truth) {
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 
@@ -411,7 +411,7 @@ void RandomUser::bringWindowBack() {
     if (!window_.isVisible()) {
         window_.show();
     }
-    // As a window manager after the active window was closed.
+    // Activates a window, as a window manager does after the active window was closed.
     if (QApplication::activeWindow() == nullptr && QApplication::activePopupWidget() == nullptr) {
         QWidget* modal = QApplication::activeModalWidget();
         (modal != nullptr ? modal : &window_)->activateWindow();
@@ -487,8 +487,8 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     if (!windowsInReach().contains(&window_)) {
         return std::nullopt;
     }
-    QList<HoldButton*> keys;
-    for (HoldButton* key : window_.findChildren<HoldButton*>()) {
+    QList<HoldToRunButton*> keys;
+    for (HoldToRunButton* key : window_.findChildren<HoldToRunButton*>()) {
         if (key->isVisible() && key->window() == &window_ && !key->visibleRegion().isEmpty()) {
             keys.append(key);
         }
@@ -496,7 +496,7 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     if (keys.isEmpty()) {
         return std::nullopt;
     }
-    const HoldButton* key = keys[below(keys.size())];
+    const HoldToRunButton* key = keys[below(keys.size())];
     return Target{&window_, key->mapTo(&window_, key->rect().center()), nameOf(*key)};
 }
 
@@ -728,11 +728,11 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// Corrects the first problem, as a person at the robot would, without the window.
+/// Fixes the first problem, as a person at the robot would, without the window.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
-    const simulator::Truth truth = robot_.truth();
+    const simulator::SimulatedState truth = robot_.truth();
     if (!cures_.isEmpty()) {
         cureAll();
     } else if (state.link == LinkState::Disconnected || state.address != robot_.listenAddress()) {
@@ -810,8 +810,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Not inside the timer event: a timer does not fire recursively, and the action may open the next dialog with its
-/// own event loop.
+/// Runs outside the timer event: a timer does not fire recursively, and the action may open the next dialog
+/// with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;
@@ -909,9 +909,9 @@ void RandomUser::judgeRest() {
 }
 
 bool RandomUser::comesToRest() {
-    const QList<HoldButton*> keys = window_.findChildren<HoldButton*>();
+    const QList<HoldToRunButton*> keys = window_.findChildren<HoldToRunButton*>();
     const bool stepRuns =
-        std::any_of(keys.begin(), keys.end(), [](const HoldButton* key) { return key->isHolding(); });
+        std::any_of(keys.begin(), keys.end(), [](const HoldToRunButton* key) { return key->isHolding(); });
     const JogSelection selection = window_.jogColumn().selection();
     if ((stepRuns || window_.jogColumn().isHolding()) &&
         (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
@@ -940,7 +940,7 @@ int RandomUser::graceOf(const Lie& lie) const {
 void RandomUser::judgeTruth() {
     Patience patience(robot_);
     while (isFine()) {
-        const simulator::Truth truth = robot_.truth();
+        const simulator::SimulatedState truth = robot_.truth();
         // The window of another robot is not checked.
         const SessionState& state = window_.session().state();
         if (state.link != LinkState::Disconnected && state.address != robot_.listenAddress()) {

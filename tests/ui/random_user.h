@@ -5,7 +5,7 @@
 // are triggered on the simulated robot. Occasionally a "care" function corrects problems, so that a usable robot
 // exists. Everything in real time, from one seed.
 //
-// Checks, permanently or after each quiet moment:
+// Checks, continuously or after each quiet moment:
 // - places: nothing moves under the pointer after a click (PlacesWatch);
 // - truth: the displayed state is correct, or marked as unknown (TruthCheck);
 // - rest: without operator input the arm stops, and remains stopped until the next press.
@@ -45,12 +45,12 @@ private:
 
 class RandomUser : public QObject {
 public:
-    /// place  index of the robot in this process, for a separate address
+    /// `place`: index of the robot in this process, for a separate address.
     RandomUser(quint32 seed, int place);
     ~RandomUser() override;
 
     /// Opens the window and takes control of the robot.
-    /// Returns  false on failure; failure() contains the reason
+    /// Returns false on failure; failure() contains the reason.
     bool begin();
     /// Performs this number of steps, or fewer if a check fails.
     void play(int steps);
@@ -61,7 +61,7 @@ public:
     QString failure() const { return failure_; }
     int steps() const { return number_; }
 
-    // Statistics of the actions: a user who never moves an arm finds nothing.
+    // Statistics of the actions. A user who never moves an arm would find nothing.
     int stepsInMotion() const { return stepsInMotion_; }
     int watchedClicks() const { return watchedClicks_; }
     int comparedValues() const { return truth_.compared(); }
@@ -125,7 +125,7 @@ private:
     void cureAll();
     void tellPendant(const QByteArray& line);
 
-    // Before and after the steps.
+    // Clean-up before and after the steps.
     void bringWindowBack();
     void endOldDialogs();
     void closeAllDialogs();
@@ -155,7 +155,7 @@ private:
     int number_ = 0;
     int stepsInMotion_ = 0;
     int watchedClicks_ = 0;
-    int dialogAge_ = 0;  ///< steps since a dialog is open
+    int dialogAge_ = 0;  ///< steps since a dialog was opened
     int stuck_ = 0;      ///< ticks in an event loop inside a step
     std::optional<Target> last_;
     QStringList cures_;  ///< commands that end the active faults

@@ -9,13 +9,13 @@
 
 namespace tiller::test {
 
-/// Only one object is active at a time. Threads  GUI; a crash may occur in any
+/// Only one object is active at a time. Called from the GUI thread only; a crash may occur in any thread.
 class StepLog {
 public:
     static constexpr int kKept = 30;
 
     /// Clears the log.
-    /// title  printed before the steps: settings to reproduce them
+    /// `title`: printed before the steps, contains the settings that reproduce them.
     static void begin(const QString& title);
     static void add(const QString& step);
     /// The title and the last steps, oldest first.

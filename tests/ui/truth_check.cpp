@@ -41,7 +41,7 @@ bool TruthCheck::isMarked() const {
            (link->emphasis() != StateChip::Emphasis::Normal || link->shape() != StateChip::Shape::None);
 }
 
-void TruthCheck::checkModes(const simulator::Truth& truth, bool standing, QList<Lie>& lies) {
+void TruthCheck::checkModes(const simulator::SimulatedState& truth, bool standing, QList<Lie>& lies) {
     using Emphasis = StateChip::Emphasis;
     const auto* mode = window_.findChild<StateChip*>(QStringLiteral("robotModeChip"));
     const auto* safety = window_.findChild<StateChip*>(QStringLiteral("safetyChip"));
@@ -82,7 +82,7 @@ void TruthCheck::checkModes(const simulator::Truth& truth, bool standing, QList<
     }
 }
 
-void TruthCheck::checkJoints(const simulator::Truth& truth, QList<Lie>& lies) {
+void TruthCheck::checkJoints(const simulator::SimulatedState& truth, QList<Lie>& lies) {
     const QList<JointRow*> rows = window_.findChildren<JointRow*>();
     if (rows.size() != kJointCount) {
         lies.append({QStringLiteral("there are %1 rows of joints").arg(rows.size()), 0});
@@ -105,7 +105,7 @@ void TruthCheck::checkJoints(const simulator::Truth& truth, QList<Lie>& lies) {
     }
 }
 
-void TruthCheck::checkOutputs(const simulator::Truth& truth, QList<Lie>& lies) {
+void TruthCheck::checkOutputs(const simulator::SimulatedState& truth, QList<Lie>& lies) {
     const auto* tab = window_.findChild<IoTab*>();
     if (tab == nullptr) {
         lies.append({QStringLiteral("there is no tab of outputs"), 0});
@@ -126,7 +126,7 @@ void TruthCheck::checkOutputs(const simulator::Truth& truth, QList<Lie>& lies) {
     }
 }
 
-QList<Lie> TruthCheck::lies(const simulator::Truth& truth, bool standing) {
+QList<Lie> TruthCheck::lies(const simulator::SimulatedState& truth, bool standing) {
     QList<Lie> found;
     if (isMarked()) {
         return found;

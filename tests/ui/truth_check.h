@@ -20,26 +20,26 @@ struct Lie {
 
 class TruthCheck {
 public:
-    /// From a change on the robot until it is displayed [ms].
+    /// Time from a change on the robot until it is displayed [ms].
     static constexpr int kGraceMs = 300;
     /// The speed slider keeps the user's value until the robot had time to follow [ms].
     static constexpr int kSliderSettlesMs = 800;
-    /// From a disconnection until data count as late [ms].
+    /// Time from a disconnection until data count as late [ms].
     static constexpr int kStaleMs = 300;
 
-    /// window  with header, joints and outputs; must outlive the check
+    /// `window`: has the header, joints and outputs; must outlive the check.
     explicit TruthCheck(const QWidget& window) : window_(window) {}
 
-    /// standing  the arm has come to rest: the header must not show motion any more
-    QList<Lie> lies(const simulator::Truth& truth, bool standing);
+    /// `standing`: the arm has come to rest, so the header must not show motion any more.
+    QList<Lie> lies(const simulator::SimulatedState& truth, bool standing);
     /// Number of displayed values that were compared so far: a window that marks everything as unknown would pass
     /// otherwise.
     int compared() const { return compared_; }
 
 private:
-    void checkModes(const simulator::Truth& truth, bool standing, QList<Lie>& lies);
-    void checkJoints(const simulator::Truth& truth, QList<Lie>& lies);
-    void checkOutputs(const simulator::Truth& truth, QList<Lie>& lies);
+    void checkModes(const simulator::SimulatedState& truth, bool standing, QList<Lie>& lies);
+    void checkJoints(const simulator::SimulatedState& truth, QList<Lie>& lies);
+    void checkOutputs(const simulator::SimulatedState& truth, QList<Lie>& lies);
     bool isMarked() const;
 
     const QWidget& window_;

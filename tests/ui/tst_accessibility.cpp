@@ -157,9 +157,10 @@ private Q_SLOTS:
                 }
             }
             // Hold-to-run buttons have the armed keyboard, STOP has Space and Esc.
-            if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
+            if (qobject_cast<HoldToRunButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
                 widget->focusPolicy() == Qt::NoFocus) {
-                if (qobject_cast<HoldButton*>(widget) != nullptr || widget->objectName() == "stopButton") {
+                if (qobject_cast<HoldToRunButton*>(widget) != nullptr ||
+                    widget->objectName() == "stopButton") {
                     continue;
                 }
             }
@@ -223,7 +224,7 @@ private Q_SLOTS:
                     continue;
                 }
                 ++looked;
-                // With any or no selection: the frame has to show the focus.
+                // With or without a selection, the frame has to show the focus.
                 view->clearSelection();
                 view->setCurrentIndex({});
                 view->clearFocus();

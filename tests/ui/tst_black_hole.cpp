@@ -24,7 +24,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr double kLongestWaitMs = 50;
+constexpr double kMaxWaitMs = 50;
 /// A hypervisor or a busy disk can delay single steps; waiting for the robot would occur in every attempt.
 constexpr int kAttempts = 3;
 
@@ -138,7 +138,7 @@ private Q_SLOTS:
             const QStringList suspects = attempt == 0 ? waits.keys() : slow.keys();
             slow.clear();
             for (const QString& step : suspects) {
-                if (waits.value(step) > kLongestWaitMs) {
+                if (waits.value(step) > kMaxWaitMs) {
                     slow[step] = waits.value(step);
                 }
             }
@@ -151,7 +151,7 @@ private Q_SLOTS:
     }
 };
 
-/// All functions of the window, with a robot that does not respond.
+/// Calls all functions of the window, with a robot that does not respond.
 void TestBlackHole::askForEverything(Waits& waits) {
     Bench bench;
     bench.window.resize(1280, 720);
@@ -196,7 +196,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
         ++actions;
     }
     QVERIFY(actions > 30);
-    for (HoldButton* key : bench.window.jogColumn().holdKeys()) {
+    for (HoldToRunButton* key : bench.window.jogColumn().holdKeys()) {
         measure("press " + key->objectName(), [key] { press(*key); });
         measure("release " + key->objectName(), [key] { release(*key); });
     }

@@ -45,7 +45,7 @@ private:
     double elbow_ = 0;  ///< maximum so far [m/s]
 
     VirtualCell& cell() { return bench_->cell; }
-    HoldButton& key(const QString& name) { return bench_->find<HoldButton>(qPrintable(name)); }
+    HoldToRunButton& key(const QString& name) { return bench_->find<HoldToRunButton>(qPrintable(name)); }
 
     void bringUp(const JointPositions& q, int speedClass) {
         simulator::SimulatorOptions options = VirtualCell::options();
@@ -66,7 +66,7 @@ private:
     std::deque<Place> places_;  ///< one per control period, within the averaging time
 
     void measure() {
-        const simulator::Truth truth = cell().truth();
+        const simulator::SimulatedState truth = cell().truth();
         const auto frames = kinematics::linkFrames(robotModel(RobotModelId::UR5e).dh, truth.q);
         places_.push_back({frames[6].translation(), frames[2].translation()});
         if (places_.size() > kWindowMs / 2) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nothing is cut off: every dialog and every page of the window, on the smallest screen, in both densities.
-// The same again at 150 and 200 %, in every language and in one that does not exist: see CMakeLists.txt.
+// No text is clipped: every dialog and every page of the window, on the smallest screen, in both densities.
+// Repeated at 150 and 200 %, in every language and in a pseudo language: see CMakeLists.txt.
 
 #include <QDialog>
 #include <QDockWidget>
@@ -39,10 +39,10 @@ using namespace tiller::test;
 namespace {
 
 constexpr QSize kSmallest{1280, 720};
-constexpr QSize kSmallestWindow{1264, 672};  // title bar and borders come on top
+constexpr QSize kSmallestWindow{1264, 672};  // without title bar and borders
 
 struct Bench : WindowBench {
-    /// With the size of keys the data row names: "mouse" or "touch".
+    /// Uses the button size named by the data row: "mouse" or "touch".
     Bench() {
         show(kSmallest);
         app::Preferences preferences;
@@ -50,7 +50,7 @@ struct Bench : WindowBench {
         preferences.density = row == "touch" ? Density::Touch : Density::Mouse;
         window.applyPreferences(preferences);
     }
-    /// The dialog a command opens.
+    /// The dialog opened by a command.
     QDialog* open(const char* id) {
         QAction* action = window.actions().find(QLatin1String(id));
         action->setEnabled(true);
@@ -65,13 +65,13 @@ struct Bench : WindowBench {
     }
 };
 
-/// A gamepad with a long name, all of whose sticks are pushed.
+/// A gamepad with a long name and all sticks deflected.
 std::unique_ptr<TestPad> longPad() {
     DeviceReading pushed;
     pushed.axes << 0.7, -0.7, 0.7, 0.7, -0.7, 0.7;
     return std::make_unique<TestPad>(QStringLiteral("8BitDo Ultimate Wireless Controller"),
                                      QStringLiteral("Left stick: X and Y. Right stick: Z and rotation. Hold "
-                                                    "the right shoulder to rotate with both sticks."),
+                                                    "the right bumper to rotate with both sticks."),
                                      pushed);
 }
 
@@ -95,7 +95,7 @@ private:
         return currentDensity() == Density::Touch ? QStringLiteral("touch") : QStringLiteral("mouse");
     }
     static void look(QWidget& window, const QString& name) {
-        // Layouts settle once the words are in.
+        // Layouts settle after the texts have been set.
         QTest::qWait(50);
         keepPicture(window, name + '-' + densityName());
         QTRY_VERIFY2(clipped(window).isEmpty(), qPrintable(name + ":\n" + clipped(window).join('\n')));
@@ -133,7 +133,8 @@ private:
 private Q_SLOTS:
     void initTestCase() {
         initResources();
-        // A language by its code; "pseudo": longer than any; "mirrored": that from right to left.
+        // A language code, or "pseudo" for texts longer than in any language, or "mirrored" for
+        // right-to-left.
         const QString language = qEnvironmentVariable("TILLER_LANGUAGE");
         if (language == "pseudo" || language == "mirrored") {
             QCoreApplication::installTranslator(&pseudo_);
@@ -238,7 +239,7 @@ private Q_SLOTS:
         later->findChild<QLineEdit*>("robotHost")->setText(QStringLiteral("300.1"));
         look(*later, "connect");
         later->close();
-        // A robot with many troubles has the longest page.
+        // A robot with many problems has the longest page.
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
         auto* page = bench.window.findChild<PreflightPage*>();
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
@@ -246,7 +247,7 @@ private Q_SLOTS:
         page->close();
     }
 
-    // On a screen of 720 pixels, with a mouse.
+    // On a screen with a height of 720 pixels, with the sizes for mouse operation.
     void theMenuOfTheWaypointsIsOneColumn() {
         if (qApp->primaryScreen()->size().height() < kSmallest.height()) {
             QSKIP("at this scale the screen of the offscreen platform is smaller");
@@ -282,7 +283,7 @@ private Q_SLOTS:
         }
     }
 
-    // The key for the next step, whichever it is.
+    // The button for the next step, in every state.
     void noNextStepIsCutOff_data() { densities(); }
     void noNextStepIsCutOff() {
         Bench bench;

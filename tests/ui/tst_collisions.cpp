@@ -13,7 +13,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/pictures.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
@@ -103,7 +103,7 @@ private:
         window().findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(segment);
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         for (const char* name :
              {"waypoint.goThrough", "waypoint.stepOn", "waypoint.stepBack", "waypoint.goTo"}) {
             keys << &key(name);
@@ -173,7 +173,7 @@ private Q_SLOTS:
 
     void homeStepsAndBackAreRefusedWithTheReason() {
         cell_ = &cell();
-        // Home: upright.
+        // The Home position is upright.
         const Pose home =
             kinematics::forwardTcp(dh(), JointPositions(0, -1.5707963, 0, -1.5707963, 0, 0), {});
         addCrate(home.position, 0.08);
@@ -194,7 +194,7 @@ private Q_SLOTS:
         chooseMotion(0);
         cell_->advanceMs(40);
 
-        // An obstacle added on the path of the arm since.
+        // An obstacle is added on the path of the arm.
         const Eigen::Vector3d from = state().tcpPose.position;
         jog("jog.Z+", 4000);
         QVERIFY((state().tcpPose.position - from).norm() > 0.15);
@@ -202,7 +202,7 @@ private Q_SLOTS:
         verifyRefused("backKey", QStringLiteral("“crate”"));
     }
 
-    // From within the safety distance the arm may be moved away, but not closer.
+    // From inside the safety distance the arm may be moved away, but not closer.
     void motionOutOfTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
@@ -267,7 +267,8 @@ private Q_SLOTS:
         cell_->advanceMs(200);
         QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
     }
-    // Never empty in between: the old number, marked, or a sign that it is being calculated.
+    // The display is never empty in between: it shows the old number, marked, or a sign that a new one is
+    // being calculated.
     void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
         cell_ = &cell();
         addTable(0.08);
@@ -311,7 +312,7 @@ private Q_SLOTS:
             action->trigger();
         };
         const auto enter = [&](const char* name, const QString& text) {
-            auto* box = page.findChild<FigureBox*>(QLatin1String(name));
+            auto* box = page.findChild<DecimalSpinBox*>(QLatin1String(name));
             QVERIFY2(box != nullptr && box->isVisible(), name);
             box->setFocus();
             box->selectAll();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connections that failed without a notification: the controller has dropped them, or had no power. The window must
-// not rely on them: STOP, Esc, Space and a device's stop button stop the arm nevertheless, whoever moves it. The
-// real window, real events, real sockets, the simulated robot in virtual time.
+// Connections that failed without a notification: the controller has dropped them or lost power. The window
+// must not rely on them: STOP, Esc, Space and a device's stop button still stop the arm, even if another
+// client moves it. The real window, real events, real sockets, the simulated robot in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -23,7 +23,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 constexpr int kPeriodMs = 2;
 constexpr int kFrameMs = 16;
 constexpr int kLimitMs = 250;  ///< from the press to standstill
@@ -71,7 +71,7 @@ struct DeadLinkBench : WindowBench {
     bool hasSaid(const char* words) const { return said->join('\n').contains(QLatin1String(words)); }
 
     /// Advances time for robot and window, independent of the communication threads.
-    /// pauseMs  real time for them in each period
+    /// `pauseMs`: real time for these threads in each period.
     void goOn(int ms, int pauseMs = 0) {
         for (int t = 0; t < ms; t += kPeriodMs) {
             clock.advanceNs(kPeriodMs * kNsPerMs);
@@ -97,7 +97,7 @@ struct DeadLinkBench : WindowBench {
     bool waitStill(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             frame();
             QTest::qWait(1);
         }
@@ -107,7 +107,7 @@ struct DeadLinkBench : WindowBench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             goOn(kFrameMs, 1);
         }
         return condition();
@@ -139,7 +139,7 @@ struct DeadLinkBench : WindowBench {
     bool waitUntilMoving() {
         QElapsedTimer patience;
         patience.start();
-        while (tcpSpeed(cell) < 0.2 && patience.elapsed() < kPatienceMs) {
+        while (tcpSpeed(cell) < 0.2 && patience.elapsed() < kWaitTimeoutMs) {
             cell.robot.drainSockets();
             goOn(kPeriodMs);
         }
@@ -320,7 +320,7 @@ private Q_SLOTS:
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto& key = bench.find<HoldButton>("jog.X+");
+        auto& key = bench.find<HoldToRunButton>("jog.X+");
         press(key);
         bench.cell.advanceMs(400);
         QVERIFY(!standsStill(bench.cell));
@@ -370,7 +370,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.devices().use(bench.window.devices().devices().front().get());
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        press(bench.find<HoldButton>("jog.X+"));
+        press(bench.find<HoldToRunButton>("jog.X+"));
         bench.cell.advanceMs(400);
         QVERIFY(!standsStill(bench.cell));
         QVERIFY(bench.state().moving);
@@ -379,7 +379,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());
         QVERIFY(!bench.hasSaid("program on the robot"));
-        // Also at standstill.
+        // A stop at standstill keeps control as well.
         bench.stop(key);
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());

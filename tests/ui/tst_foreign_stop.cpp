@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Space in a name must not end the program of the client that replaced us, at any later time.
+    // Space typed in a name must not end the program of the client that replaced us, however much later.
     void theKeysBelongToTheFocusAfterControlWasReplaced() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -255,6 +255,25 @@ private Q_SLOTS:
         question()->findChild<QPushButton*>("takeControlQuestion.take")->click();
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
+    void poweringOffAsksWhileAnotherProgramRuns() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Playing; }));
+        const auto question = [&] { return bench.window.findChild<QMessageBox*>("powerOffQuestion"); };
+        bench.window.actions().find("power.off")->trigger();
+        QVERIFY2(question() != nullptr, "the arm is powered off without a question");
+        QVERIFY(QTest::qWaitForWindowActive(question()));
+        QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
+        QTRY_VERIFY(question() == nullptr);
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
+        QCOMPARE(bench.cell.truth().robotMode, RobotMode::Running);
+        bench.window.actions().find("power.off")->trigger();
+        QVERIFY(question() != nullptr);
+        question()->findChild<QPushButton*>("powerOffQuestion.take")->click();
+        QVERIFY(bench.within([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
+    }
     void takingControlOfAnIdleRobotDoesNotAsk() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -271,7 +290,7 @@ private Q_SLOTS:
         dialog.open();
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QVERIFY(bench.startMoving());
-        // Through the windows, as by the display server.
+        // Sends the click to the topmost window at this position, as the display server does.
         const auto& stop = bench.find<StopButton>("stopButton");
         const QPoint place = stop.mapToGlobal(stop.rect().center());
         QWindow* under = nullptr;  // the window shown last is on top
@@ -288,7 +307,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
     }
 
-    // Its dashboard accepts the connection and sends nothing; a query is in progress.
+    // The dashboard accepts the connection and sends nothing; a query is in progress.
     void silentDashboardDoesNotDelayTheStop_data() {
         QTest::addColumn<Way>("way");
         for (const Way way : {Way::StopButton, Way::Device}) {
@@ -329,7 +348,7 @@ private Q_SLOTS:
         bench.stop(way);
         QVERIFY(bench.within([&] { return standsStill(bench.cell); }));
         QVERIFY(bench.within([&] { return bench.state().control != ControlState::Taking; }));
-        // In all cases: no motion, and no program of another client is running.
+        // In all cases: the arm is at standstill, and no program of another client is running.
         QVERIFY(bench.within([&] {
             return bench.state().control == ControlState::InControl || !bench.state().foreignProgramRuns();
         }));
@@ -390,7 +409,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // An unnecessary stop would end a program started in the next moment.
+    // An unnecessary stop would end a program that is started a moment later.
     void nothingIsSentWhenNothingRuns() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

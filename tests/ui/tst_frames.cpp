@@ -43,9 +43,9 @@ private:
     /// Holds a jog button until the TCP has moved by this distance, and waits for standstill.
     void jog(const char* key, double mm) {
         const Pose from = cell().truth().tcpPose;
-        press(find<HoldButton>(key));
+        press(find<HoldToRunButton>(key));
         QVERIFY(cell().advanceUntil([&] { return distanceMm(from, cell().truth().tcpPose) > mm; }, 10'000));
-        release(find<HoldButton>(key));
+        release(find<HoldToRunButton>(key));
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 2000));
         cell().advanceMs(60);
     }
@@ -155,7 +155,7 @@ private Q_SLOTS:
         teachThreePoints();
         command("frame.action.jogIn").trigger();
         QCOMPARE(window().jogColumn().selection().taught->id, frames().at(0).id);
-        press(find<HoldButton>("jog.X+"));
+        press(find<HoldToRunButton>("jog.X+"));
         cell().advanceMs(400);
         QVERIFY(tcpSpeed(cell()) > 0.095);
         project::Frame turned = frames().at(0);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         const Pose at = cell().truth().tcpPose;
         cell().advanceMs(300);
         QVERIFY(distanceMm(at, cell().truth().tcpPose) < 0.05);
-        release(find<HoldButton>("jog.X+"));
+        release(find<HoldToRunButton>("jog.X+"));
         jog("jog.X+", 30);
         const Eigen::Vector3d way = (cell().truth().tcpPose.position - at.position).normalized();
         QVERIFY(way.dot(rotationMatrix(turned.T_base_frame.rotation).col(0)) > 0.9999);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Go through" in the real window: the waypoints one after the other, held; pause, step on and back; and everything
-// that must end it, in every stage: on a plain way, on a blended path, and while that is still being sent.
+// "Run route" in the real window: the waypoints one after the other while the button is held, pause, step
+// forward and back, and all events that must end the motion, in every stage: during a motion without a blend,
+// during a blended path, and while the path is being sent.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,9 +29,9 @@ namespace {
 constexpr int kDeathToStandstillMs = 250;
 
 enum class Stage {
-    Plain,    ///< on a way without a blend
-    Blended,  ///< on a path of blended ways
-    Sending,  ///< the path is on its way to the robot
+    Plain,    ///< during a motion without a blend
+    Blended,  ///< during a path of blended motions
+    Sending,  ///< while the path is being sent to the robot
     StepOn,
     StepBack
 };
@@ -76,13 +77,13 @@ class TestGoThrough : public JogWindowTest {
 
 private:
     UndoableDocument& document() { return window().document(); }
-    HoldButton& through() { return key("waypoint.goThrough"); }
+    HoldToRunButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     JointPositions q(int row) { return document().waypoints().at(row).joints; }
     double apart(int row) { return (cell().truth().q.values - q(row).values).cwiseAbs().maxCoeff(); }
     bool isAt(int row) { return apart(row) < 1e-3; }
 
-    /// Waypoints around where the arm stands, a turn of the base apart [rad].
+    /// Teaches waypoints around the current position, with the base joint turned by these angles [rad].
     void teach(const std::vector<double>& turns, double blend,
                project::MoveKind move = project::MoveKind::Joint) {
         std::vector<project::Waypoint> points;
@@ -103,7 +104,7 @@ private:
         drive();
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &through() << &key("waypoint.stepOn") << &key("waypoint.stepBack") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -121,12 +122,12 @@ private:
     bool until(const std::function<bool()>& condition, int ms = 60'000) {
         return cell().advanceUntil(condition, ms);
     }
-    void hold(HoldButton& button) {
+    void hold(HoldToRunButton& button) {
         QVERIFY2(button.isEnabled(), qPrintable(button.toolTip()));
         press(button);
         QVERIFY(button.isHolding());
     }
-    /// Holds a step until the arm is there.
+    /// Holds a step button until the arm has arrived.
     void step(const char* name) {
         hold(key(name));
         QVERIFY(until([&] { return !key(name).isHolding(); }));
@@ -134,7 +135,7 @@ private:
         cell().advanceMs(40);
     }
 
-    /// Presses and gets to that stage.
+    /// Presses a button and advances to this stage.
     void begin(Stage stage) {
         switch (stage) {
             case Stage::Plain:
@@ -171,12 +172,12 @@ private:
                 break;
         }
     }
-    HoldButton& keyOf(Stage stage) {
+    HoldToRunButton& keyOf(Stage stage) {
         return stage == Stage::StepOn     ? key("waypoint.stepOn")
                : stage == Stage::StepBack ? key("waypoint.stepBack")
                                           : through();
     }
-    void end(End end, HoldButton& held) {
+    void end(End end, HoldToRunButton& held) {
         switch (end) {
             case End::Release:
                 release(held);
@@ -227,7 +228,7 @@ private:
                 break;
         }
     }
-    /// Only robot and controller live on: what a client that is gone, or mute, leaves behind.
+    /// Only robot and controller continue, as after a crash or hang of the client.
     int robotAlone(int ms) {
         int stood = -1;
         for (int t = 0; t < ms; t += 2) {
@@ -243,7 +244,8 @@ private:
     }
 
 private Q_SLOTS:
-    // On a low screen there is room for its keys or for the figures of the waypoint: one key changes between them.
+    // On a low screen there is space either for the buttons or for the values of the waypoint; a button
+    // switches between them.
     void onALowScreenItsKeysTakeThePlaceOfTheFigures() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);
@@ -269,13 +271,13 @@ private Q_SLOTS:
         QTest::mouseClick(&place, Qt::LeftButton);
         cell().advanceMs(40);
         QVERIFY(figures.isVisible() && !through().isVisible());
-        // Higher again there is room for both, and nothing to choose.
+        // On a higher screen there is space for both, and no switch.
         window().resize(1920, 1080);
         cell().advanceMs(40);
         QVERIFY(!place.isVisible() && figures.isVisible() && through().isVisible());
     }
 
-    // In the arrangement that everybody begins with.
+    // The buttons are visible in the default layout.
     void itsKeysAreInSightOnAnOrdinaryScreen() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);
@@ -370,7 +372,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    // The arm would go there and then stand, for as long as the key is held.
+    // The arm would reach the waypoint and then wait for as long as the button is held.
     void aLoopOfOneIsNotBegun() {
         teach({0.1}, 0);
         QVERIFY(through().isEnabled());
@@ -409,7 +411,8 @@ private Q_SLOTS:
         release(through());
     }
 
-    // Blends: the arm does not stop on the way, does not come to the corner itself, and ends in the last point.
+    // With blends the arm does not stop on the way, does not reach the corner itself, and ends at the last
+    // point.
     void blendedWaypointsAreOnePath() {
         teach({0.3, 0.6, 0.9}, 0.03);
         project::Waypoint corner = document().waypoints().at(1);
@@ -442,7 +445,7 @@ private Q_SLOTS:
         QVERIFY(window().session().state().canMove());
     }
 
-    // The chosen speed caps every way, TCP and elbow, blended or not.
+    // The chosen speed limits every motion, at TCP and elbow, blended or not.
     void noWayIsFasterThanTheChosenSpeed_data() {
         QTest::addColumn<double>("blend");
         QTest::addColumn<project::MoveKind>("move");
@@ -503,7 +506,7 @@ private Q_SLOTS:
                 ms = robotAlone(600);
                 break;
             case End::ProcessKilled:
-                // The system closes a dead process's sockets; nothing else comes from it.
+                // The operating system closes the sockets of an ended process; nothing else is sent.
                 cell().robot.closeClients();
                 ms = robotAlone(600);
                 break;
@@ -518,7 +521,7 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The hand is still on the key, and the path may still arrive: nothing moves before a new press.
+        // The button is still held, and the path may still arrive: nothing moves before a new press.
         const Pose rest = cell().truth().tcpPose;
         if (how == End::SilentLink || how == End::ProcessKilled || how == End::WindowClosed) {
             robotAlone(1000);
@@ -530,13 +533,14 @@ private Q_SLOTS:
         }
         QVERIFY2(distanceMm(rest, cell().truth().tcpPose) < 0.05,
                  qPrintable(QString::number(distanceMm(rest, cell().truth().tcpPose))));
-        // Where only the robot went on, nobody has told the key yet.
+        // When only the robot has advanced, the button has not been notified yet.
         if (how != End::WindowClosed && how != End::SilentLink && how != End::ProcessKilled) {
             QVERIFY(!keyOf(which).isHolding());
         }
     }
 
-    // Released while it is sent, pressed again at once: the new press moves, the old one does not.
+    // Released while the path is being sent, then pressed again: the new press moves the arm, the old one
+    // does not.
     void aNewPressAfterOneThatWasGivenUp() {
         teach({0.2, 0.4}, 0.02);
         for (int i = 0; i < 3; ++i) {
@@ -553,7 +557,7 @@ private Q_SLOTS:
     void whatCannotBeReachedIsNotBegun() {
         teach({0.2, 0.4}, 0);
         project::Waypoint far = document().waypoints().at(1);
-        far.ruling = project::Ruling::Pose;
+        far.ruling = project::TargetKind::Pose;
         far.pose.position = Eigen::Vector3d(3, 0, 0);
         document().changeWaypoint(1, far, "far");
         drive();

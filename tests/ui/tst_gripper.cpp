@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gripper page in the real window, with real sockets, the simulated gripper, and a gripper that stops
-// responding or disconnects.
+// The gripper page in the real window, with real sockets and the simulated gripper, which may also stop
+// responding or disconnect.
 
 #include <QComboBox>
 #include <QLabel>
@@ -17,8 +17,8 @@
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/density.h"
-#include "widgets/common/figure_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/io_tab.h"
@@ -28,7 +28,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// In the order of the list of grippers, after "None".
+/// Indexes in the list of grippers, which starts with "None".
 enum Choice { kTwoF85 = 1, kTwoF140, kHandE, kOneOutput, kTwoOutputs };
 
 /// An active gripper that holds an object; it can be made to stop responding.
@@ -76,7 +76,7 @@ private:
         }
         return condition();
     }
-    /// While robot time does not advance.
+    /// Waits in real time; robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
         bench_ = std::make_unique<WindowBench>(robot);
@@ -88,7 +88,7 @@ private:
         panel().setClock(bench_->clock);
         bench_->window.showTab("gripper");
     }
-    /// By keyboard, starting with "None".
+    /// Selects an entry by keyboard, starting with "None".
     void choose(Choice choice) {
         auto& list = bench_->find<QComboBox>("gripper.kind");
         QVERIFY(until([&list] { return list.isEnabled(); }));
@@ -104,7 +104,7 @@ private:
         QTest::mouseClick(&key(name), Qt::LeftButton);
     }
     void type(const char* box, const QString& figure) {
-        auto& field = bench_->find<FigureBox>(box);
+        auto& field = bench_->find<DecimalSpinBox>(box);
         field.setFocus();
         field.selectAll();
         QTest::keyClicks(&field, figure);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::qWait(300);
         QVERIFY(text("gripper.holds").contains("object"));
-        // It can be opened nevertheless, like an output can be switched.
+        // The gripper can still be opened, just as an output can be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
@@ -181,7 +181,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.opening") == "0.0 mm"; }));
         type("gripper.speed", "100");
         type("gripper.position", "40");
-        QTest::keyClick(&bench_->find<FigureBox>("gripper.position"), Qt::Key_Return);
+        QTest::keyClick(&bench_->find<DecimalSpinBox>("gripper.position"), Qt::Key_Return);
         cell().advanceMs(400);
         QTest::qWait(300);
         QCOMPARE(text("gripper.opening"), QString("0.0 mm"));  // Return does not move the fingers
@@ -198,8 +198,8 @@ private Q_SLOTS:
         said_.clear();
         type("gripper.position", "86");
         click("gripper.move");
-        QVERIFY(bench_->find<FigureBox>("gripper.position").isRefused());
-        QVERIFY(bench_->find<FigureBox>("gripper.position").accessibleDescription().contains("85"));
+        QVERIFY(bench_->find<DecimalSpinBox>("gripper.position").isRefused());
+        QVERIFY(bench_->find<DecimalSpinBox>("gripper.position").accessibleDescription().contains("85"));
         type("gripper.force", "101");
         click("gripper.close");
         cell().advanceMs(400);

@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(settings != nullptr && settings->isVisible());
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/settings.html"));
-        // It can be used while the dialog is open.
+        // The help window can be used while the dialog is open.
         QVERIFY(QTest::qWaitForWindowActive(bench.help()));
         QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
         QCOMPARE(bench.page(), QStringLiteral("index.html"));
@@ -353,7 +353,7 @@ private Q_SLOTS:
     void stopEndsTheCurrentMotion() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         QVERIFY(bench.cell.advanceUntil([&] { return tcpSpeed(bench.cell) > 0.01; }, 2000));
         QTest::keyClick(&bench.window, Qt::Key_F1);

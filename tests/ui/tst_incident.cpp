@@ -42,7 +42,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 struct Bench : WindowBench {
     std::unique_ptr<script::ScriptClient> pendant;
@@ -63,7 +63,7 @@ struct Bench : WindowBench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
             QTest::qWait(1);
         }
@@ -73,7 +73,7 @@ struct Bench : WindowBench {
     bool hasKept(std::uint64_t packets) {
         QElapsedTimer patience;
         patience.start();
-        while (watch().packets() < packets && patience.elapsed() < kPatienceMs) {
+        while (watch().packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
             const std::uint64_t before = watch().packets();
             cell.advanceMs(100);
             static_cast<void>(
@@ -177,9 +177,9 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QCOMPARE(before, 1.0);
     // A stop without a cause: arm and model agree.
     auto& comparison = bench.find<ComparisonBand>("plots.comparison");
-    QVERIFY(bench.within([&] { return comparison.words().contains("The arm moved as"); }));
+    QVERIFY(bench.within([&] { return comparison.words().contains("The motion matches"); }));
     QVERIFY2(comparison.details().contains("at all times"), qPrintable(comparison.details()));
-    // It is placed at its time: the live data have the same values there.
+    // The recording is placed at its original time: the live data have the same values there.
     QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);
     // The view: the past position of the arm, marked as replay.
     const Replay& moment = bench.plots().replay();
@@ -265,11 +265,11 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     };
     const QString atFirst = textAtCursor();
 
-    // Until the input is on: arrow keys move it, too.
+    // Arrow keys also move the cursor: moves it until the input is on.
     QElapsedTimer patience;
     patience.start();
     view.setFocus();
-    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kPatienceMs) {
+    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kWaitTimeoutMs) {
         QTest::keyClick(&view, Qt::Key_Right);
     }
     QCOMPARE(bench.valueAtA({}, "actual_digital_input_bits"), 4.0);
@@ -344,7 +344,7 @@ void TestIncident::backToLiveMovesNoButtonUnderThePointer() {
     auto& band = bench.find<ReplayBand>("view.replay");
     QVERIFY(bench.within([&] { return band.isVisible(); }));
     const int height = bench.scene().view().height();
-    // By mouse, with the pointer over the button.
+    // Uses the mouse, with the pointer over the button.
     QWindow* window = bench.window.windowHandle();
     const auto& live = bench.find<QToolButton>("view.replay.live");
     const QPoint place = live.mapTo(&bench.window, live.rect().center());
@@ -393,7 +393,7 @@ void TestIncident::aReplayMovesNoKey() {
     QTest::mouseClick(&pause, Qt::LeftButton);
     QVERIFY(bench.plots().replay().has_value());
     auto& band = bench.find<ReplayBand>("view.replay");
-    // After a layout update.
+    // Waits for the layout update.
     QVERIFY(bench.within([&] { return band.isVisible() && band.height() >= band.sizeHint().height(); }));
     QCOMPARE(measures(), live);
     QTest::mouseClick(&bench.find<QToolButton>("view.replay.live"), Qt::LeftButton);
@@ -465,7 +465,7 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
-    // In both themes the curves are visible, also when nothing changes any more.
+    // The curves are visible in both themes, also when nothing changes any more.
     const auto colourful = [&view] {
         const QImage picture = const_cast<PlotView&>(view).grab().toImage();
         int count = 0;

@@ -111,7 +111,7 @@ private Q_SLOTS:
     }
 
     void keysAndPlotsGrowWithTheSize() {
-        // In pixels of the screen: a button of the jog pad, and one of the plots.
+        // Measures a button of the jog pad and one of the plots, in pixels of the screen.
         const auto measure = [](int percent) {
             const Start start({3840, 2160}, percent);
             VirtualClock clock;

@@ -64,17 +64,17 @@ private Q_SLOTS:
 
     void settingAnOutputStopsNoProgramAndNoMove() {
         // Home takes a while; the arm is moved by our own program.
-        press(find<HoldButton>("homeKey"));
+        press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
         bench_->window.session().outputs().setDigitalOutput(2, true);
         QVERIFY(until([this] { return output(2); }));
         QVERIFY2(!standsStill(cell()), "the arm goes on");
-        QVERIFY(find<HoldButton>("homeKey").isHolding());
+        QVERIFY(find<HoldToRunButton>("homeKey").isHolding());
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
-        release(find<HoldButton>("homeKey"));
+        release(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(400);
-        // The same manually, while the program is idle: it stays in control.
+        // The same manually while the program is idle: the session stays in control.
         tab().output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         QVERIFY(until([this] { return tab().output(3)->state() == IoChannel::State::On; }));
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
     }
 
-    // Switched on with a click, then pulsed with P, as the tooltip says.
+    // A click switches the output, then P pulses it, as the tooltip says.
     void aClickOnARowGivesItTheKeyForPulses() {
         IoChannel* channel = tab().output(4);
         QTest::mouseClick(channel, Qt::LeftButton);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return !output(4); }));
     }
-    // The pulse was ours; monitor-only leaves nothing of it on.
+    // The pulse was started by this window, so the monitor-only mode must not leave its output on.
     void monitorOnlyEndsARunningPulse() {
         QStringList warnings;
         QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n')));
     }
 
-    // Without control nothing on the robot could time it.
+    // Without control, no program on the robot can time the pulse.
     void aPulseIsRefusedWithoutControl() {
         bench_->window.session().releaseControl();
         QVERIFY(

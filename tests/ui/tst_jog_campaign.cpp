@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-// In parts, because of the time limit of Qt Test for one test function.
+// Divided into parts because of Qt Test's time limit for a test function.
 constexpr int kParts = 10;
 constexpr int kSequences = 1000;  // per part
 constexpr quint32 kSeed = 20261121;
@@ -44,7 +44,7 @@ class TestJogCampaign : public QObject {
     Q_OBJECT
 
 private:
-    static void apply(End end, JogColumn& column, HoldButton& key, VirtualCell& cell) {
+    static void apply(End end, JogColumn& column, HoldToRunButton& key, VirtualCell& cell) {
         switch (end) {
             case End::Release:
                 release(key);
@@ -99,12 +99,12 @@ private Q_SLOTS:
         column.show();
         QVERIFY(QTest::qWaitForWindowActive(&column));
         QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
-        // Not displayed: painting would be most of the cost.
+        // Updates are disabled, because painting would be most of the cost.
         column.setUpdatesEnabled(false);
-        const QVector<HoldButton*> keys = column.holdKeys();
+        const QVector<HoldToRunButton*> keys = column.holdKeys();
         driveKeys(cell, keys);
-        QVector<HoldButton*> jogKeys;
-        for (HoldButton* key : keys) {
+        QVector<HoldToRunButton*> jogKeys;
+        for (HoldToRunButton* key : keys) {
             // Freedrive needs an external force, which does not exist here.
             if (key->objectName() != "freedriveKey") {
                 jogKeys << key;
@@ -118,7 +118,7 @@ private Q_SLOTS:
         int moved = 0;
         for (int sequence = 0; sequence < kSequences; ++sequence) {
             column.selectors().setSpeedClass(static_cast<int>(random.bounded(5)));
-            HoldButton& key = *jogKeys[random.bounded(jogKeys.size())];
+            HoldToRunButton& key = *jogKeys[random.bounded(jogKeys.size())];
             const auto end = static_cast<End>(random.bounded(kEnds));
             const QString what = QStringLiteral("sequence %1: %2, end %3")
                                      .arg(sequence)

@@ -34,7 +34,7 @@ private:
     std::unique_ptr<WindowBench> bench_;
 
     VirtualCell& cell() { return bench_->cell; }
-    HoldButton& key(const char* name = "jog.X+") { return bench_->find<HoldButton>(name); }
+    HoldToRunButton& key(const char* name = "jog.X+") { return bench_->find<HoldToRunButton>(name); }
 
     /// Presses X+ and waits until the arm has reached its speed.
     void startJog(const char* name = "jog.X+") {
@@ -52,8 +52,8 @@ private Q_SLOTS:
         bench_ = std::make_unique<WindowBench>();
         bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        QVector<HoldButton*> keys = bench_->window.jogColumn().holdKeys();
-        keys << bench_->window.findChild<HoldButton*>("waypoint.goTo");
+        QVector<HoldToRunButton*> keys = bench_->window.jogColumn().holdKeys();
+        keys << bench_->window.findChild<HoldToRunButton*>("waypoint.goTo");
         driveKeys(cell(), keys);
         bench_->window.jogColumn().selectors().setSpeedClass(kReferenceSpeedClass);
         cell().advanceMs(40);
@@ -339,7 +339,7 @@ private Q_SLOTS:
         bench_->window.findChild<SegmentedControl*>("jogFrame")->setCurrentIndex(1);
         press(key("jog.Z+"));
         cell().advanceMs(300);
-        const simulator::Truth truth = cell().truth();
+        const simulator::SimulatedState truth = cell().truth();
         const Eigen::Vector3d toolZ = rotationMatrix(truth.tcpPose.rotation).col(2);
         QVERIFY(truth.tcpSpeed.linear.normalized().dot(toolZ) > 0.9999);
         release(key("jog.Z+"));

@@ -48,8 +48,8 @@ private:
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
 
     /// "Go to" also uses the clock of the cell.
-    HoldButton& goTo() {
-        HoldButton& button = key("waypoint.goTo");
+    HoldToRunButton& goTo() {
+        HoldToRunButton& button = key("waypoint.goTo");
         button.guard().setClock(cell().clock);
         cell().everyRefresh = [pump = cell().everyRefresh, &button] {
             pump();
@@ -101,7 +101,7 @@ private Q_SLOTS:
     void theChosenSpeedCapsEveryHeldMotion() {
         QFETCH(QByteArray, name);
         QFETCH(QString, shown);
-        HoldButton& button = name == "waypoint.goTo" ? goTo() : key(name.constData());
+        HoldToRunButton& button = name == "waypoint.goTo" ? goTo() : key(name.constData());
         window().waypoints().teach();
         selectors().setSpeedClass(3);
         jog(name == "alignKey" ? "jog.Rx+" : "jog.Z+", 900);
@@ -400,7 +400,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, name);
         QFETCH(int, ms);
         QFETCH(bool, says);
-        HoldButton& button = name == "waypoint.goTo" ? goTo() : key(name.constData());
+        HoldToRunButton& button = name == "waypoint.goTo" ? goTo() : key(name.constData());
         window().waypoints().teach();
         jog("jog.Rx+", 1000);
         jog("jog.Y+", 600);
@@ -414,11 +414,11 @@ private Q_SLOTS:
         QVERIFY2(button.isHolding(), qPrintable(button.toolTip()));
         cell().advanceMs(ms);
         release(button);
-        QCOMPARE(button.saysHold(), says);
+        QCOMPARE(button.showsHoldHint(), says);
         QCOMPARE(button.detail() == QStringLiteral("hold"), says);
         QCOMPARE(button.geometry(), place);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        QTRY_VERIFY2(!button.saysHold(), "for a moment only");
+        QTRY_VERIFY2(!button.showsHoldHint(), "for a moment only");
     }
 
     void freedriveIsCalledFreedrive() {

@@ -24,11 +24,11 @@
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
 #include "widgets/jog/jog_selectors.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/first_steps.h"
 #include "widgets/practice/first_steps_card.h"
 #include "widgets/practice/practice_card.h"
 #include "widgets/practice/practice_check.h"
-#include "widgets/practice/tick_line.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/status/recovery_page.h"
@@ -49,7 +49,7 @@ struct Bench : WindowBench {
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// In control, with all buttons on the clock of the cell.
+    /// Takes control and puts all buttons on the clock of the cell.
     bool bringUp() {
         if (!cell.bringUp()) {
             return false;
@@ -58,8 +58,8 @@ struct Bench : WindowBench {
         return true;
     }
     void drive() {
-        QVector<HoldButton*> keys = window.jogColumn().holdKeys();
-        keys << window.findChild<HoldButton*>("waypoint.goTo");
+        QVector<HoldToRunButton*> keys = window.jogColumn().holdKeys();
+        keys << window.findChild<HoldToRunButton*>("waypoint.goTo");
         driveKeys(cell, keys);
         cell.advanceMs(40);
     }
@@ -87,7 +87,7 @@ struct Bench : WindowBench {
     }
     /// Holds a button of the pad until the condition is true, releases it, and waits for standstill.
     bool hold(const char* name, const std::function<bool()>& enough) {
-        auto& key = find<HoldButton>(name);
+        auto& key = find<HoldToRunButton>(name);
         if (!until([&] { return key.isEnabled(); })) {
             return false;
         }
@@ -106,10 +106,10 @@ struct Bench : WindowBench {
     FirstStepsCard& steps() { return *window.findChild<FirstStepsCard*>(); }
     PracticeCard& practice() { return *window.findChild<PracticeCard*>(); }
     bool isTicked(FirstStep step) {
-        return find<TickLine>(qPrintable(QStringLiteral("firstSteps.%1").arg(static_cast<int>(step))))
+        return find<ChecklistItem>(qPrintable(QStringLiteral("firstSteps.%1").arg(static_cast<int>(step))))
             .isDone();
     }
-    const TickLine& check() { return find<TickLine>("practice.check"); }
+    const ChecklistItem& check() { return find<ChecklistItem>("practice.check"); }
     /// Opens the practice tasks and selects a task.
     void turnTo(PracticeTask task) {
         command("app.practice").trigger();
@@ -119,7 +119,7 @@ struct Bench : WindowBench {
             click("practice.next");
         }
     }
-    app::Learned learned() const { return app::Settings(file).learned(); }
+    app::TutorialProgress learned() const { return app::Settings(file).learned(); }
     const SessionState& state() { return window.session().state(); }
 };
 
@@ -308,7 +308,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.click("firstSteps.close");
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         QVERIFY(bench.cell.advanceUntil([&] { return tcpSpeed(bench.cell) > 0.01; }, 2000));
         QWidget* focus = QApplication::focusWidget();

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const RobotSession& session = bench.window.session();
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto& key = bench.find<HoldButton>("jog.X+");
+        auto& key = bench.find<HoldToRunButton>("jog.X+");
         press(key);
         bench.cell.advanceMs(400);
         QVERIFY(!standsStill(bench.cell));

@@ -32,7 +32,7 @@ private:
     QTemporaryDir folder_;
     app::Settings settings() const { return app::Settings(folder_.filePath("settings.ini")); }
 
-    /// For review: TILLER_SCREENSHOTS is the output folder.
+    /// Saves screenshots for review to the folder TILLER_SCREENSHOTS.
     static void saveScreenshots(app::MainWindow& window, const QString& name) {
         const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
         if (folder.isEmpty()) {
@@ -100,13 +100,13 @@ private Q_SLOTS:
         QVERIFY2(looked > 30, "the window has more controls than this");
         // The limiter line has enough space as well: otherwise it would be drawn over the buttons.
         auto* limiter = window.findChild<LimiterLine*>();
-        const QList<HoldButton*> keys = window.findChildren<HoldButton*>();
+        const QList<HoldToRunButton*> keys = window.findChildren<HoldToRunButton*>();
         for (const int tab : {1, 0}) {
             window.findChild<SegmentedControl*>("jogDetail")->setCurrentIndex(tab);
             cell.advanceMs(20);
             const QRect line(limiter->mapTo(&window, QPoint(0, 0)), limiter->size());
             QVERIFY(limiter->height() >= limiter->minimumSizeHint().height());
-            for (const HoldButton* key : keys) {
+            for (const HoldToRunButton* key : keys) {
                 const QRect place(key->mapTo(&window, QPoint(0, 0)), key->size());
                 QVERIFY2(!key->isVisible() || !place.intersects(line), qPrintable(key->objectName()));
             }
@@ -213,7 +213,7 @@ private Q_SLOTS:
         VirtualCell cell(clock, window.session());
         QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
         driveKeys(cell, window.jogColumn().holdKeys());
-        auto* key = window.findChild<HoldButton*>("jog.X+");
+        auto* key = window.findChild<HoldToRunButton*>("jog.X+");
         QVERIFY(key != nullptr);
         press(*key);
         cell.advanceMs(200);

@@ -38,7 +38,7 @@ struct RobotSettings {
 };
 
 RobotSettings settingsOf(const VirtualCell& cell) {
-    const simulator::Truth truth = cell.truth();
+    const simulator::SimulatedState truth = cell.truth();
     return {truth.robotMode, truth.safetyMode, truth.runtimeState, truth.speedSlider, truth.digitalOutputs};
 }
 
@@ -59,7 +59,7 @@ struct Bench : ForeignProgramBench {
         preferences.monitorOnly = on;
         window.applyPreferences(preferences);
     }
-    /// Time for everything sent to arrive.
+    /// Advances time until all sent data have arrived.
     void settle(int ms = 500) {
         cell.robot.drainSockets();
         cell.advanceMs(ms);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         key.click();
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
     }
-    // What moved the arm was not ours, so no stop of ours is missing.
+    // The arm was moved by another program, so the window does not report a missing stop of its own.
     void lostDataDuringAForeignProgramIsNoStopOfOurs() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -178,7 +178,7 @@ private Q_SLOTS:
         bench.cell.robot.silence(false);
     }
 
-    // Whatever is on the window: every command of the table, every button.
+    // Triggers every command of the table and every button of the window.
     void nothingInTheWindowChangesTheRobot() {
         Bench bench;
         bench.setMonitorOnly(true);
@@ -196,7 +196,8 @@ private Q_SLOTS:
         int triggered = 0;
         for (QAction* action : bench.window.actions().all()) {
             const QString name = action->objectName();
-            // Those that end the connection, wait in a loop of their own for a file, or are STOP itself.
+            // Excludes commands that end the connection or open a file dialog with its own event loop, and
+            // STOP.
             if (std::any_of(without.begin(), without.end(), [&](const QString& start) {
                     return start == QStringLiteral("control.stop") ? name == start : name.startsWith(start);
                 })) {
@@ -205,7 +206,7 @@ private Q_SLOTS:
             if (name.startsWith(QStringLiteral("power.")) || name.startsWith(QStringLiteral("control."))) {
                 QVERIFY2(!action->isEnabled(), qPrintable(name));
             }
-            action->setEnabled(true);  // as if its rule had been forgotten
+            action->setEnabled(true);  // as if the rule that disables it were missing
             QTimer::singleShot(0, &bench.window, closeDialogs);
             action->trigger();
             closeDialogs();

@@ -193,7 +193,8 @@ private Q_SLOTS:
         bench.run("switch selected", "io.action.switch");
         QVERIFY(bench.cell.advanceUntil(isOn, 2000));
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
-        // Not by run(): the editor closes on the activation that a window manager would not cause here.
+        // Not called with run(), because the editor would close on an activation that a window manager does
+        // not cause.
         QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);

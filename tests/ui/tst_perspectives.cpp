@@ -80,7 +80,7 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// By its shortcut, in the window that a window manager would have activated.
+/// Uses the shortcut, in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -103,8 +103,8 @@ QStringList missing(app::MainWindow& window) {
     look(window.findChild<LimiterLine*>(), QStringLiteral("the limiter line"));
     look(&window.jogColumn(), QStringLiteral("the jog column"));
     look(window.findChild<QWidget*>("statusLine"), QStringLiteral("the status line"));
-    const QVector<HoldButton*> keys = window.jogColumn().holdKeys();
-    for (const HoldButton* key : keys) {
+    const QVector<HoldToRunButton*> keys = window.jogColumn().holdKeys();
+    for (const HoldToRunButton* key : keys) {
         if (key->isVisible()) {
             look(key, key->objectName());
         }
@@ -594,7 +594,7 @@ private Q_SLOTS:
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         bench.cell.advanceMs(300);
         QVERIFY(!standsStill(bench.cell));
@@ -602,7 +602,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // Still held: the motion does not resume.
+        // The input is still held, and the motion does not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
@@ -626,7 +626,7 @@ private Q_SLOTS:
         bench.find<app::DockStage>("stage").tabifyDockWidget(&front, &behind);
         front.raise();
         QTRY_VERIFY(!front.visibleRegion().isEmpty() && behind.visibleRegion().isEmpty());
-        auto& key = bench.find<HoldButton>("jog.Z+");
+        auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         bench.cell.advanceMs(300);
         QVERIFY(!standsStill(bench.cell));
@@ -674,7 +674,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The notice is destroyed with its panel, and the view with its own, in any order.
+    // The notice and the view are destroyed with their panels, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));

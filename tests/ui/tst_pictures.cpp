@@ -63,7 +63,7 @@ private:
         QVERIFY2(drawn, qPrintable(name));
         QVERIFY2(image.save(folder_.filePath(name + QStringLiteral(".png"))), qPrintable(name));
     }
-    /// In both themes and both usual sizes.
+    /// Saves the window in both themes and both usual sizes.
     void keepWindow(const QString& name) {
         for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
             window().resize(size);
@@ -76,7 +76,7 @@ private:
             }
         }
     }
-    /// Not wider than a page of the manual.
+    /// Saves an image that is not wider than a page of the manual.
     void keepForManual(const QImage& image, const char* name) {
         keep(image.width() > kPageWidth ? image.scaledToWidth(kPageWidth, Qt::SmoothTransformation) : image,
              QStringLiteral("manual-") + QLatin1String(name));
@@ -93,7 +93,7 @@ private:
         return rows;
     }
     void jog(const char* key, int ms) {
-        auto& button = bench_->find<HoldButton>(key);
+        auto& button = bench_->find<HoldToRunButton>(key);
         driveKeys(bench_->cell, {&button});
         press(button);
         bench_->cell.advanceMs(ms);
@@ -156,7 +156,7 @@ private:
         points[4].actions = {part, close, lamp};
         window().document().insertWaypoints(0, points, "taught");
     }
-    /// While the dialog with this name is open, which has its own event loop.
+    /// Runs `use` while the dialog with this name is open; the dialog has its own event loop.
     void inDialog(const char* name, const std::function<void()>& open,
                   const std::function<void(QDialog&)>& use) {
         bool used = false;

@@ -62,7 +62,7 @@ struct Cell {
         other = std::make_unique<test::RawPeer>(std::move(script));
         return other->port();
     }
-    /// Another program that uses these inputs.
+    /// Connects another program that uses these inputs.
     void hold(const std::vector<std::string>& registers) {
         rtde::ConnectionOptions client;
         client.host = patient.host;
@@ -123,7 +123,7 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-/// Usual findings with this PC and a new simulated robot.
+/// Findings that always occur on this PC with a new simulated robot.
 const QSet<QString> kUsual = {"privilege.none", "latency.none", "payload.unset"};
 
 QSet<QString> causesOf(const doctor::Report& report) {

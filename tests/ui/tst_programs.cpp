@@ -56,7 +56,7 @@ private:
     }
 
     /// A robot with this software version, or the default one, and a window connected to it.
-    /// local  as with --local
+    /// `local`: start the robot in Local mode, as with --local.
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY(key->hasFocus());
-        // Longer than the key keeps its stop function after a motion.
+        // Waits longer than the key keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
@@ -273,7 +273,7 @@ private Q_SLOTS:
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        // Another connection does not know it.
+        // A new connection does not show it.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
     }
@@ -285,7 +285,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == "Close", 20'000);
         key->click();
-        // Before the next iteration of the event loop, which processes the robot's answer.
+        // The second popup arrives before the event loop processes the robot's answer.
         script::ControllerMessage next;
         next.kind = script::MessageKind::Popup;
         next.text = QStringLiteral("Close the door");
@@ -293,7 +293,7 @@ private Q_SLOTS:
         QCOMPARE(card->count(), 2);
         QTRY_COMPARE_WITH_TIMEOUT(card->count(), 1, 20'000);
         QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Close the door"));
-        // This one is closed by a separate command.
+        // The second popup is closed by a separate command.
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         key->click();
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);

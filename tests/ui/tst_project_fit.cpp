@@ -61,7 +61,7 @@ private:
     VirtualCell& cell() { return bench_->cell; }
     app::MainWindow& window() { return bench_->window; }
     UndoableDocument& document() { return window().document(); }
-    HoldButton& key(const char* name) { return bench_->find<HoldButton>(name); }
+    HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
 
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 1500; ++i) {
@@ -75,7 +75,7 @@ private:
     }
     void bringUp() {
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        driveKeys(cell(), window().findChildren<HoldButton*>().toVector());
+        driveKeys(cell(), window().findChildren<HoldToRunButton*>().toVector());
         QVERIFY(until([this] { return window().session().state().modelKnown; }));
     }
     void open(const project::Project& project) {
@@ -105,7 +105,7 @@ private:
         cell().advanceMs(300);
         return (cell().truth().tcpPose.position - before.position).norm();
     }
-    /// All buttons for positions of the project, and the session functions behind them.
+    /// Checks all buttons for positions of the project, and the session functions they call.
     void nothingMovesToThem() {
         for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
             QVERIFY2(movedBy(name) < 1e-4, name);
@@ -203,7 +203,7 @@ private Q_SLOTS:
         answer("projectFit.cancel");
         auto* notice = window().waypoints().findChild<NoticeBar*>();
         QVERIFY(notice->isVisible());
-        // Why the ghost is none: not for want of reach.
+        // The reason given for the missing ghost is the other model, not the reach.
         const QString ghost = window().findChild<SceneView*>()->ghostText();
         QVERIFY2(ghost.contains("another robot model"), qPrintable(ghost));
         window().session().disconnectFromRobot();
@@ -221,7 +221,7 @@ private Q_SLOTS:
         goTo(0);
         QVERIFY2(offFrom(before.waypoints.at(0).pose) < 0.001,
                  qPrintable(QString::number(1e3 * offFrom(before.waypoints.at(0).pose))));
-        // After undo it is the project of the other arm, and asks again.
+        // After undo the project belongs to the other arm again, and the question is shown again.
         document().undo();
         QVERIFY(document().waypoints().at(0).joints == before.waypoints.at(0).joints);
         QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));

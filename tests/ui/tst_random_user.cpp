@@ -47,7 +47,7 @@ constexpr quint32 kSeed = 20261116;
 
 // ---- expected warnings ----------------------------------------------------------------------------------------
 
-/// Of the platform without a screen, and of the simulated robot about its faults.
+/// Warnings of the platform without a screen, and of the simulated robot about its faults.
 const char* const kExpectedWarnings[] = {
     "^This plugin does not support ",
 };
@@ -135,7 +135,7 @@ struct Board {
     JointRows joints{&window};
     IoTab io{session, &window};
     SessionState state = liveState();
-    simulator::Truth truth;
+    simulator::SimulatedState truth;
     TruthCheck check{window};
 
     Board() {
@@ -455,7 +455,7 @@ private Q_SLOTS:
 };
 
 int main(int argc, char* argv[]) {
-    // Everything saved, exported and recorded goes to a temporary folder.
+    // All saved, exported and recorded files are written to a temporary folder.
     const QTemporaryDir home;
     if (!home.isValid() || !QDir::setCurrent(home.path())) {
         return 1;

@@ -6,9 +6,11 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/project/project_file.h"
 #include "robot/recording/csv_reader.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/notice_bar.h"
@@ -91,7 +93,7 @@ private:
         return best;
     }
     void drive() {
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &key("waypoint.goThrough") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -153,6 +155,20 @@ private Q_SLOTS:
         QCOMPARE(document().waypoints().size(), 0);
     }
 
+    void closingTheWindowStoresThePath() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("path.tiller");
+        window().openProject(file);
+        QTest::mouseClick(&record(), Qt::LeftButton);
+        cell().advanceMs(40);
+        (void)lead();
+        QVERIFY(!window().close());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 60'000);
+        const auto saved = project::loadProject(file);
+        QVERIFY(saved.ok());
+        QVERIFY(saved->waypoints.size() >= 2);
+    }
+
     void lostDataEndAndKeepTheRecording() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         lead();
@@ -162,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(!paths().recorder().isRecording());
     }
 
-    // The table has the columns that recordings have, and comes back as the same path.
+    // The exported table has the same columns as recordings and is read back as the same path.
     void pathIsExportedAndReadBack() {
         recordByHand();
         const auto path = kept();
@@ -239,7 +255,7 @@ private Q_SLOTS:
         QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
-    // Back reverses the motion of "Go through", including the blended path, to its start.
+    // Back reverses the motion of "Run route", including the blended path, to its start.
     void backGoesOverTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();
@@ -268,9 +284,9 @@ private Q_SLOTS:
         release(key("waypoint.goThrough"));
         cell().advanceMs(200);
         QVERIFY((cell().truth().q.values - points.back().joints.values).cwiseAbs().maxCoeff() < 1e-3);
-        QVERIFY(window().jogColumn().wayBack().size() > 10);
+        QVERIFY(window().jogColumn().retracePath().size() > 10);
         int told = 0;
-        connect(&window().jogColumn(), &JogColumn::wayBackChanged, this, [&told] { ++told; });
+        connect(&window().jogColumn(), &JogColumn::retracePathChanged, this, [&told] { ++told; });
 
         press(key("backKey"));
         QVERIFY(key("backKey").isHolding());
@@ -289,7 +305,7 @@ private Q_SLOTS:
                  "to where the motion began");
         QVERIFY2(furthest < 0.010, qPrintable(QString::number(furthest)));
         QVERIFY2(told > 3, "the view is told of the way that is left");
-        QVERIFY(window().jogColumn().wayBack().size() <= 2);
+        QVERIFY(window().jogColumn().retracePath().size() <= 2);
     }
 };
 

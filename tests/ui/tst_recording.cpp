@@ -28,7 +28,7 @@
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/formats/open_recording.h"
 #include "tests/support/window_bench.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/plots/plot_dock.h"
 
 using namespace tiller;
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("measured");
 
-        // From the menu of the Record button to the page.
+        // Opens the page from the menu of the Record button.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();
@@ -256,7 +256,7 @@ private Q_SLOTS:
         page->showRecording();
         auto* search = page->findChild<QLineEdit*>("settings.recording.search");
         auto* list = page->findChild<QListWidget*>("settings.recording.signals");
-        const auto* nothing = page->findChild<NothingFound*>("settings.recording.signals.nothingFound");
+        const auto* nothing = page->findChild<EmptyState*>("settings.recording.signals.nothingFound");
         search->setFocus();
         QTest::keyClicks(search, "tcp force");
         int shown = 0;

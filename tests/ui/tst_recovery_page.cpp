@@ -59,7 +59,7 @@ struct Bench : WindowBench {
     }
     RecoveryPage* page() { return window.findChild<RecoveryPage*>(); }
     QPushButton* key() { return page()->findChild<QPushButton*>("recoveryKey"); }
-    /// Through the header, by mouse.
+    /// Opens the page through the header, by mouse.
     bool openPage() {
         auto* step = window.findChild<QPushButton*>("nextStepButton");
         if (!until([&] { return step->isVisible() && step->text().contains("Recover"); })) {
@@ -100,9 +100,9 @@ struct Bench : WindowBench {
         return true;
     }
     /// Holds a button of the pad for a while and releases it.
-    /// Returns  distance of the TCP [mm]
+    /// Returns the distance of the TCP [mm].
     double jog() {
-        auto* key = window.findChild<HoldButton*>("jog.Z+");
+        auto* key = window.findChild<HoldToRunButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });
         driveKeys(cell, window.jogColumn().holdKeys());
         const Pose from = cell.truth().tcpPose;
@@ -167,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(!bench.key()->isEnabled());
         bench.cell.advanceMs(2200);
         QVERIFY(bench.key()->isEnabled());
-        // Not all confirmed: the button is disabled.
+        // If not all items are confirmed, the button is disabled.
         bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(false);
         QVERIFY(!bench.key()->isEnabled());
         QTest::mouseClick(bench.key(), Qt::LeftButton);
@@ -253,7 +253,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
         QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
-        // For any time: nothing unlocks automatically.
+        // Nothing unlocks automatically, however long it takes.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());
@@ -348,7 +348,7 @@ private Q_SLOTS:
         const QPointer<QCheckBox> first = bench.page()->findChild<QCheckBox*>("recoveryCheck0");
         const QRect tick = first->geometry();
 
-        // Less than a second: the page waits unchanged.
+        // If the interruption is shorter than a second, the page waits unchanged.
         bench.silence(600);
         QCOMPARE(bench.state().link, LinkState::Stale);
         QVERIFY(first && first->isVisible() && first->isChecked());
@@ -382,14 +382,14 @@ private Q_SLOTS:
         }
     }
 
-    /// All functions of the program, in a protective stop older than five seconds: it remains.
+    /// Calls all functions of the program in a protective stop older than five seconds: the stop remains.
     void noOtherActionUnlocks() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(6000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
-        // Everything that opens is closed again, without using its buttons.
+        // Closes every dialog that opens, without using its buttons.
         QTimer closer;
         connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
             // Closing a dialog may close others.

@@ -102,7 +102,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, name);
         const QTemporaryDir folder;
         const QByteArray report = crashed(folder.filePath("new folder/crash.txt"), signal);
-        QVERIFY2(report.contains("was ended by " + name), report);
+        QVERIFY2(report.contains("was terminated by " + name), report);
         // The call stack includes the handler's functions, and this program's.
         QVERIFY2(report.count("[0x") >= 3 && report.contains("tst_reports"), report);
         QVERIFY2(report.endsWith(QByteArray(kLastLine) + '\n'), report);
@@ -191,7 +191,7 @@ private Q_SLOTS:
         dialog.saveTo(zip);
         QVERIFY(unzipped(zip)["crash.txt"].contains("SIGSEGV"));
         QVERIFY(!unzipped(zip)["crash.txt"].contains("10.0.0.7"));
-        // It was reported: the next start does not offer it.
+        // The crash was reported, so the next start does not offer it again.
         QCOMPARE(QDir(bench.folder.path()).entryList({"crash*"}).size(), 0);
         notice->dismiss();
         bench.window.offerCrashReport(path);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Something to try: a sample project is offered, opened as a copy, gone through with the simulated robot, and
-// never written to.
+// Sample projects are offered, opened as a copy, run with the simulated robot, and never overwritten.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -36,7 +35,7 @@ namespace {
 struct Bench : WindowBench {
     Bench() { show(QSize(1600, 900)); }
     SampleDialog* dialog() { return window.findChild<SampleDialog*>(); }
-    /// As a hand does, through the command.
+    /// Opens the sample through its command, by mouse.
     bool open(const QString& id) {
         window.actions().find("project.sample")->trigger();
         auto* key = dialog() == nullptr ? nullptr : dialog()->findChild<QPushButton*>("sample." + id);
@@ -45,7 +44,7 @@ struct Bench : WindowBench {
         }
         QTest::mouseClick(key, Qt::LeftButton);
         window.activateWindow();
-        // The dialog goes with the next turn of the event loop, and leaves the window to the hand.
+        // The dialog is deleted in the next iteration of the event loop; the window is then active again.
         return QTest::qWaitFor([this] { return dialog() == nullptr; }) &&
                QTest::qWaitForWindowActive(&window);
     }
@@ -126,7 +125,7 @@ private Q_SLOTS:
         }
         QVERIFY(bench.store().path().isEmpty() && !bench.store().isModified());
         QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(), "a copy is no file to come back to");
-        // Unchanged, it is left without a question.
+        // An unchanged sample is closed without a question.
         const QuestionAnswer answer("unsavedCopy.stay");
         QVERIFY(bench.window.close());
         QVERIFY(!answer.wasAsked());
@@ -142,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(!bench.store().isModified());
         QCOMPARE(project::loadProject(mine)->waypoints.at(0).name, QString("mine"));
         QCOMPARE(app::Settings(bench.file).recentProjects(), QStringList{mine});
-        // Opened anew, the sample is as it was.
+        // Opened again, the sample is unchanged.
         QVERIFY(bench.open("gluing"));
         QCOMPARE(bench.window.document().waypoints().at(0).name, QString("start"));
         QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")), "nothing was saved by itself");
@@ -180,8 +179,8 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.open("pick-and-place"));
-        auto& goTo = bench.find<HoldButton>("waypoint.goTo");
-        QVector<HoldButton*> keys = bench.window.jogColumn().holdKeys();
+        auto& goTo = bench.find<HoldToRunButton>("waypoint.goTo");
+        QVector<HoldToRunButton*> keys = bench.window.jogColumn().holdKeys();
         keys << &goTo;
         driveKeys(bench.cell, keys);
         const ProjectDocument& document = bench.window.document();

@@ -46,7 +46,7 @@ private:
         }
         return true;
     }
-    void pointTo(HoldButton& key, bool there) {
+    void pointTo(HoldToRunButton& key, bool there) {
         const QPointF centre = QRectF(key.rect()).center();
         if (there) {
             QEnterEvent event(centre, centre, key.mapToGlobal(centre));
@@ -98,7 +98,7 @@ private Q_SLOTS:
     void theGhostOfHomeIsInThePicture() {
         view().grab();
         const double alone = view().camera().distance();
-        auto& home = bench_->find<HoldButton>("homeKey");
+        auto& home = bench_->find<HoldToRunButton>("homeKey");
         pointTo(home, true);
         QTRY_VERIFY(view().ghost().has_value());
         view().grab();
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
         // Along X: the line is not on any axis of the TCP.
-        auto& key = bench_->find<HoldButton>("jog.X+");
+        auto& key = bench_->find<HoldToRunButton>("jog.X+");
         press(key);
         bench_->cell.advanceMs(1500);
         release(key);
@@ -234,7 +234,7 @@ private Q_SLOTS:
         keepPicture(view(), QStringLiteral("scene-way-back"));
         view().setPaths({});
         QVERIFY2(view().grab().toImage() != with, "it can be seen");
-        auto& back = bench_->find<HoldButton>("backKey");
+        auto& back = bench_->find<HoldToRunButton>("backKey");
         press(back);
         QVERIFY(bench_->cell.advanceUntil([&] { return !back.isHolding(); }, 60'000));
         release(back);
@@ -248,7 +248,7 @@ private Q_SLOTS:
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().waypoints().teach();
         const project::Waypoint taught = window().document().waypoints().at(0);
-        auto& key = bench_->find<HoldButton>("jog.Z+");
+        auto& key = bench_->find<HoldToRunButton>("jog.Z+");
         press(key);
         bench_->cell.advanceMs(3000);
         release(key);
@@ -311,7 +311,7 @@ private Q_SLOTS:
         bench_->cell.robot.changeWorld([&solid, tcp](simulator::arm::Environment& world) {
             solid = !world.contactForce(tcp + Eigen::Vector3d(0, 0, 0.05), Eigen::Vector3d::Zero()).isZero();
         });
-        auto& key = bench_->find<HoldButton>("jog.Z+");
+        auto& key = bench_->find<HoldToRunButton>("jog.Z+");
         press(key);
         bench_->cell.advanceMs(2000);
         release(key);

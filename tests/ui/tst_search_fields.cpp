@@ -10,7 +10,7 @@
 #include "app/command_palette.h"
 #include "resources/resources.h"
 #include "tests/support/window_bench.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -43,7 +43,7 @@ private Q_SLOTS:
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("Known line"));
         bench.window.actions().find(QLatin1String(command))->trigger();
         auto& search = bench.find<QLineEdit>(field);
-        auto& nothing = bench.find<NothingFound>(list + ".nothingFound");
+        auto& nothing = bench.find<EmptyState>(list + ".nothingFound");
         QTRY_VERIFY(search.isVisible());
         QVERIFY(!nothing.isVisible());
         QTest::keyClicks(&search, known);

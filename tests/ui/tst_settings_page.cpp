@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Settings take effect immediately, are restored at the next start, and cannot become dangerous by a file: the
-// speed cap can only be raised by the user, and the header then shows it.
+// Settings take effect immediately and are restored at the next start. A settings file cannot make them
+// dangerous: the speed limit can only be raised by the user, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +47,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// By the keyboard: focus, arrow key.
+/// Selects a value by keyboard: focus, then an arrow key.
 void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     auto* box = page.findChild<QComboBox*>(name);
     QVERIFY(box != nullptr);
@@ -131,13 +131,13 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
         bench.window.jogColumn().selectors().setSpeedClass(3);  // 100 mm/s
-        auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
+        auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         press(*key);
         bench.cell.advanceMs(500);
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // As the page does; opening the page would stop the arm.
+        // Applied as by the page; opening the page itself would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the key is still held");
@@ -170,7 +170,7 @@ private Q_SLOTS:
         page->close();
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
-        auto* key = bench.window.findChild<HoldButton*>("jog.Z+");
+        auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
         // The last events of the closed page are processed before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -248,7 +248,7 @@ private Q_SLOTS:
         const Preferences read = app::readPreferences(app::SettingsView(file));
         QVERIFY(read.speedCap >= Preferences::kLowestCap && read.speedCap <= Preferences::kOrdinaryCap);
         QVERIFY(read.longestHold >= Preferences::kShortestLongestHold &&
-                read.longestHold <= Preferences::kLongestLongestHold);
+                read.longestHold <= Preferences::kMaxHoldLimit);
         QVERIFY(static_cast<int>(read.density) >= 0 && static_cast<int>(read.density) <= 2);
         QVERIFY(static_cast<int>(read.notation.length) <= 1);
         for (const DeviceTuning& tuning : read.devices) {
@@ -269,7 +269,7 @@ private Q_SLOTS:
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
-        // By the keyboard, in the field of the command.
+        // Enters the shortcut by keyboard, in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
         field->setFocus();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Transfer of all settings by one file: the user sees what is replaced in advance, it takes effect immediately, and
-// a damaged or too new file changes nothing.
+// Transfer of all settings in one file: the user sees in advance what is replaced, it takes effect
+// immediately, and a damaged file or one of a newer format changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -79,7 +79,7 @@ struct FileAnswer {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 timer.stop();
                 asked = true;
-                // As typed: a selection is ignored while the field has the focus.
+                // Enters the path as if typed: a selection is ignored while the field has the focus.
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             }
@@ -176,9 +176,9 @@ private Q_SLOTS:
 
     void tutorialProgressIsNotOverwritten() {
         Bench bench;
-        app::Settings(bench.file).setLearned({false, {"jog"}, {"measure"}});
+        app::Settings(bench.file).setTutorialProgress({false, {"jog"}, {"measure"}});
         app::Settings other(bench.folder.filePath("other.ini"));
-        other.setLearned({false, {"powerOn", "teach"}, {"recover"}});
+        other.setTutorialProgress({false, {"powerOn", "teach"}, {"recover"}});
         const QString path = bench.folder.filePath("other.json");
         QVERIFY(app::writeSettingsFile(path, other.bundle()).ok());
         app::ImportDialog* dialog = bench.ask(path);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         // The next saved value keeps the others.
         bench.window.actions().find("app.firstSteps")->trigger();
         bench.find<QAbstractButton>("firstSteps.dismiss").click();
-        const app::Learned learned = app::Settings(bench.file).learned();
+        const app::TutorialProgress learned = app::Settings(bench.file).learned();
         QVERIFY(learned.dismissed);
         QCOMPARE(learned.firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(learned.practice, QStringList("recover"));

@@ -22,7 +22,7 @@
 #include "robot/station/text/format.h"
 #include "tests/support/pseudo_translator.h"
 #include "tests/support/window_bench.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/theme.h"
 
 using namespace tiller;
@@ -39,7 +39,7 @@ struct Text {
     QStringList translations;  ///< one, or one per plural form
 };
 
-/// By context and source text.
+/// Texts by context and source text.
 using Texts = QMap<QString, Text>;
 
 Text readMessage(QXmlStreamReader& xml, QString& source) {
@@ -207,7 +207,7 @@ private Q_SLOTS:
         const LanguageTexts texts(QStringLiteral("de"));
         QCOMPARE(format::number(12.5, 2), QString("12,50"));
         QCOMPARE(format::signedNumber(-0.25, 2), QString(QChar(0x2212)) + "0,25");
-        FigureBox box;
+        DecimalSpinBox box;
         box.setDecimals(2);
         box.setRange(-10, 10);
         box.setSuffix(" mm");
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QCOMPARE(Settings(bench.file).preferences().language, QString("de"));
         QVERIFY(anew->isEnabled());
 
-        QSignalSpy closed(&bench.window, &MainWindow::closedToOpenAnew);
+        QSignalSpy closed(&bench.window, &MainWindow::closedForNewWindow);
         QTest::mouseClick(anew, Qt::LeftButton);
         QCOMPARE(closed.size(), 1);
         QVERIFY(!bench.window.isVisible());
@@ -274,7 +274,7 @@ private Q_SLOTS:
         auto* language = page.findChild<QComboBox*>("settings.language");
         language->setFocus(Qt::TabFocusReason);
         QTest::keyClick(language, Qt::Key_End);
-        QSignalSpy closed(&bench.window, &MainWindow::closedToOpenAnew);
+        QSignalSpy closed(&bench.window, &MainWindow::closedForNewWindow);
         QTest::mouseClick(page.findChild<QPushButton*>("settings.windowAnew"), Qt::LeftButton);
         QCOMPARE(closed.size(), 0);
         QVERIFY(bench.window.isVisible());

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. Every
-// packet is in the file, in order; if the connection drops one in a hundred, every gap is in it with its length.
+// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. The
+// file contains every packet, in order; if the connection drops one in a hundred, the file contains every gap
+// with its length.
 //
-// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a row
-//                        to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
+// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a
+//                        row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 
 #include <QDir>
 #include <QFileInfo>
@@ -32,7 +33,7 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
+constexpr int kWaitTimeoutMs = 120'000;
 constexpr double kPeriod = 0.002;  // [s]
 constexpr int kSeconds = 10;
 
@@ -65,14 +66,14 @@ struct Bench {
             return false;
         }
         window.session().connectTo({QStringLiteral("Simulated UR5e"), robot.listenAddress(), 0, true});
-        if (!QTest::qWaitFor([this] { return state().link == LinkState::Live; }, kPatienceMs)) {
+        if (!QTest::qWaitFor([this] { return state().link == LinkState::Live; }, kWaitTimeoutMs)) {
             return false;
         }
         window.session().takeControl();
-        return QTest::qWaitFor([this] { return state().canMove(); }, kPatienceMs);
+        return QTest::qWaitFor([this] { return state().canMove(); }, kWaitTimeoutMs);
     }
     void jog() {
-        auto& key = find<HoldButton>(between(0, 1) == 0 ? "jog.X+" : "jog.X-");
+        auto& key = find<HoldToRunButton>(between(0, 1) == 0 ? "jog.X+" : "jog.X-");
         press(key);
         QTest::qWait(between(150, 400));
         jogs += state().moving ? 1 : 0;
@@ -142,7 +143,7 @@ private Q_SLOTS:
             QVERIFY(bench.robot.inject(QStringLiteral("drop %1").arg(drop)).ok());
             auto& key = bench.find<QToolButton>("plots.record");
             QTest::mouseClick(&key, Qt::LeftButton);
-            QVERIFY(QTest::qWaitFor([&] { return bench.state().recording.rows > 0; }, kPatienceMs));
+            QVERIFY(QTest::qWaitFor([&] { return bench.state().recording.rows > 0; }, kWaitTimeoutMs));
             const double begin = bench.state().robotTime;
             while (recorded < seconds) {
                 QVERIFY2(bench.state().recording.active, qPrintable(bench.state().recording.error));
@@ -154,7 +155,7 @@ private Q_SLOTS:
             }
             QVERIFY2(bench.jogs > 0, "the arm was jogged meanwhile");
             QTest::mouseClick(&key, Qt::LeftButton);
-            QVERIFY(QTest::qWaitFor([&] { return !bench.state().recording.active; }, kPatienceMs));
+            QVERIFY(QTest::qWaitFor([&] { return !bench.state().recording.active; }, kWaitTimeoutMs));
             QVERIFY2(bench.state().recording.error.isEmpty(), qPrintable(bench.state().recording.error));
             told = bench.state().recording.lost;
             qInfo("%.1f s recorded, %d jogs", recorded, bench.jogs);

@@ -70,8 +70,8 @@ private Q_SLOTS:
         bench_ = std::make_unique<WindowBench>();
         bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
-        keys << window().findChild<HoldButton*>("payload.estimator.next");
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
+        keys << window().findChild<HoldToRunButton*>("payload.estimator.next");
         driveKeys(cell(), keys);
         cell().advanceMs(40);
         window().showTab("tools");
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
-        // Another client sets a different one: the user is asked, and nothing is changed automatically.
+        // Another client sets a different TCP: the user is asked, and nothing is changed automatically.
         window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }));
         window().tools().tcps().setState(window().session().state());
@@ -111,7 +111,7 @@ private Q_SLOTS:
         window().tools().showPage(ToolsTab::Payloads);
         cell().advanceMs(400);
         click("payload.weigh");
-        auto& next = find<HoldButton>("payload.estimator.next");
+        auto& next = find<HoldToRunButton>("payload.estimator.next");
         for (int n = 0; n < 4; ++n) {
             if (n > 0) {
                 const JointPositions from = window().session().state().q;
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(found.mass - 2.0) < 0.05);
         QVERIFY((found.centre - Eigen::Vector3d(0.02, -0.03, 0.09)).norm() < 0.005);
 
-        // Before it is set the check fails, afterwards it passes.
+        // The check fails before the payload is set, and passes afterwards.
         click("payload.check");
         QVERIFY(cell().advanceUntil([&] { return notice("payload.page").isVisible(); }, 5000));
         QVERIFY2(notice("payload.page").title().contains("wrong"),
@@ -161,19 +161,19 @@ private Q_SLOTS:
         QTRY_VERIFY((click("position.setHome"), window().document().positions().homePosition() != nullptr));
         const JointPositions home = window().document().positions().homePosition()->joints;
         keepPictures("tools-positions");
-        auto& away = find<HoldButton>("jog.Z+");
+        auto& away = find<HoldToRunButton>("jog.Z+");
         press(away);
         cell().advanceMs(600);
         release(away);
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 3000));
         QVERIFY((window().session().state().q.values - home.values).cwiseAbs().maxCoeff() > 0.005);
         cell().advanceMs(100);
-        auto& key = find<HoldButton>("homeKey");
+        auto& key = find<HoldToRunButton>("homeKey");
         press(key);
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
         release(key);
-        // After undo, the button has its previous target.
+        // After undo, the Home button has its previous target.
         window().document().undoStack().undo();
         QVERIFY(window().document().positions().homePosition() == nullptr);
     }

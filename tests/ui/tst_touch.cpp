@@ -45,7 +45,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// The rows of a table are 44 px high, which also limits widgets inside.
+/// Table rows are 44 px high, which also limits the height of widgets inside them.
 bool standsInARow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {
@@ -219,7 +219,7 @@ private Q_SLOTS:
         Bench bench(kRoomy);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
-        auto* key = bench.window.findChild<HoldButton*>("joint.0.plus");
+        auto* key = bench.window.findChild<HoldToRunButton*>("joint.0.plus");
         QVERIFY(key != nullptr);
         const double before = bench.cell.truth().q[0];
         press(*key);

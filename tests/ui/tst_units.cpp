@@ -45,7 +45,7 @@ namespace {
 
 struct Bench : WindowBench {
     Bench() { show(QSize(1600, 900)); }
-    /// By the keyboard, in the list on the settings page.
+    /// Selects an entry by keyboard, in the list on the settings page.
     void choose(const char* list, Qt::Key arrow) {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         auto* page = window.findChild<app::SettingsPage*>();
@@ -95,12 +95,12 @@ const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
 /// "in" is a word too: only after a number, or at the end of a column header.
 const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
 
-/// All texts of the window with the unit; plots are unchanged.
+/// Returns all texts of the window with the unit, except those of the plots.
 QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     const auto* plots = root.findChild<PlotDock*>();
     QStringList found;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        // Dated entries keep their texts, as in the log.
+        // Messages with a time keep their texts, as in the log.
         if (plots != nullptr &&
             (widget == plots || plots->isAncestorOf(widget) || widget->objectName() == "lastMessage")) {
             continue;
@@ -116,13 +116,13 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Places that display a length.
+/// Names of widgets that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
     "frame.table",  "frame.details.x", "frame.details.facts", "jog.Z+"};
 
-/// Those without the unit.
+/// Returns the names of the widgets in the list that do not show the unit.
 QStringList placesWithout(const QRegularExpression& figure, const QWidget& root) {
     const QStringList found = figuresIn(figure, root);
     QStringList places;
@@ -155,7 +155,7 @@ private Q_SLOTS:
         QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Move), "L", Qt::EditRole));
         QVERIFY(waypoints.setData(waypoints.index(0, WaypointModel::Blend), "5", Qt::EditRole));
         window.frames().teachFromTcp();
-        auto* key = window.findChild<HoldButton*>("jog.X+");
+        auto* key = window.findChild<HoldToRunButton*>("jog.X+");
         press(*key);
         bench.cell.advanceMs(400);
         release(*key);
@@ -164,7 +164,7 @@ private Q_SLOTS:
             window.jogColumn().travel().look();
         }
 
-        // All places in millimetres must change to inches after an update of the panels.
+        // All lengths in millimetres must change to inches after an update of the panels.
         QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
                      qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
         QVERIFY(figuresIn(kInches, window).isEmpty());
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
-    // In labels, tables and fields; copied numbers are different.
+    // Labels, tables and fields use the typographic minus; copied numbers use a hyphen.
     void everyMinusIsTheSameSign() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Actions at a waypoint, in the real window with the simulated robot: edited by keyboard and undone, shown in the
-// list, and executed by "Go through" only while its button is held.
+// list, and executed by "Run route" only while its button is held.
 
 #include <QComboBox>
 #include <QDialog>
@@ -14,7 +14,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/jog_window_test.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/io/gripper_panel.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/undoable_document.h"
@@ -85,7 +85,7 @@ private:
     QStringList said_;
 
     UndoableDocument& document() { return window().document(); }
-    HoldButton& through() { return key("waypoint.goThrough"); }
+    HoldToRunButton& through() { return key("waypoint.goThrough"); }
     WaypointsTab& tab() { return *window().findChild<WaypointsTab*>(); }
     bool output(int pin) { return (cell().truth().digitalOutputs >> pin & 1) != 0; }
     bool isAt(int row) {
@@ -107,7 +107,7 @@ private:
             QTest::qWait(1);
         }
     }
-    /// While no data arrive: waiting for them would use real time.
+    /// Advances time without data from the robot, because waiting for data would take real time.
     void passWithoutLink(int ms) {
         for (int t = 0; t < ms; t += 20) {
             for (int tick = 0; tick < 10; ++tick) {
@@ -164,7 +164,7 @@ private:
         points[0].actions = actions;
         document().insertWaypoints(0, points, "taught");
         tab().selectRow(0);
-        QVector<HoldButton*> keys = window().jogColumn().holdKeys();
+        QVector<HoldToRunButton*> keys = window().jogColumn().holdKeys();
         keys << &through() << &key("waypoint.stepOn") << &key("waypoint.stepBack") << &key("waypoint.goTo");
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
@@ -173,13 +173,13 @@ private:
                          [this](Severity, const QString& text) { said_ << text; });
         cell().advanceMs(40);
     }
-    void hold(HoldButton& button) {
+    void hold(HoldToRunButton& button) {
         QVERIFY2(button.isEnabled(), qPrintable(button.toolTip()));
         press(button);
         QVERIFY(button.isHolding());
     }
-    /// Until the motion of the button ends.
-    void holdToTheEnd(HoldButton& button) {
+    /// Holds the button until its motion ends.
+    void holdToTheEnd(HoldToRunButton& button) {
         hold(button);
         QVERIFY(until([&] { return !button.isHolding(); }));
         release(button);
@@ -225,7 +225,7 @@ private:
                 break;
         }
     }
-    /// In the dialog of the actions, which has its own event loop.
+    /// Runs `use` in the dialog of the actions, which has its own event loop.
     void inDialog(const std::function<void(QDialog&)>& use) {
         bool used = false;
         QTimer::singleShot(0, &window(), [&] {
@@ -327,7 +327,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Nor when its condition becomes true.
+        // Nothing continues when the condition becomes true either.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
     }
 
-    // Released while the command is on its way to the worker: it is not sent any more.
+    // Released before the worker has received the command: it is not sent any more.
     void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());
@@ -442,7 +442,7 @@ private Q_SLOTS:
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
         QVERIFY(activate(panel));
-        bench_->find<FigureBox>("gripper.speed").setValue(0);
+        bench_->find<DecimalSpinBox>("gripper.speed").setValue(0);
         const auto position = [&] {
             return panel.robotiq().state() ? panel.robotiq().state()->position : -1;
         };
@@ -494,7 +494,7 @@ private Q_SLOTS:
             auto* list = dialog.findChild<QListWidget*>("waypoint.actions.list");
             QCOMPARE(list->count(), 2);
             QCOMPARE(list->item(0)->text(), QString("DO 1 on"));
-            QCOMPARE(list->item(1)->text(), QString("Wait until DI 1 is on, 10 s at most"));
+            QCOMPARE(list->item(1)->text(), QString("Wait until DI 1 is on (max. 10 s)"));
             QTest::keyClick(dialog.findChild<QPushButton*>("waypoint.actions.up"), Qt::Key_Return);
             QCOMPARE(list->currentRow(), 0);
             auto* seconds = dialog.findChild<QDoubleSpinBox*>("waypoint.actions.seconds");

@@ -59,7 +59,7 @@ private Q_SLOTS:
         QTRY_VERIFY(paints.count > 0);
     }
 
-    // Content behind another tab or in a folded part does not paint either.
+    // Content behind another tab or in a folded part is not painted either.
     void nothingIsPaintedWhileHidden() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);

@@ -15,16 +15,16 @@ namespace tiller::test {
 
 class WindowHand {
 public:
-    /// home  a window that outlives the object: it receives a release whose own window was destroyed
+    /// `home`: a window that outlives the object; it receives a release whose own window was destroyed.
     explicit WindowHand(QWidget& home) : home_(home) {}
 
-    // at  in the window [px]
+    // `at`: position in the window [px].
     void press(QWidget& window, QPoint at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});
     void release(Qt::MouseButton button);
     void click(QWidget& window, QPoint at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});
     void doubleClick(QWidget& window, QPoint at, Qt::MouseButton button);
     void moveTo(QWidget& window, QPoint at);
-    /// notches  away from the user; negative: towards
+    /// `notches`: positive away from the user, negative towards the user.
     void wheel(QWidget& window, QPoint at, int notches, Qt::KeyboardModifiers modifiers = {});
 
     // Keys are sent to the window with the keyboard focus, if any.

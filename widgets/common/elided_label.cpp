@@ -7,7 +7,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kLeastWidth = 24;  ///< minimum width, independent of the text [px]
+constexpr int kMinWidth = 24;  ///< minimum width, independent of the text [px]
 
 }  // namespace
 
@@ -40,7 +40,7 @@ QSize ElidedLabel::sizeHint() const {
 
 QSize ElidedLabel::minimumSizeHint() const {
     const QSize full = sizeHint();
-    return {std::min(full.width(), kLeastWidth), full.height()};
+    return {std::min(full.width(), kMinWidth), full.height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent* event) {

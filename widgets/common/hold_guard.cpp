@@ -10,7 +10,7 @@ using control::StopCause;
 
 namespace {
 
-// Marks every key that has a guard, so that a press on one can be kept from it while another is held.
+// Marks widgets with a guard: a press on one of them is discarded while another key is held.
 constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 
 }  // namespace
@@ -42,21 +42,21 @@ void HoldGuard::setClock(const Clock& clock) {
     clock_ = &clock;
 }
 
-void HoldGuard::setTerms(HoldTerms& terms) {
+void HoldGuard::setPolicy(HoldPolicy& terms) {
     stop(StopCause::SelectionChanged);
-    rules_.setTerms(terms);
+    rules_.setPolicy(terms);
 }
 
-bool HoldGuard::press(const Grip& grip) {
+bool HoldGuard::press(const HoldSource& grip) {
     if (active()) {
-        rules_.happen(HoldNews::Kind::PressedAgain);
+        rules_.happen(HoldEvent::Kind::PressedAgain);
         return false;
     }
     if (!key_.isEnabled() || !motion_.begin) {
         return false;
     }
     if (const QString why = rules_.obstacle(&key_, grip); !why.isEmpty()) {
-        rules_.endOther();  // rule: a key of the screen while another hand holds
+        rules_.endOther();  // rule: a key on the screen is pressed while another input holds
         Q_EMIT refused({ErrorCode::Cancelled, why, {}});
         return false;
     }
@@ -72,8 +72,8 @@ bool HoldGuard::press(const Grip& grip) {
     const HoldBounds bounds = motion_.bounds ? motion_.bounds() : HoldBounds();
     hasEnd_ = bounds.longestNs > 0 && !runsToEnd_;
     beganNs_ = clock_->nowNs();
-    // A short step needs nobody who holds.
-    rules_.begin(&key_, runsToEnd_ ? Grip{Grip::By::Nobody} : grip, bounds);
+    // A short step runs to its end without being held.
+    rules_.begin(&key_, runsToEnd_ ? HoldSource{HoldSource::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();
     return true;
@@ -82,7 +82,7 @@ bool HoldGuard::press(const Grip& grip) {
 void HoldGuard::release() {
     pressed_ = false;
     if (!runsToEnd_) {
-        rules_.happen(HoldNews::Kind::LetGo);
+        rules_.happen(HoldEvent::Kind::LetGo);
     }
 }
 
@@ -91,7 +91,7 @@ void HoldGuard::pointerMoved(const QPoint& position) {
         return;
     }
     rules_.heard();
-    HoldNews news{HoldNews::Kind::PointerAt};
+    HoldEvent news{HoldEvent::Kind::PointerAt};
     news.position = position;
     rules_.happen(news);
 }
@@ -117,7 +117,7 @@ void HoldGuard::stop(StopCause cause) {
 }
 
 void HoldGuard::pump() {
-    if (!active() || rules_.happen(HoldNews::Kind::Refresh)) {
+    if (!active() || rules_.happen(HoldEvent::Kind::Refresh)) {
         return;
     }
     if (motion_.hold && !motion_.hold(id_) && active()) {

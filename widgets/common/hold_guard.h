@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What stands between a key on the screen and the motion it holds. A guard belongs to one key; it begins the
-// motion at a press, keeps it alive while the rule book (HoldRules) finds nothing, and ends it for good at
-// the first thing that is not plain holding: a stopped motion needs a new press.
+// Connects a key on the screen with the motion that runs while the key is held. Each guard belongs to one
+// key. It starts the motion on a press, refreshes it as long as no rule of HoldRules applies, and then ends
+// it. A stopped motion needs a new press.
 
 #include <QObject>
 #include <QPoint>
@@ -23,49 +23,49 @@ class HoldGuard : public QObject {
     Q_OBJECT
 
 public:
-    /// key    the widget that is held; must outlive the guard
-    /// clock  for everything that takes time
+    /// key    the held widget; must outlive the guard
+    /// clock  used for all time measurements
     explicit HoldGuard(QWidget& key, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
-    /// True for a key that has a guard: the press that stops another motion must not begin one there.
+    /// True for a key with a guard: a press that stops another motion must not start one there.
     static bool isHoldKey(const QObject& widget);
 
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
     /// terms  must outlive the guard
-    void setTerms(HoldTerms& terms);
+    void setPolicy(HoldPolicy& terms);
 
     bool active() const { return rules_.isActive(); }
 
-    /// The key was pressed. Returns false when no motion began; refused() then says why.
-    bool press(const Grip& grip = {});
-    /// The key was let go.
+    /// Handles a press of the key. Returns false if no motion was started; refused() then reports the reason.
+    bool press(const HoldSource& grip = {});
+    /// Handles the release of the key.
     void release();
-    /// The pointer or the finger is at this place of the key while it is pressed.
+    /// Handles a move of the pointer or finger on the pressed key; coordinates of the key.
     void pointerMoved(const QPoint& position);
-    /// The keyboard that holds the key says something the key itself does not see.
-    void tell(HoldNews::Kind kind) { rules_.happen(kind); }
-    /// Ends the motion, if there is one.
+    /// Forwards an event of the keyboard that the key itself does not receive.
+    void tell(HoldEvent::Kind kind) { rules_.happen(kind); }
+    /// Ends the motion if one is active.
     void stop(control::StopCause cause);
-    /// One refresh: calls hold(). A timer does this every 20 ms; tests in virtual time do it themselves.
+    /// One refresh: calls hold(). Called by a timer every 20 ms; tests with virtual time call it directly.
     void pump();
 
-    /// What is left of the longest hold [ns].
+    /// Time left until the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
 
-    /// Period of the refresh. [ms]
+    /// Period of the refresh [ms].
     static constexpr int kRefreshMs = HoldRules::kRefreshMs;
-    /// What is let go sooner was a click.
+    /// Holding for less than this time [ns] counts as a click.
     static constexpr std::int64_t kClickNs = 400 * kNsPerMs;
 
 Q_SIGNALS:
     void began();
-    /// cause  None: the motion ended by itself (it arrived, or the session or the robot stopped it)
+    /// cause  None: the motion ended without a rule (it arrived, or the session or the robot stopped it)
     void ended(tiller::control::StopCause cause);
-    /// A press that moved nothing, and why.
+    /// A press started no motion; the error contains the reason.
     void refused(const tiller::Error& error);
-    /// A key that has to be held until the arm is there was let go at once, as if a click were enough.
+    /// A key that has to be held until the arm arrives was released immediately, like a click.
     void clicked();
 
 private:
@@ -80,7 +80,7 @@ private:
     std::int64_t beganNs_ = 0;
     bool pressed_ = false;
     bool runsToEnd_ = false;
-    bool hasEnd_ = false;  ///< the motion ends by itself, if it is held for long enough
+    bool hasEnd_ = false;  ///< the motion ends by itself if it is held long enough
 };
 
 }  // namespace tiller

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one rule book by which a held motion begins and, above all, ends: for keys on the screen, held by the
-// mouse, a finger or a key of the keyboard (HoldGuard), and for what jogs without one, the armed keyboard, a
-// gamepad, a SpaceMouse (AxisJog). Each rule is one row of a table in hold_rules.cpp; the first row that
-// applies ends the motion and names the cause. What only the owner can know (another selection, a lost
-// device, sleep) it tells by ending the motion itself.
+// The rules for starting and ending hold-to-run motions. They apply to keys on the screen, held by the mouse,
+// a finger or a key of the keyboard (HoldGuard), and to jogging without such a key: by keyboard, gamepad or
+// SpaceMouse (AxisJog). Each rule is one row of a table in hold_rules.cpp; the first row that applies ends
+// the motion and sets the cause. Conditions known only to the owner (another selection, a lost device, sleep)
+// end the motion directly.
 //
-// What proves a hold:
-// - a mouse button or a key: the events of the window, and the display server as second witness (HoldWitness)
-//   where there is one, within the last 100 ms;
-// - a finger on the screen, a gamepad, a SpaceMouse: events of its own. A finger or a stick that is held
-//   quite still may say nothing for a while; the motion then goes on for at most 25 mm or 15 deg, at least
-//   100 ms and at most 2 s (HoldBounds::silenceNs), then it needs a new press. A stick whose driver reports
-//   all the time has 100 ms.
+// Evidence that a key is still held:
+// - mouse button or keyboard key: the events of the window and, where available, a query of the display
+//   server (KeyStateProbe) within the last 100 ms;
+// - finger on the screen, gamepad, SpaceMouse: their events. A finger or stick that is held still may send no
+//   events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
+//   (HoldBounds::holdTimeoutNs); after that it needs a new press. For a stick whose driver reports continuously
+//   the limit is 100 ms.
 
 #include <QEvent>
 #include <QObject>
@@ -33,44 +33,44 @@ class QWidget;
 namespace tiller {
 
 class HoldRules;
-class HoldWitness;
+class KeyStateProbe;
 
-/// By what a motion is held.
-struct Grip {
+/// The input that holds a motion.
+struct HoldSource {
     enum class By {
-        Mouse,   ///< the left button
+        Mouse,   ///< left mouse button
         Touch,   ///< one finger
         Keys,    ///< keys of the keyboard
         Device,  ///< a gamepad or a SpaceMouse
-        Nobody,  ///< a short step, which runs to its end by itself
+        Nobody,  ///< a short step that runs to its end without being held
     };
     By by = By::Mouse;
-    QList<KeyCode> keys = {};  ///< By::Keys: all of them are down
+    QList<KeyCode> keys = {};  ///< By::Keys: all of them are pressed
 };
 
-/// What holds for all keys of a window. Owned by the window, outlives its keys.
-struct HoldTerms {
-    HoldWitness* witness = nullptr;  ///< null: there is none
-    /// Of motions without an end of their own [ns].
+/// Settings and state shared by all hold-to-run keys of a window. Owned by the window, outlives its keys.
+struct HoldPolicy {
+    KeyStateProbe* witness = nullptr;  ///< null: not available
+    /// Limit for motions without an end of their own [ns].
     std::int64_t longestNs = kUsualLongestNs;
-    /// The hold under way: there is one hand at a time.
+    /// The active hold; only one is allowed at a time.
     HoldRules* holding = nullptr;
 
     static constexpr std::int64_t kUsualLongestNs = 20 * kNsPerSecond;
 };
 
-/// Something happened while a motion is held.
-struct HoldNews {
+/// An event that is checked by the rules while a motion is held.
+struct HoldEvent {
     enum class Kind {
         Event,         ///< any event of the application
-        Application,   ///< the application's state changed
-        LetGo,         ///< the key, button or finger was let go
-        PointerAt,     ///< the pointer or finger is here, in the key's coordinates
-        PressedAgain,  ///< the same key once more, with a second finger, or another key by another hand
-        OtherKey,      ///< another key of the keyboard went down
-        Modifier,      ///< a modifier of the keyboard went down or up
-        Unmatched,     ///< a press or a release of the keyboard that fits nothing
-        Refresh,       ///< 20 ms are over
+        Application,   ///< the state of the application changed
+        LetGo,         ///< the key, button or finger was released
+        PointerAt,     ///< position of the pointer or finger in coordinates of the key
+        PressedAgain,  ///< the same key was pressed again, with a second finger, or another key was pressed
+        OtherKey,      ///< another key of the keyboard was pressed
+        Modifier,      ///< a modifier of the keyboard was pressed or released
+        Unmatched,     ///< a press or release of the keyboard that does not match the known state
+        Refresh,       ///< 20 ms have elapsed
         Input,         ///< the device was read
     };
     Kind kind = Kind::Event;
@@ -92,69 +92,70 @@ public:
 
     void setClock(const Clock& clock) { clock_ = &clock; }
     /// terms  must outlive this
-    void setTerms(HoldTerms& terms) { terms_ = &terms; }
+    void setPolicy(HoldPolicy& terms) { policy_ = &terms; }
 
-    /// Why no motion may begin now, as a sentence; empty when one may.
-    /// key  that is held; null where it is none of the screen
-    QString obstacle(const QWidget* key, const Grip& grip) const;
+    /// The reason why no motion may start now, as a sentence; empty if one may start.
+    /// key  the held key; null if the input is not a key on the screen
+    QString obstacle(const QWidget* key, const HoldSource& grip) const;
 
-    /// This hand asked for a motion. If another one holds one, it ends: two hands at once are no plain holding.
+    /// This input requested a motion. Ends a motion that is held by another input: two inputs at once are not
+    /// allowed.
     void endOther();
 
-    /// A motion was begun: from now on the rules hold.
-    void begin(QWidget* key, const Grip& grip, const HoldBounds& bounds);
+    /// A motion was started; the rules apply from now on.
+    void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
     /// The motion has ended.
     void end();
     bool isActive() const { return active_; }
 
-    /// Looks the news up in the book and ends the motion if a rule applies.
-    /// Returns  true when it did
-    bool happen(const HoldNews& news);
-    bool happen(HoldNews::Kind kind) { return happen(HoldNews{kind}); }
-    /// The finger or the device said something of its own.
+    /// Checks the event against all rules and ends the motion if one applies.
+    /// Returns  true if the motion was ended
+    bool happen(const HoldEvent& news);
+    bool happen(HoldEvent::Kind kind) { return happen(HoldEvent{kind}); }
+    /// The finger or the device sent an event.
     void heard() { heardNs_ = clock_->nowNs(); }
-    /// Other keys hold from now on.
+    /// Replaces the keys that hold the motion.
     void setKeys(const QList<KeyCode>& keys);
-    void setSilence(std::int64_t ns) { bounds_.silenceNs = ns; }
-    const Grip& grip() const { return grip_; }
+    void setHoldTimeout(std::int64_t ns) { bounds_.holdTimeoutNs = ns; }
+    const HoldSource& grip() const { return grip_; }
 
-    /// What is left of the longest hold [ns].
+    /// Time left until the maximum hold duration [ns].
     std::int64_t leftNs() const;
 
-    /// The names of all rules, those for the beginning included.
+    /// The names of all rules, including the conditions for starting a motion.
     static QStringList names();
 
-    /// Period of the refresh. [ms]
+    /// Period of the refresh [ms].
     static constexpr int kRefreshMs = 20;
-    /// How far the pointer may leave the key. [px]
+    /// Maximum distance of the pointer from the key [px].
     static constexpr int kPointerSlack = 30;
-    /// A pause in the refresh, or in what the witness says, after which the motion is given up. [ms]
+    /// Maximum gap between refreshes, or between answers of the key-state check, before the motion ends [ms].
     static constexpr int kStallMs = 100;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct Book;
+    struct HoldRuleTable;
     struct HeldKey {
         KeyCode code = 0;
         std::int64_t sinceNs = 0;
     };
 
     std::int64_t now() const { return clock_->nowNs(); }
-    bool isWitnessed(const Grip& grip) const;
+    bool hasKeyStateProbe(const HoldSource& grip) const;
     template <class Test>
-    bool anyWitnessed(const Test& test) const;
-    control::StopCause whyGone() const;
+    bool anyKeyState(const Test& test) const;
+    control::StopCause hiddenCause() const;
 
     std::function<void(control::StopCause)> stop_;
     const Clock* clock_;
-    HoldTerms own_;
-    HoldTerms* terms_ = &own_;
+    HoldPolicy own_;
+    HoldPolicy* policy_ = &own_;
     bool active_ = false;
     QPointer<QWidget> key_;
     QPointer<QWidget> window_;
-    Grip grip_;
+    HoldSource grip_;
     HoldBounds bounds_;
     QList<HeldKey> keys_;
     std::int64_t beganNs_ = 0;

@@ -13,7 +13,8 @@ namespace tiller {
 /// ink   colour of the lines
 /// Returns  a null icon for an unknown name
 QIcon themedIcon(const QString& name, const QColor& ink);
-/// In the text colour of the current theme, with a disabled variant. Request it again after a change of theme.
+/// Uses the text colour of the current theme, with a disabled variant. Request it again after a change of
+/// theme.
 QIcon themedIcon(const QString& name);
 /// The application icon, in its original colours.
 QIcon applicationIcon();

@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 /// Pause between two letters of a word; longer than in the list itself, for slow typists.
-constexpr qint64 kLeastPauseMs = 1000;
+constexpr qint64 kMinPauseMs = 1000;
 
 bool isLetter(const QKeyEvent& key) {
     const QString text = key.text();
@@ -35,7 +35,7 @@ bool ListTyping::isAt(const QWidget* widget) {
 
 bool ListTyping::isGoingOn() const {
     return lastLetter_.isValid() &&
-           lastLetter_.elapsed() < std::max<qint64>(kLeastPauseMs, QApplication::keyboardInputInterval());
+           lastLetter_.elapsed() < std::max<qint64>(kMinPauseMs, QApplication::keyboardInputInterval());
 }
 
 bool ListTyping::eventFilter(QObject* watched, QEvent* event) {

@@ -17,7 +17,7 @@ namespace tiller {
 struct Notice {
     QString title;
     QString text;
-    QString accept = {};  ///< label of the primary button; empty for a message that is only closed
+    QString accept = {};  ///< label of the primary button; empty for a message that can only be closed
     std::function<void()> accepted = {};
     QString other = {};  ///< label of the second button; empty: none
     std::function<void()> otherAccepted = {};
@@ -35,7 +35,7 @@ public:
 
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    /// accept  label of the primary button; empty for a message that is only closed
+    /// accept  label of the primary button; empty for a message that can only be closed
     void show(Kind kind, const QString& title, const QString& text, const QString& accept = {},
               std::function<void()> accepted = {});
     void show(Kind kind, const Notice& notice);

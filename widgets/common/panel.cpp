@@ -95,7 +95,7 @@ void Panel::foldHeader() {
         least -= widget->isHidden() ? 0 : widthOf(widget);
     }
     header_->setMinimumWidth(least);
-    // From the last one on, as many as fit.
+    // Show as many as fit, starting with the last one.
     int room = header_->width() - least;
     for (auto widget = folding_.crbegin(); widget != folding_.crend(); ++widget) {
         room -= widthOf(*widget);

@@ -32,7 +32,7 @@ public:
     /// As addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
     /// elsewhere. The first one added is hidden first.
     void addFoldingHeaderWidget(QWidget* widget);
-    /// Replaces title and hint by a widget, e.g. a tab bar. The height of the bar does not change.
+    /// Replaces title and hint by a widget, e.g. a tab bar. The height of the title bar does not change.
     void setHeaderWidget(QWidget* widget);
     /// Takes ownership; replaces existing content.
     void setContent(QWidget* content);

@@ -49,7 +49,7 @@ public:
     int meaningOf(KeyCode code, int otherwise = 0) const { return down_.value(code, otherwise); }
     QList<KeyCode> codes() const { return down_.keys(); }
     bool isEmpty() const { return down_.isEmpty(); }
-    /// Releases may have been missed: no key counts as held any more.
+    /// Clears all pressed keys, because releases may have been missed.
     void clear();
 
 private:

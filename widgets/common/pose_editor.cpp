@@ -9,7 +9,7 @@
 
 #include "robot/core/angles.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 namespace {
@@ -23,7 +23,7 @@ bool asVector() {
 }
 
 /// The six displayed values.
-std::array<double, 6> figuresOf(const Pose& pose) {
+std::array<double, 6> displayedValues(const Pose& pose) {
     const Eigen::Vector3d position = pose.position / format::metresPerUnit();
     const Eigen::Vector3d turns =
         asVector() ? pose.rotation : Eigen::Vector3d(rpyFromRotationVector(pose.rotation) * toDegrees(1));
@@ -46,7 +46,7 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
         const auto at = static_cast<std::size_t>(i);
         auto* letter = new QLabel(QLatin1String(kLetters[at]));
         letter->setProperty("role", "secondary");
-        boxes_[at] = new FigureBox;
+        boxes_[at] = new DecimalSpinBox;
         boxes_[at]->setObjectName(name + QLatin1Char('.') + QLatin1String(kNames[at]));
         boxes_[at]->setAccessibleName(figures[at]);
         boxes_[at]->setToolTip(QStringLiteral("%1. %2").arg(figures[at], advice));
@@ -57,9 +57,9 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
         grid->addWidget(letter, i / 3, i % 3 * 2);
         grid->addWidget(boxes_[at], i / 3, i % 3 * 2 + 1);
         grid->setColumnStretch(i % 3 * 2 + 1, 1);
-        connect(boxes_[at], &FigureBox::editingFinished, this, [this, i] { take(i); });
+        connect(boxes_[at], &DecimalSpinBox::editingFinished, this, [this, i] { take(i); });
     }
-    showFigures();
+    updateValueTexts();
 }
 
 void PoseEditor::setPose(const Pose& pose) {
@@ -67,7 +67,7 @@ void PoseEditor::setPose(const Pose& pose) {
         return;  // keep a value that is being edited
     }
     pose_ = pose;
-    showFigures();
+    updateValueTexts();
 }
 
 void PoseEditor::editFirst() {
@@ -75,12 +75,12 @@ void PoseEditor::editFirst() {
     boxes_[0]->selectAll();
 }
 
-void PoseEditor::showFigures() {
-    shown_ = figuresOf(pose_);
+void PoseEditor::updateValueTexts() {
+    shown_ = displayedValues(pose_);
     const double farthest = kFarthest / format::metresPerUnit();
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         const bool length = i < 3;
-        FigureBox& box = *boxes_[i];
+        DecimalSpinBox& box = *boxes_[i];
         const QSignalBlocker quiet(box);
         box.setDecimals(length ? (Notation::current().length == LengthUnit::Inches ? 3 : 2)
                                : (asVector() ? 4 : 2));
@@ -117,7 +117,7 @@ void PoseEditor::take(int figure) {
 
 void PoseEditor::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && boxes_[5] != nullptr) {
-        showFigures();
+        updateValueTexts();
     }
     QWidget::changeEvent(event);
 }

@@ -10,14 +10,14 @@
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 class PoseEditor : public QWidget {
     Q_OBJECT
 
 public:
-    /// name    the boxes have the object names name.x ... name.rz
-    /// spoken  object of the position: "Origin", "TCP"
+    /// name    prefix of the object names: name.x ... name.rz
+    /// spoken  name for screen readers, e.g. "Origin" or "TCP"
     /// advice  one sentence about the effect of editing, for the tooltips
     PoseEditor(const QString& name, const QString& spoken, const QString& advice, QWidget* parent = nullptr);
 
@@ -26,18 +26,18 @@ public:
     void editFirst();
 
 Q_SIGNALS:
-    /// A value was edited. The other five keep the digits that are not displayed.
+    /// A value was edited. The other five keep their full precision.
     void poseEntered(const tiller::Pose& pose);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showFigures();
+    void updateValueTexts();
     void take(int figure);
 
     Pose pose_;
-    std::array<FigureBox*, 6> boxes_{};
+    std::array<DecimalSpinBox*, 6> boxes_{};
     std::array<double, 6> shown_{};
 };
 

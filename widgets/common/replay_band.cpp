@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "widgets/common/elided_label.h"
-#include "widgets/common/give_way.h"
+#include "widgets/common/reserve_height.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -52,7 +52,7 @@ void ReplayBand::tell(const QString& words) {
 void ReplayBand::setShown(bool shown) {
     if (shown == isHidden()) {
         if (above_ != nullptr) {
-            giveWay(*above_, shown ? sizeHint().height() : 0);
+            reserveHeight(*above_, shown ? sizeHint().height() : 0);
         }
         setVisible(shown);
     }

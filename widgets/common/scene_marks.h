@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What panels ask the 3D view to show besides the arm.
+// Marks that panels request in the 3D view in addition to the arm.
 
 #include <QString>
 #include <optional>
@@ -12,47 +12,47 @@
 
 namespace tiller {
 
-/// A target that is shown before the arm goes there.
+/// A target that is shown before the arm moves there.
 struct Ghost {
     QString name;
     JointPositions q;
-    bool linear = false;  ///< the TCP goes along a straight line (MoveL)
+    bool linear = false;  ///< the TCP moves along a straight line (MoveL)
     bool reachable = true;
-    double speed = 1.05;        ///< [rad/s], or [m/s] when linear, at 100 %
-    double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
-    bool otherModel = false;    ///< why it is not reachable: it was taught with another robot model
+    double speed = 1.05;        ///< [rad/s], or [m/s] if linear, at 100 %
+    double acceleration = 1.4;  ///< [rad/s2], or [m/s2] if linear
+    bool otherModel = false;    ///< not reachable because it was taught with another robot model
 };
 
-/// The arm as it stood in a moment that is replayed: never where it is now.
+/// The arm at a moment of the replay. Never shows the current position.
 struct ReplayMark {
     JointPositions q;
-    QString words;  ///< of which moment
+    QString words;  ///< description of the moment
     friend bool operator==(const ReplayMark&, const ReplayMark&) = default;
 };
 
-/// A waypoint's place.
+/// Position of a waypoint.
 struct WaypointMark {
     QString name;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP, in the base frame [m]
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< position of the TCP in the base frame [m]
     bool selected = false;
 };
 
-/// A taught frame, or one that would be made now.
+/// A taught frame, or the preview of a new one.
 struct FrameMark {
     QString name;
     Pose T_base_frame;
-    bool selected = false;  ///< in colours; the others grey
+    bool selected = false;  ///< drawn in colour; other frames are grey
 };
 
-/// A way of the TCP that is drawn as a line: where it has been, or where it will go.
+/// A path of the TCP that is drawn as a line: the past path, or the planned one.
 struct PathMark {
     enum class Kind {
-        Breadcrumb,  ///< went: what Back would undo
-        Coming,      ///< will go, once it is held
+        Breadcrumb,  ///< past path that Back would retrace
+        Coming,      ///< planned path of the key that is held next
     };
     Kind kind = Kind::Coming;
     std::vector<Eigen::Vector3d> places;  ///< corners of the line, base frame [m]
-    /// Where something stands in the way, and what: "Elbow limit".
+    /// Position and name of a limit on the path, e.g. "Elbow limit".
     struct Limit {
         Eigen::Vector3d place = Eigen::Vector3d::Zero();
         QString text;

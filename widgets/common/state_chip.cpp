@@ -89,10 +89,10 @@ StateChip::StateChip(const QString& caption, QWidget* parent) : QWidget(parent),
     setAccessibleName(caption);
 }
 
-void StateChip::setCaption(const QString& caption, GivesWay givesWay) {
-    if (caption != caption_ || givesWay != givesWay_) {
+void StateChip::setCaption(const QString& caption, ElidedPart elidedPart) {
+    if (caption != caption_ || elidedPart != elidedPart_) {
         caption_ = caption;
-        givesWay_ = givesWay;
+        elidedPart_ = elidedPart;
         updateGeometry();
         showTip();
         update();
@@ -101,8 +101,8 @@ void StateChip::setCaption(const QString& caption, GivesWay givesWay) {
 
 QString StateChip::leastCaption(const QString& caption) const {
     const QString dot = QStringLiteral(" · ");
-    return givesWay_ == GivesWay::Behind || !caption.contains(dot) ? caption.section(dot, 0, 0)
-                                                                   : caption.section(dot, 1);
+    return elidedPart_ == ElidedPart::Behind || !caption.contains(dot) ? caption.section(dot, 0, 0)
+                                                                        : caption.section(dot, 1);
 }
 
 QString StateChip::shownCaption() const {
@@ -111,7 +111,7 @@ QString StateChip::shownCaption() const {
     if (metrics.horizontalAdvance(caption_) <= room) {
         return caption_;
     }
-    return metrics.elidedText(givesWay_ == GivesWay::Before ? leastCaption() : caption_, Qt::ElideRight,
+    return metrics.elidedText(elidedPart_ == ElidedPart::Before ? leastCaption() : caption_, Qt::ElideRight,
                               room);
 }
 
@@ -163,7 +163,7 @@ int StateChip::roomOf(Shape shape, const QString& mark) {
     return shape == Shape::None ? 0 : kShapeRoom + (beside ? kMarkRoom : 0);
 }
 
-void StateChip::setFigures(bool figures) {
+void StateChip::setNumberFont(bool figures) {
     figures_ = figures;
     showTip();
     updateGeometry();
@@ -211,7 +211,7 @@ void StateChip::setMenuArrow(bool arrow) {
 
 QFont StateChip::valueFont() const {
     const int size = dense_ ? 14 : 15;
-    return figures_ ? figureFont(size) : textFont(size, isStrong() ? QFont::Bold : QFont::Normal);
+    return figures_ ? numberFont(size) : textFont(size, isStrong() ? QFont::Bold : QFont::Normal);
 }
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {

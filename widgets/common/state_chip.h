@@ -40,8 +40,8 @@ public:
 
     QString caption() const { return caption_; }
     /// The part of the caption that is elided first: the part after " · ", or the part before it.
-    enum class GivesWay { Behind, Before };
-    void setCaption(const QString& caption, GivesWay givesWay = GivesWay::Behind);
+    enum class ElidedPart { Behind, Before };
+    void setCaption(const QString& caption, ElidedPart elidedPart = ElidedPart::Behind);
     /// The caption as displayed at this width.
     QString shownCaption() const;
     QString text() const { return text_; }
@@ -49,11 +49,12 @@ public:
     Shape shape() const { return shape_; }
     /// advice  meaning and suggested action, shown as tooltip together with the text if that is elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
-    /// Up to two letters in (octagon) or next to the symbol, to distinguish states with the same symbol.
+    /// Up to two letters inside the octagon or next to the symbol, to distinguish states with the same
+    /// symbol.
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
     /// Use the fixed-width font for numbers.
-    void setFigures(bool figures);
+    void setNumberFont(bool figures);
     /// Use smaller text and margins, for a narrow window.
     void setDense(bool dense);
     /// Minimum width: the caption and this number of characters of the value; the rest is elided.
@@ -105,7 +106,7 @@ private:
     void showTip();
 
     QString caption_;
-    GivesWay givesWay_ = GivesWay::Behind;
+    ElidedPart elidedPart_ = ElidedPart::Behind;
     QString text_;
     QString mark_;
     QString advice_;

@@ -173,7 +173,7 @@ QFont textFont(int pixelSize, QFont::Weight weight) {
     return font(families, QFont::SansSerif, pixelSize, weight);
 }
 
-QFont figureFont(int pixelSize, QFont::Weight weight) {
+QFont numberFont(int pixelSize, QFont::Weight weight) {
     static const QStringList families = {QStringLiteral("DejaVu Sans Mono"),
                                          QStringLiteral("Bitstream Vera Sans Mono"), QStringLiteral("Menlo"),
                                          QStringLiteral("Consolas"), QStringLiteral("Noto Sans Mono")};

@@ -16,8 +16,8 @@ namespace tiller {
 
 enum class ColorScheme { Light, Dark };
 
-/// Colours by role. The contrast of text roles is at least 4.5:1 on all surfaces they are used on, of states and
-/// values 5:1.
+/// Colours by role. The contrast is at least 4.5:1 for text on all surfaces it is used on, and 5:1 for states
+/// and values.
 struct Theme {
     ColorScheme scheme;
 
@@ -46,7 +46,7 @@ struct Theme {
     QColor operatorNeededText;  ///< text on `operatorNeeded`
     QColor simulation;
     QColor simulationStripe;
-    QColor simulationText;  ///< text on both
+    QColor simulationText;  ///< text on `simulation` and `simulationStripe`
     QColor recording;
 
     QColor axisX, axisY, axisZ;       ///< bars, arrows, lines
@@ -89,7 +89,7 @@ inline constexpr int kCornerRadius = 6;
 /// The font of the application (with digits of equal width).
 QFont textFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 /// Fixed-width font for columns of numbers.
-QFont figureFont(int pixelSize, QFont::Weight weight = QFont::Normal);
+QFont numberFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 
 /// WCAG 2 contrast ratio of two opaque colours, 1 ... 21.
 double contrastRatio(const QColor& a, const QColor& b);

@@ -58,7 +58,7 @@ void FrameDetails::setTcp(const std::optional<Pose>& T_base_tcp) {
     showFacts();
 }
 
-void FrameDetails::editFigures() {
+void FrameDetails::editValues() {
     pose_->editFirst();
 }
 

@@ -25,12 +25,12 @@ public:
     void setFrame(const std::optional<project::Frame>& frame, int waypoints);
     /// Empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
-    void editFigures();
+    void editValues();
 
     QString headline() const;
 
 Q_SIGNALS:
-    /// The user edited a value: the new pose of the frame.
+    /// The user edited a value; contains the new pose of the frame.
     void placeEntered(const tiller::Pose& T_base_frame);
 
 protected:

@@ -139,7 +139,7 @@ QString FrameModel::display(const project::Frame& frame, int column) const {
                          format::lengthNumber(p.z(), 1, false));
         }
         case Rotation: {
-            const std::array<QString, 3> turns = format::rotationFigures(frame.T_base_frame.rotation);
+            const std::array<QString, 3> turns = format::rotationNumbers(frame.T_base_frame.rotation);
             return three(turns[0], turns[1], turns[2]);
         }
         case Waypoints:
@@ -173,7 +173,7 @@ QVariant FrameModel::data(const QModelIndex& index, int role) const {
             return QStringLiteral("%1 %2").arg(headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(),
                                                display(frame, column));
         case Qt::FontRole:
-            return column == Name || column == Waypoints ? textFont(15) : figureFont(13);
+            return column == Name || column == Waypoints ? textFont(15) : numberFont(13);
         default:
             return {};
     }

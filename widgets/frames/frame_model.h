@@ -34,7 +34,7 @@ public:
     /// `T_base_frame`.
     FrameUse use(const QUuid& id, const Pose& T_base_frame) const;
     FrameUse use(const project::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
-    /// For the distance column; empty without data.
+    /// Sets the TCP for the distance column; empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
     /// The reason why a frame cannot have this name, as a sentence; empty if it can.
@@ -56,7 +56,7 @@ private:
     QString display(const project::Frame& frame, int column) const;
 
     ProjectDocument& document_;
-    QVector<QUuid> ids_;  ///< as known to the views
+    QVector<QUuid> ids_;  ///< frames known to the views
     std::optional<Pose> tcp_;
 };
 

@@ -21,15 +21,15 @@ void FrameTable::shareWidth() {
     const int room = viewport()->width();
     // Four digits before the decimal point, and a sign, per column.
     constexpr int kName = 90;
-    constexpr int kThreeFigures = 196;
+    constexpr int kThreeDigits = 196;
     constexpr int kPoints = 58;
     constexpr int kDistance = 82;
-    setColumnWidth(FrameModel::Origin, kThreeFigures);
-    setColumnWidth(FrameModel::Rotation, kThreeFigures);
+    setColumnWidth(FrameModel::Origin, kThreeDigits);
+    setColumnWidth(FrameModel::Rotation, kThreeDigits);
     setColumnWidth(FrameModel::Waypoints, kPoints);
     setColumnWidth(FrameModel::Distance, kDistance);
     // The name needs a minimum width; hidden columns are shown in the details below.
-    const int least = kName + 2 * kThreeFigures + kPoints;
+    const int least = kName + 2 * kThreeDigits + kPoints;
     setColumnHidden(FrameModel::Distance, room < least + kDistance);
     setColumnHidden(FrameModel::Rotation, room < least);
 }

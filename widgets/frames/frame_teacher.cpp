@@ -49,7 +49,7 @@ FrameTeacher::FrameTeacher(QWidget* parent)
         auto* text = new QLabel(texts[at]);
         places_[at] = new ElidedLabel;
         places_[at]->setObjectName(QStringLiteral("frame.teacher.%1.place").arg(QLatin1String(kNames[at])));
-        places_[at]->setFont(figureFont(13));
+        places_[at]->setFont(numberFont(13));
         keys_[at] = new QPushButton(tr("Take"));
         keys_[at]->setObjectName(QStringLiteral("frame.teacher.") + QLatin1String(kNames[at]));
         keys_[at]->setAccessibleName(spoken[at]);
@@ -133,8 +133,8 @@ std::optional<Pose> FrameTeacher::preview() const {
 }
 
 QString FrameTeacher::feedback() const {
-    const QString arm = format::shortLength(project::kLeastFrameArm);
-    const QString offset = format::shortLength(project::kLeastFrameOffset);
+    const QString arm = format::shortLength(project::kMinFrameArm);
+    const QString offset = format::shortLength(project::kMinFrameOffset);
     const auto found = project::check(points_);
     switch (found.problem) {
         case Problem::NotFinite:

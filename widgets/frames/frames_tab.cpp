@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "robot/station/document/project_document.h"
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
 #include "widgets/frames/frame_editing.h"
@@ -103,7 +103,7 @@ void FramesTab::buildLayout() {
     layout->addWidget(teacher_, 1);
     layout->addWidget(details_);
     notice_ = new NoticeBar;
-    new LowerEdge(*notice_, *this, {pages_, teacher_});
+    new BottomOverlay(*notice_, *this, {pages_, teacher_});
     connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
     editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
@@ -155,7 +155,7 @@ void FramesTab::onFrames() {
         endTeaching();
     }
     showPage();
-    // The added frame (also by undo), otherwise the previous one, otherwise its neighbour.
+    // Select the added frame (also after undo), otherwise the previous one, otherwise its neighbour.
     const int row = one                       ? model_->rowOf(came)
                     : ids.contains(selected_) ? model_->rowOf(selected_)
                                               : std::min(std::max(before, 0), model_->rowCount() - 1);
@@ -263,7 +263,7 @@ QAction* FramesTab::addCommand(const QString& name, const QString& text, const Q
 }
 
 void FramesTab::buildActions() {
-    // Letters: s frame selected, l live data, t teaching three points.
+    // Requirements as letters: s frame selected, l live data, t teaching by three points.
     const auto with = [](QAction* action, const char* needs) {
         action->setProperty("needs", QLatin1String(needs));
         return action;
@@ -315,7 +315,7 @@ void FramesTab::buildActions() {
                                          [this] { table_->renameCurrent(); }),
                               "s")));
     menu->addAction(here(with(
-        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editFigures(); }), "s")));
+        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editValues(); }), "s")));
     menu->addAction(
         here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
                              [this] { withCurrent(&FrameEditing::duplicate); }),

@@ -92,7 +92,7 @@ private:
     QUuid selected_;
     QVector<QUuid> known_;  ///< the previous frames, to find the added one
     bool teaching_ = false;
-    QUuid teachingInto_;  ///< the frame to touch up; null: new frame
+    QUuid teachingInto_;  ///< the frame to touch up; null: a new frame is created
 
     QPushButton* fromTcp_ = nullptr;
     QPushButton* threePoints_ = nullptr;

@@ -19,7 +19,7 @@
 
 #include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -62,7 +62,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
     layout->setSpacing(8);
     lines->addLayout(layout);
     auto* label = new QLabel(terminal);
-    label->setFont(figureFont(13));
+    label->setFont(numberFont(13));
     label->setProperty("role", "secondary");
     label->setMinimumWidth(40);
     nameLabel_->setFont(textFont(14));
@@ -77,7 +77,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
         domain_->addItems({tr("4–20 mA"), tr("0–10 V")});
         domain_->setObjectName(id + QStringLiteral(".domain"));
         domain_->setAccessibleName(tr("%1 domain").arg(terminal));
-        wanted_ = new FigureBox;
+        wanted_ = new DecimalSpinBox;
         wanted_->setDecimals(2);
         wanted_->setObjectName(id + QStringLiteral(".wanted"));
         wanted_->setAccessibleName(tr("%1 value").arg(terminal));
@@ -159,7 +159,7 @@ void AnalogRow::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
     setAccessibleDescription(valueLabel_->text());
     setToolTip(
-        tr("%1: %2\nRight click or F2 to rename and scale.").arg(accessibleName(), valueLabel_->text()));
+        tr("%1: %2\nRight-click or F2 to rename and scale.").arg(accessibleName(), valueLabel_->text()));
 }
 
 void AnalogRow::contextMenuEvent(QContextMenuEvent* event) {
@@ -195,9 +195,9 @@ void AnalogRow::askForScale() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setObjectName(QStringLiteral("analogScale"));
     dialog->setWindowTitle(tr("Scale of %1").arg(accessibleName()));
-    auto* low = new FigureBox;
-    auto* high = new FigureBox;
-    for (FigureBox* box : {low, high}) {
+    auto* low = new DecimalSpinBox;
+    auto* high = new DecimalSpinBox;
+    for (DecimalSpinBox* box : {low, high}) {
         box->setRange(-1e6, 1e6);
         box->setDecimals(3);
     }
@@ -214,7 +214,7 @@ void AnalogRow::askForScale() {
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, dialog, [this, dialog, low, high, unit] {
-        for (FigureBox* box : {low, high}) {
+        for (DecimalSpinBox* box : {low, high}) {
             if (box->isRefused()) {
                 box->explainRefusal();
                 return;

@@ -15,9 +15,9 @@ class QPushButton;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
-/// The values at the ends of the electrical range. Without a unit: not scaled.
+/// Values at the ends of the electrical range in the user's unit. Without a unit: not scaled.
 struct AnalogScale {
     double low = 0;
     double high = 10;
@@ -80,7 +80,7 @@ private:
     QLabel* nameLabel_;
     QLabel* valueLabel_;
     QComboBox* domain_ = nullptr;
-    FigureBox* wanted_ = nullptr;
+    DecimalSpinBox* wanted_ = nullptr;
     QPushButton* set_ = nullptr;
 };
 

@@ -15,9 +15,9 @@
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/enter_key.h"
-#include "widgets/common/figure_box.h"
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -29,7 +29,7 @@ using io::RobotiqObject;
 constexpr int kGripperRefreshMs = 50;
 /// Prevents the second click of a double click on the gripper list from pressing a button that has just appeared.
 constexpr int kSettleMs = 500;
-constexpr int kMostPort = 65535;
+constexpr int kMaxTcpPort = 65535;
 /// Low initial speed; not saved.
 constexpr double kFirstSpeed = 50;
 constexpr double kFirstForce = 20;
@@ -54,7 +54,7 @@ QLabel* valueLabel(const QString& name, const QString& accessible) {
 }
 
 /// Accepts the text in the box, or explains the error.
-bool isRefused(FigureBox* box) {
+bool isRefused(DecimalSpinBox* box) {
     if (box->isRefused()) {
         box->explainRefusal();
         return true;
@@ -111,9 +111,9 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     , open_(key(tr("Open"), QStringLiteral("gripper.open"), tr("Open the gripper")))
     , close_(key(tr("Close"), QStringLiteral("gripper.close"), tr("Close the gripper")))
     , move_(key(tr("Move"), QStringLiteral("gripper.move"), tr("Move the fingers to this opening")))
-    , position_(new FigureBox)
-    , speed_(new FigureBox)
-    , force_(new FigureBox)
+    , position_(new DecimalSpinBox)
+    , speed_(new DecimalSpinBox)
+    , force_(new DecimalSpinBox)
     , remedy_(new QLabel)
     , robotiq_(session) {
     setObjectName(QStringLiteral("gripper"));
@@ -124,9 +124,9 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     build();
     choose({});
 
-    connect(kind_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
-    connect(closeOutput_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
-    connect(openOutput_, &QComboBox::activated, this, &GripperPanel::chosenByHand);
+    connect(kind_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
+    connect(closeOutput_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
+    connect(openOutput_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
     connect(activate_, &QAbstractButton::clicked, this, [this] { robotiq_.activate(); });
     connect(open_, &QAbstractButton::clicked, this,
             [this] { choice_.usesOutputs() ? setHand(false) : move(0, tr("Gripper: open")); });
@@ -161,19 +161,19 @@ void GripperPanel::build() {
         choice.model = model;
         kind_->addItem(tr("Robotiq %1").arg(QLatin1String(robotiqRange(model).name)), kindOf(choice));
     }
-    kind_->addItem(tr("One output: on closes"), QStringLiteral("output"));
+    kind_->addItem(tr("One output: on = closed"), QStringLiteral("output"));
     kind_->addItem(tr("Two outputs: open, close"), QStringLiteral("outputs"));
     closeOutput_->setObjectName(QStringLiteral("gripper.closeOutput"));
-    closeOutput_->setAccessibleName(tr("Output that closes"));
+    closeOutput_->setAccessibleName(tr("Closing output"));
     openOutput_->setObjectName(QStringLiteral("gripper.openOutput"));
-    openOutput_->setAccessibleName(tr("Output that opens"));
+    openOutput_->setAccessibleName(tr("Opening output"));
     for (QComboBox* box : {kind_, closeOutput_, openOutput_}) {
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setMinimumContentsLength(8);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     }
 
-    const std::tuple<FigureBox*, const char*, QString> figures[] = {
+    const std::tuple<DecimalSpinBox*, const char*, QString> figures[] = {
         {position_, "gripper.position", tr("Target opening")},
         {speed_, "gripper.speed", tr("Finger speed")},
         {force_, "gripper.force", tr("Finger force")}};
@@ -182,7 +182,7 @@ void GripperPanel::build() {
         box->setAccessibleName(accessible);
         box->setFixedWidth(112);
     }
-    for (FigureBox* box : {speed_, force_}) {
+    for (DecimalSpinBox* box : {speed_, force_}) {
         box->setDecimals(0);
         box->setRange(0, 100);
         box->setSuffix(QStringLiteral(" %"));
@@ -222,7 +222,7 @@ void GripperPanel::build() {
     lines->addWidget(remedy_);
     lines->addStretch();
 
-    auto* scroll = new SteadyScrollArea;
+    auto* scroll = new NoFocusScrollArea;
     scroll->setObjectName(QStringLiteral("gripper.scroll"));
     scroll->setAccessibleName(tr("Gripper"));
     scroll->setFrameShape(QFrame::NoFrame);
@@ -239,7 +239,7 @@ void GripperPanel::build() {
     // With constant height, so that nothing moves when a suggestion appears.
     remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
     listOutputs();
-    fitFigures();
+    fitValues();
     position_->setValue(position_->maximum());
 }
 
@@ -261,7 +261,7 @@ void GripperPanel::addRow(QGridLayout* grid, const QString& label, QWidget* fiel
     name->setProperty("role", "secondary");
     name->setBuddy(field);
     grid->addWidget(name, line, 0);
-    const bool figure = qobject_cast<FigureBox*>(field) != nullptr;
+    const bool figure = qobject_cast<DecimalSpinBox*>(field) != nullptr;
     grid->addWidget(field, line, 1, 1, fieldKey == nullptr && !figure ? 2 : 1,
                     figure ? Qt::AlignLeft : Qt::Alignment());
     group.append(name);
@@ -272,7 +272,7 @@ void GripperPanel::addRow(QGridLayout* grid, const QString& label, QWidget* fiel
     }
 }
 
-void GripperPanel::fitFigures() {
+void GripperPanel::fitValues() {
     const RobotiqRange& range = robotiqRange(choice_.model);
     const QSignalBlocker quiet(position_);
     const double before = position_->value();
@@ -307,7 +307,7 @@ void GripperPanel::listOutputs() {
 
 void GripperPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
-        fitFigures();
+        fitValues();
     }
     QWidget::changeEvent(event);
 }
@@ -356,7 +356,7 @@ void GripperPanel::follow(const SessionState& state) {
     }
 }
 
-void GripperPanel::chosenByHand() {
+void GripperPanel::chosenByUser() {
     GripperChoice choice = choice_;
     const QString kind = kind_->currentData().toString();
     choice.closeOutput = closeOutput_->currentIndex();
@@ -392,7 +392,7 @@ void GripperPanel::choose(const GripperChoice& choice) {
     kind_->setCurrentIndex(kind_->findData(kindOf(choice)));
     kind_->setToolTip(kind_->currentText());
     listOutputs();
-    fitFigures();
+    fitValues();
     const auto show = [](const QVector<QWidget*>& group, bool shown) {
         for (QWidget* widget : group) {
             widget->setVisible(shown);
@@ -410,7 +410,7 @@ void GripperPanel::choose(const GripperChoice& choice) {
 void GripperPanel::refollow() {
     const auto& [host, port] =
         address_.value_or(std::pair(state_.address, io::kRobotiqPort + state_.portOffset));
-    if (choice_.kind == GripperChoice::Kind::Robotiq && !robot_.isEmpty() && port <= kMostPort) {
+    if (choice_.kind == GripperChoice::Kind::Robotiq && !robot_.isEmpty() && port <= kMaxTcpPort) {
         robotiq_.follow(host, port, choice_.model);
     } else {
         robotiq_.leave();
@@ -490,7 +490,7 @@ QString GripperPanel::obstacleOfLink() const {
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
     }
-    // The same for all buttons: they become enabled together.
+    // The same text for all buttons, because they are enabled together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 
@@ -535,7 +535,7 @@ void GripperPanel::refreshRobotiq() {
                                                                        : tr("nothing"));
     const QString link = obstacleOfLink();
     const QString fault = robotiq_.faultText();
-    const bool noPort = io::kRobotiqPort + state_.portOffset > kMostPort && !address_;
+    const bool noPort = io::kRobotiqPort + state_.portOffset > kMaxTcpPort && !address_;
     const QString unknown =
         noPort ? tr("The gripper cannot be reached with this port offset.") : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();

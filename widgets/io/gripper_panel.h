@@ -27,7 +27,7 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 /// Stores the gripper by robot: its address, or "simulator". Format of GripperChoice::toText().
 struct GripperMemory {
@@ -66,10 +66,10 @@ private:
     QWidget* buildKeys();
     void addRow(QGridLayout* grid, const QString& label, QWidget* field, QVector<QWidget*>& group,
                 QWidget* key = nullptr);
-    void fitFigures();
+    void fitValues();
     void listOutputs();
     void choose(const GripperChoice& choice);
-    void chosenByHand();
+    void chosenByUser();
     void follow(const SessionState& state);
     void refollow();
     void refresh();
@@ -92,7 +92,7 @@ private:
     QString robot_;  ///< address of the robot; empty: no robot
     GripperChoice choice_;
     std::optional<std::pair<QString, int>> address_;  ///< replaces the robot's address
-    QElapsedTimer chosen_;                            ///< time since the buttons appeared
+    QElapsedTimer chosen_;                            ///< runs since the buttons appeared
     QTimer refreshTimer_;
 
     OutputGripper outputs_;
@@ -107,9 +107,9 @@ private:
     QAbstractButton* open_;
     QAbstractButton* close_;
     QAbstractButton* move_;
-    FigureBox* position_;
-    FigureBox* speed_;
-    FigureBox* force_;
+    DecimalSpinBox* position_;
+    DecimalSpinBox* speed_;
+    DecimalSpinBox* force_;
     QLabel* remedy_;
     QVector<QWidget*> ofAny_;
     QVector<QWidget*> ofRobotiq_;

@@ -89,7 +89,7 @@ void IoChannel::describe() {
     if (output_) {
         tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
                : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
-                                      : tr("\nClick to switch it %1. P: pulse. Right click: pulse, rename.")
+                                      : tr("\nClick to switch it %1. P: pulse. Right-click: pulse, rename.")
                                             .arg(state_ == State::On ? tr("off") : tr("on"));
     }
     setToolTip(tip);
@@ -138,7 +138,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
         painter.drawLine(0, height() - 1, width(), height() - 1);
     }
 
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.setPen(live ? theme.secondary : theme.disabledText);
     painter.drawText(QRect(10, 0, kTerminalWidth, height()), Qt::AlignVCenter | Qt::AlignLeft, terminal_);
     painter.setFont(textFont(14));

@@ -44,7 +44,7 @@ public:
 
 Q_SIGNALS:
     void nameChanged();
-    /// On for a moment, then off again.
+    /// The output should be switched on for a moment and then off again.
     void pulseRequested();
 
 protected:

@@ -9,11 +9,11 @@
 
 #include "robot/receive/robot_state.h"
 #include "robot/station/text/texts.h"
-#include "widgets/common/lower_edge.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/bottom_overlay.h"
+#include "widgets/common/empty_state.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/replay_band.h"
-#include "widgets/common/steady_scroll_area.h"
 #include "widgets/io/analog_row.h"
 #include "widgets/io/io_channel.h"
 #include "widgets/io/register_panel.h"
@@ -67,7 +67,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     buildAnalog(lines);
     lines->addStretch();
 
-    auto* scroll = new SteadyScrollArea;
+    auto* scroll = new NoFocusScrollArea;
     scroll->setObjectName(QStringLiteral("io.scroll"));
     scroll->setAccessibleName(tr("Inputs and outputs"));
     scroll->setFrameShape(QFrame::NoFrame);
@@ -77,7 +77,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     // The panel below is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
-    nothing_ = new NothingFound(*scroll);
+    nothing_ = new EmptyState(*scroll);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -97,7 +97,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     // At the bottom: no button moves under the pointer when it is hidden.
     layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
-    new LowerEdge(*notice_, *this, {scroll});
+    new BottomOverlay(*notice_, *this, {scroll});
 
     refreshTimer_.setSingleShot(true);
     refreshTimer_.setInterval(kRefreshMs);
@@ -190,7 +190,7 @@ void IoTab::focusSearch() {
     search_->selectAll();
 }
 
-void IoTab::sayNothingChosen() {
+void IoTab::showNoSelection() {
     Q_EMIT session_.message(Severity::Info, tr("Select a row of the I/O tab with the Tab key first."));
 }
 
@@ -211,7 +211,7 @@ int IoTab::chosenOutput() {
         }
         return channel;
     }
-    sayNothingChosen();
+    showNoSelection();
     return -1;
 }
 
@@ -234,7 +234,7 @@ void IoTab::renameChosen() {
     } else if (auto* analog = qobject_cast<AnalogRow*>(focus)) {
         analog->askForName();
     } else {
-        sayNothingChosen();
+        showNoSelection();
     }
 }
 
@@ -304,7 +304,7 @@ void IoTab::refresh() {
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
-            // Confirmed after all, or no longer known.
+            // Confirmed late, or no longer known.
             unconfirmed_ = {-1, false};
             notice_->resolve(QLatin1String(kUnconfirmed));
         }

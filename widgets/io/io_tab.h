@@ -24,7 +24,7 @@ namespace tiller {
 
 class AnalogRow;
 class IoChannel;
-class NothingFound;
+class EmptyState;
 class NoticeBar;
 class RegisterPanel;
 class ReplayBand;
@@ -67,7 +67,7 @@ public:
 
 Q_SIGNALS:
     void namesChanged();
-    /// Return from past to live data.
+    /// The user wants to return from past to live data.
     void liveWanted();
 
 private:
@@ -78,7 +78,7 @@ private:
     void ask(int output, bool on);
     /// The output with the focus, if it can be switched; otherwise shows a hint and returns -1.
     int chosenOutput();
-    void sayNothingChosen();
+    void showNoSelection();
     void buildAnalog(QVBoxLayout* layout);
     void refreshAnalog(bool known, bool stale);
 
@@ -97,9 +97,9 @@ private:
     QLabel* analogHeading_ = nullptr;
     QLabel* registerHeading_ = nullptr;
     RegisterPanel* registers_ = nullptr;
-    QVector<QLabel*> headings_;  ///< of the digital groups, by column and group
+    QVector<QLabel*> headings_;  ///< headings of the digital groups, by column and group
     QLineEdit* search_;
-    NothingFound* nothing_ = nullptr;
+    EmptyState* nothing_ = nullptr;
     NoticeBar* notice_;
 
     struct Pending {

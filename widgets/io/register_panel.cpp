@@ -11,7 +11,7 @@
 
 #include "robot/station/text/format.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -28,8 +28,8 @@ constexpr int kUpper = 24;
 RegisterPanel::RegisterPanel(QWidget* parent)
     : QWidget(parent)
     , kind_(new ChoiceBox)
-    , number_(new FigureBox)
-    , value_(new FigureBox)
+    , number_(new DecimalSpinBox)
+    , value_(new DecimalSpinBox)
     , write_(new QPushButton(tr("Write"))) {
     setObjectName(QStringLiteral("io.registers"));
     setAccessibleName(tr("General purpose registers"));
@@ -51,7 +51,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
                 value->setAccessibleName(name);
                 value->setTextInteractionFlags(Qt::TextSelectableByMouse);
                 for (QLabel* each : {label, value}) {
-                    each->setFont(figureFont(13));
+                    each->setFont(numberFont(13));
                 }
                 grid->addWidget(label, line, whole ? 0 : 2);
                 grid->addWidget(value, line, whole ? 1 : 3);
@@ -89,7 +89,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     layout->addLayout(row);
     connect(kind_, &QComboBox::currentIndexChanged, this, &RegisterPanel::fitKind);
     connect(write_, &QPushButton::clicked, this, [this] {
-        for (FigureBox* box : {number_, value_}) {
+        for (DecimalSpinBox* box : {number_, value_}) {
             if (box->isRefused()) {
                 box->explainRefusal();
                 return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// General purpose registers: the output registers reported by the robot, and one line to write an input register
-// for a program on the robot.
+// General purpose registers: shows the output registers reported by the robot, and has one line to write an
+// input register for a program on the robot.
 
 #include <QMap>
 #include <QWidget>
@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 
 class RegisterPanel : public QWidget {
     Q_OBJECT
@@ -48,8 +48,8 @@ private:
 
     QMap<QString, Row> rows_;
     QComboBox* kind_;
-    FigureBox* number_;
-    FigureBox* value_;
+    DecimalSpinBox* number_;
+    DecimalSpinBox* value_;
     QPushButton* write_;
 };
 

@@ -14,8 +14,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kHeight = 26;  // in a title bar
-constexpr int kShape = 12;   // [px] of the hand symbol next to the text
+constexpr int kHeight = 26;  // height in a title bar [px]
+constexpr int kShape = 12;   // size of the hand symbol next to the text [px]
 
 }  // namespace
 
@@ -41,9 +41,9 @@ void ArmKey::setArmed(bool armed) {
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
     setToolTip(!lock_.isEmpty() ? lock_
-               : armed ? tr("Arrows move X and Y, PgUp and PgDn move Z, with Alt they rotate, 1 to 6 with + "
-                            "and − move a joint. Space and Esc stop. To disarm, click, or wait 30 s.")
-                       : tr("While armed, the arrow keys move the arm as long as they are held. A frame "
+               : armed ? tr("Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + "
+                            "and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.")
+                       : tr("While armed, the arrow keys move the arm as long as they are held. A border "
                             "surrounds the window."));
 }
 

@@ -15,7 +15,7 @@ public:
     explicit ArmKey(QWidget* parent = nullptr);
 
     void setArmed(bool armed);
-    /// why  the keyboard cannot be armed, as a sentence; empty when it can
+    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can
     void setLock(const QString& why);
     bool isArmed() const { return isChecked(); }
 

@@ -33,10 +33,10 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
     return target;
 }
 
-std::int64_t jogSilenceNs(const control::JogTarget& target) {
+std::int64_t jogTimeoutNs(const control::JogTarget& target) {
     return target.kind == control::JogTarget::Kind::Joint
-               ? HoldBounds::silenceAt(0, target.qd.values.cwiseAbs().maxCoeff())
-               : HoldBounds::silenceAt(target.twist.linear.norm(), target.twist.angular.norm());
+               ? HoldBounds::holdTimeoutAt(0, target.qd.values.cwiseAbs().maxCoeff())
+               : HoldBounds::holdTimeoutAt(target.twist.linear.norm(), target.twist.angular.norm());
 }
 
 AxisJog::AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
@@ -60,9 +60,9 @@ void AxisJog::setClock(const Clock& clock) {
     rules_.setClock(clock);
 }
 
-void AxisJog::setTerms(HoldTerms& terms) {
+void AxisJog::setPolicy(HoldPolicy& terms) {
     stop(StopCause::SelectionChanged);
-    rules_.setTerms(terms);
+    rules_.setPolicy(terms);
 }
 
 control::JogTarget AxisJog::target() const {
@@ -75,18 +75,18 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
         // Another input source than the active one. It is ignored while it is neutral.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         if (!released) {
-            rules_.happen(HoldNews::Kind::PressedAgain);
+            rules_.happen(HoldEvent::Kind::PressedAgain);
         }
         return;
     }
     input_ = deflection;
     factor_ = factor;
     if (isActive()) {
-        rules_.happen(HoldNews::Kind::Input);
+        rules_.happen(HoldEvent::Kind::Input);
         rules_.heard();
     }
     if (released) {
-        rules_.happen(HoldNews::Kind::LetGo);
+        rules_.happen(HoldEvent::Kind::LetGo);
         // Releasing the enabling button is not sufficient: the stick has to return to the centre.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         return;
@@ -109,7 +109,7 @@ void AxisJog::begin() {
     if (why.isEmpty()) {
         why = obstacle_();
     } else {
-        rules_.endOther();  // rule: keyboard or stick while a button is held
+        rules_.endOther();  // rule: keyboard or stick input while a button is held
     }
     if (!why.isEmpty()) {
         Q_EMIT refused(why);
@@ -126,16 +126,16 @@ void AxisJog::begin() {
     Q_EMIT began();
 }
 
-void AxisJog::tell(HoldNews::Kind kind) {
-    if (input_.grip.by == Grip::By::Keys) {
+void AxisJog::tell(HoldEvent::Kind kind) {
+    if (input_.grip.by == HoldSource::By::Keys) {
         rules_.happen(kind);
-    } else if (kind == HoldNews::Kind::OtherKey) {
-        rules_.happen(HoldNews::Kind::PressedAgain);  // rule: a motion key in addition to a stick
+    } else if (kind == HoldEvent::Kind::OtherKey) {
+        rules_.happen(HoldEvent::Kind::PressedAgain);  // rule: a motion key in addition to a stick
     }
 }
 
-std::int64_t AxisJog::silenceNs() const {
-    return jogSilenceNs(target());
+std::int64_t AxisJog::holdTimeoutNs() const {
+    return jogTimeoutNs(target());
 }
 
 void AxisJog::stop(StopCause cause) {
@@ -159,7 +159,7 @@ void AxisJog::finish() {
 }
 
 void AxisJog::pump() {
-    if (!isActive() || rules_.happen(HoldNews::Kind::Refresh)) {
+    if (!isActive() || rules_.happen(HoldEvent::Kind::Refresh)) {
         return;
     }
     if (!port_.hold(id_) && isActive()) {

@@ -22,9 +22,9 @@ struct Deflection {
     Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the selected frame
     Vector6 joints = Vector6::Zero();  ///< single joints; only used if all axes are 0
     bool deadMan = false;
-    /// Grip::By::Keys with the held keys, or Device: must be refreshed continuously; a missing refresh means that
+    /// HoldSource::By::Keys with the held keys, or Device: must be refreshed continuously; a missing refresh means that
     /// reading the device hangs.
-    Grip grip = {Grip::By::Keys};
+    HoldSource grip = {HoldSource::By::Keys};
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
@@ -34,7 +34,7 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
                                     double factor, const control::MotionLimits& limits);
 
 /// Maximum time without input from a finger or stick at this velocity [ns].
-std::int64_t jogSilenceNs(const control::JogTarget& target);
+std::int64_t jogTimeoutNs(const control::JogTarget& target);
 
 /// Threads  GUI
 class AxisJog : public QObject {
@@ -49,23 +49,23 @@ public:
 
     void setClock(const Clock& clock);
     /// terms  must outlive the object
-    void setTerms(HoldTerms& terms);
+    void setPolicy(HoldPolicy& terms);
     /// The newest state of the device. No effect if unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
-    /// Ends the motion, if any; the device must return to neutral.
+    /// Ends an active motion; the device must then return to neutral.
     void stop(control::StopCause cause);
     /// Requires a neutral position of this source before the next motion.
-    void requireNeutral(Grip::By by) { neutralOf(by) = false; }
+    void requireNeutral(HoldSource::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
     /// The last input of the current motion, and its factor of the selected speed.
     const Deflection& input() const { return input_; }
     double factor() const { return factor_; }
     /// True while a stopped source has not returned to neutral.
-    bool waitsForNeutral(Grip::By by) { return !neutralOf(by); }
-    /// An event of the keyboard for its motion.
-    void tell(HoldNews::Kind kind);
+    bool waitsForNeutral(HoldSource::By by) { return !neutralOf(by); }
+    /// Forwards a keyboard event to the rules of the motion held by keys.
+    void tell(HoldEvent::Kind kind);
     /// Maximum time without input from a stick at the current speed [ns].
-    std::int64_t silenceNs() const;
+    std::int64_t holdTimeoutNs() const;
     /// Remaining time of the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
     /// One refresh, called by a timer every 20 ms, or by tests in virtual time.
@@ -81,7 +81,9 @@ Q_SIGNALS:
 private:
     void begin();
     void finish();
-    bool& neutralOf(Grip::By by) { return by == Grip::By::Device ? deviceNeutral_ : keysNeutral_; }
+    bool& neutralOf(HoldSource::By by) {
+        return by == HoldSource::By::Device ? deviceNeutral_ : keysNeutral_;
+    }
     control::JogTarget target() const;
 
     const MotionPort& port_;

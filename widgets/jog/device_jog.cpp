@@ -17,8 +17,8 @@ DeviceTuning DeviceTuning::sane() const {
         return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
     };
     const DeviceTuning first;
-    return {within(deadZone, kLeastDeadZone, kMostDeadZone, first.deadZone),
-            within(exponent, 1.0, kMostExponent, first.exponent), dominantAxis};
+    return {within(deadZone, kMinDeadZone, kMaxDeadZone, first.deadZone),
+            within(exponent, 1.0, kMaxExponent, first.exponent), dominantAxis};
 }
 
 Vector6 shaped(const Vector6& axes, const DeviceTuning& tuning) {
@@ -89,7 +89,7 @@ void DeviceJog::use(const InputDevice* device) {
     heardNs_ = clock_->nowNs();
     if (device != nullptr) {
         // The first state of a device must be neutral.
-        jog_.requireNeutral(Grip::By::Device);  // rule: neutral before the first motion
+        jog_.requireNeutral(HoldSource::By::Device);  // rule: neutral before the first motion
     }
     Q_EMIT devicesChanged();
 }
@@ -116,7 +116,7 @@ void DeviceJog::tune(const QString& kind, const DeviceTuning& tuning) {
     if (used_ != nullptr && used_->shape().kind == kind) {
         // The same deflection now means another speed.
         jog_.stop(StopCause::SelectionChanged);
-        jog_.requireNeutral(Grip::By::Device);
+        jog_.requireNeutral(HoldSource::By::Device);
     }
     tunings_[kind] = sane;
     Q_EMIT tuned(kind, sane);
@@ -133,7 +133,7 @@ DeviceReading DeviceJog::reading(const InputDevice* device) const {
 
 Deflection DeviceJog::wish(const InputDevice* device) const {
     Deflection deflection;
-    deflection.grip = {Grip::By::Device};
+    deflection.grip = {HoldSource::By::Device};
     if (device != nullptr) {
         const DeviceReading now = reading(device);
         deflection.axes = shaped(now.axes, shape(*device));
@@ -151,7 +151,7 @@ void DeviceJog::poll() {
             continue;
         }
         if (devices_[i].get() == used_) {
-            jog_.stop(StopCause::DeviceLost);  // rule: the device is gone
+            jog_.stop(StopCause::DeviceLost);  // rule: the device was disconnected
             jog_.setInput(wish(nullptr));
             used_ = nullptr;
             Q_EMIT lost(devices_[i]->name());
@@ -174,7 +174,7 @@ void DeviceJog::poll() {
 
 void DeviceJog::follow(const DeviceReading& now) {
     if (now.stop && !stopHeld_) {
-        jog_.stop(StopCause::StopButton);  // rule: the device's stop key
+        jog_.stop(StopCause::StopButton);  // rule: the stop button of the device
         Q_EMIT stopPressed();
     }
     stopHeld_ = now.stop;
@@ -185,28 +185,28 @@ void DeviceJog::follow(const DeviceReading& now) {
         heardNs_ = nowNs;
     }
     const bool wasSilent = silent_;
-    silent_ = !wanted.isNeutral() && nowNs - heardNs_ > silenceAtMost().count();
+    silent_ = !wanted.isNeutral() && nowNs - heardNs_ > maxReportInterval().count();
     if (silent_) {
         wanted = wish(nullptr);
         if (!wasSilent && jog_.isActive()) {
-            jog_.stop(StopCause::DeviceLost);  // rule: the device falls silent
-            Q_EMIT fellSilent(used_->name());
+            jog_.stop(StopCause::DeviceLost);  // rule: the device stops reporting
+            Q_EMIT stoppedReporting(used_->name());
         }
     }
     // A neutral device does not disturb other inputs.
     const bool neutral = wanted.isNeutral();
-    if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral(Grip::By::Device) && !jog_.isActive())) {
+    if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral(HoldSource::By::Device) && !jog_.isActive())) {
         jog_.setInput(wanted);
     }
     wasNeutral_ = neutral;
     if (now.stop || silent_) {
-        jog_.requireNeutral(Grip::By::Device);
+        jog_.requireNeutral(HoldSource::By::Device);
     }
 }
 
-std::chrono::nanoseconds DeviceJog::silenceAtMost() const {
-    const std::chrono::nanoseconds atMost = used_->shape().silenceAtMost;
-    return jog_.isActive() ? std::min(atMost, std::chrono::nanoseconds(jog_.silenceNs())) : atMost;
+std::chrono::nanoseconds DeviceJog::maxReportInterval() const {
+    const std::chrono::nanoseconds atMost = used_->shape().maxReportInterval;
+    return jog_.isActive() ? std::min(atMost, std::chrono::nanoseconds(jog_.holdTimeoutNs())) : atMost;
 }
 
 }  // namespace tiller

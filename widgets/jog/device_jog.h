@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it was enabled here, only while its
-// enabling button is held, and after any stop only once it has returned to neutral; see HoldRules.
+// Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it was enabled here and while its
+// enabling button is held. After a stop it must first return to neutral; see HoldRules.
 
 #include <QMap>
 #include <QObject>
@@ -53,7 +53,7 @@ Q_SIGNALS:
     void lost(const QString& name);
     /// The device in use stopped reporting during a motion, which was ended. It is still connected and has to
     /// return to neutral.
-    void fellSilent(const QString& name);
+    void stoppedReporting(const QString& name);
     void tuned(const QString& kind, const tiller::DeviceTuning& tuning);
     /// The stop button of the device in use.
     void stopPressed();
@@ -61,7 +61,7 @@ Q_SIGNALS:
 private:
     void look();
     void follow(const DeviceReading& now);
-    std::chrono::nanoseconds silenceAtMost() const;
+    std::chrono::nanoseconds maxReportInterval() const;
 
     AxisJog& jog_;
     const Clock* clock_ = &SteadyClock::shared();
@@ -69,10 +69,10 @@ private:
     std::vector<std::unique_ptr<InputDevice>> devices_;
     std::vector<DeviceReading> readings_;  ///< one per device
     const InputDevice* used_ = nullptr;
-    QMap<QString, DeviceTuning> tunings_;  ///< by type; missing types use their defaults
+    QMap<QString, DeviceTuning> tunings_;  ///< settings by device type; missing types use their defaults
     bool stopHeld_ = false;
     bool wasNeutral_ = false;   ///< last input
-    bool silent_ = false;       ///< deflected without reports
+    bool silent_ = false;       ///< deflected, but not reporting
     std::int64_t heardNs_ = 0;  ///< time of its last report
     QTimer pollTimer_;
     QTimer lookTimer_;

@@ -16,7 +16,7 @@
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/density.h"
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -38,8 +38,8 @@ QString unbroken(QString text) {
 
 }  // namespace
 
-QString whichWay(const JogSelection& selection, const Deflection& deflection,
-                 const control::MotionLimits& limits) {
+QString motionText(const JogSelection& selection, const Deflection& deflection,
+                   const control::MotionLimits& limits) {
     if (deflection.axes.isZero()) {
         return {};
     }
@@ -159,9 +159,9 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     boxes->addWidget(use_);
     layout->addLayout(boxes);
     auto* keyboard =
-        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows X and Y, PgUp and PgDn Z, with Alt rotation, 1 "
-                      "to 6 with + and − joints, Home, End align, Backspace back, F Freedrive. Ctrl slower, "
-                      "Shift faster. Space and Esc stop."));
+        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 "
+                      "to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; "
+                      "Ctrl: slower; Shift: faster. Space and Esc stop."));
     keyboard->setWordWrap(true);
     keyboard->setProperty("role", "secondary");
     layout->addWidget(keyboard);
@@ -218,7 +218,7 @@ void DeviceTrainer::refresh() {
         way_ = QStringLiteral("–");
         direction_->setText(way_);
         bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
-        makeRoom(*this);
+        fitToContents(*this);
         return;
     }
     const DeviceShape shape = devices_.shape(*device);
@@ -226,11 +226,11 @@ void DeviceTrainer::refresh() {
     hint_->setText(shape.directions);
     deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)
                                    : tr("○ not held: hold the %1").arg(shape.deadManName));
-    const QString way = whichWay(selection_(), wish, limits_());
+    const QString way = motionText(selection_(), wish, limits_());
     way_ = way.isEmpty() ? tr("nothing: neutral") : way;
     direction_->setText(unbroken(way_));
     bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 }  // namespace tiller

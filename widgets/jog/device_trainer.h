@@ -19,8 +19,8 @@ namespace tiller {
 class DeviceBars;
 
 /// e.g. "X+ 34 mm/s, Rz− 5 °/s in Base"; empty if the arm would not move.
-QString whichWay(const JogSelection& selection, const Deflection& deflection,
-                 const control::MotionLimits& limits);
+QString motionText(const JogSelection& selection, const Deflection& deflection,
+                   const control::MotionLimits& limits);
 
 class DeviceTrainer : public QDialog {
     Q_OBJECT

@@ -60,11 +60,11 @@ public:
         shape.kind = kGamepadKind;
         // SDL reports changes only. A pad with a gyroscope always has changes; the sticks of other pads may be
         // constant for a while.
-        shape.silenceAtMost = std::chrono::milliseconds(gyro_ ? 100 : 2000);
-        shape.deadManName = QCoreApplication::translate("Gamepad", "left shoulder");
+        shape.maxReportInterval = std::chrono::milliseconds(gyro_ ? 100 : 2000);
+        shape.deadManName = QCoreApplication::translate("Gamepad", "left bumper");
         shape.directions = QCoreApplication::translate("Gamepad",
                                                        "Left stick: X and Y. Right stick: Z and rotation. "
-                                                       "Hold the right shoulder to rotate with both sticks.");
+                                                       "Hold the right bumper to rotate with both sticks.");
         return shape;
     }
     std::optional<DeviceReading> read() override {

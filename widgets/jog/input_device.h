@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Interface to gamepads and SpaceMouse: name, properties, and the current axes and enabling button. Tests provide
-// simulated devices.
+// Interface to gamepads and SpaceMouse: name, properties, and the current axes and enabling button. Tests
+// provide simulated devices.
 
 #include <QString>
 #include <chrono>
@@ -17,12 +17,12 @@ namespace tiller {
 /// Conversion of raw axes to an input, adjustable by the user.
 struct DeviceTuning {
     double deadZone = 0.08;     ///< fraction of the full deflection
-    double exponent = 1.0;      ///< of the curve outside of the dead zone
+    double exponent = 1.0;      ///< exponent of the curve outside of the dead zone
     bool dominantAxis = false;  ///< only the axis with the largest deflection is used
 
-    static constexpr double kLeastDeadZone = 0.03;
-    static constexpr double kMostDeadZone = 0.50;
-    static constexpr double kMostExponent = 4.0;
+    static constexpr double kMinDeadZone = 0.03;
+    static constexpr double kMaxDeadZone = 0.50;
+    static constexpr double kMaxExponent = 4.0;
     /// Limited to valid ranges; NaN is replaced by the default.
     DeviceTuning sane() const;
     friend bool operator==(const DeviceTuning&, const DeviceTuning&) = default;
@@ -30,11 +30,12 @@ struct DeviceTuning {
 
 struct DeviceShape : DeviceTuning {
     QString kind;         ///< the settings apply to all devices of a type: "gamepad"
-    QString deadManName;  ///< name of the enabling button, e.g. "left shoulder"
+    QString deadManName;  ///< name of the enabling button, e.g. "left bumper"
     QString directions;   ///< axes and their motions, in a sentence
-    /// A hand is never perfectly still: after this time of deflection without a report, the device or its driver
-    /// hangs, and its last value is invalid. Values above 100 ms are limited by HoldBounds::silenceAt().
-    std::chrono::milliseconds silenceAtMost{100};
+    /// A hand is never perfectly still. If a deflected device does not report for this time, the device or
+    /// its driver hangs and its last value is invalid. Values above 100 ms are limited by
+    /// HoldBounds::holdTimeoutAt().
+    std::chrono::milliseconds maxReportInterval{100};
 };
 
 inline const QString kGamepadKind = QStringLiteral("gamepad");
@@ -56,7 +57,7 @@ public:
     virtual ~InputDevice() = default;
     virtual QString name() const = 0;
     virtual DeviceShape shape() const = 0;
-    /// Its current state; empty after it was disconnected.
+    /// The current state of the device; empty after it was disconnected.
     virtual std::optional<DeviceReading> read() = 0;
 };
 

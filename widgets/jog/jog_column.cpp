@@ -21,7 +21,7 @@
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/text_entry.h"
 #include "widgets/jog/arm_key.h"
@@ -45,8 +45,8 @@ constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the selector of pose or joints
-/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above it are
-/// slightly smaller.
+/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above
+/// it are slightly smaller.
 constexpr int kTightBelow = 570;
 
 /// Button sizes of the pad: normal, minimum with all joints, and folded.
@@ -74,7 +74,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// With the digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// Uses the number of digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
@@ -149,7 +149,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     });
     ghosts_ = new KeyGhosts(this);
     connect(ghosts_, &KeyGhosts::wanted, this, &JogColumn::ghostWanted);
-    connect(ghosts_, &KeyGhosts::gone, this, &JogColumn::ghostGone);
+    connect(ghosts_, &KeyGhosts::gone, this, &JogColumn::ghostHidden);
     connectKeys();
     connectBottom();
     connect(selectors_, &JogSelectors::changing, this, &JogColumn::stopMotion);
@@ -182,7 +182,7 @@ JogColumn::~JogColumn() {
     stopMotion(StopCause::WindowClosed);
 }
 
-std::vector<JointPositions> JogColumn::wayBack() const {
+std::vector<JointPositions> JogColumn::retracePath() const {
     return {track_->places().begin(), track_->places().end()};
 }
 
@@ -193,8 +193,8 @@ void JogColumn::setHome(const JointPositions& home, bool ofProject) {
     showSpeeds();
 }
 
-QVector<HoldButton*> JogColumn::holdKeys() const {
-    QVector<HoldButton*> keys;
+QVector<HoldToRunButton*> JogColumn::holdKeys() const {
+    QVector<HoldToRunButton*> keys;
     for (JogKey* key : pad_->keys()) {
         keys.append(key);
     }
@@ -205,22 +205,22 @@ QVector<HoldButton*> JogColumn::holdKeys() const {
     return keys;
 }
 
-void JogColumn::setHoldTerms(HoldTerms& terms) {
-    for (HoldButton* key : holdKeys()) {
-        key->guard().setTerms(terms);
+void JogColumn::setHoldPolicy(HoldPolicy& terms) {
+    for (HoldToRunButton* key : holdKeys()) {
+        key->guard().setPolicy(terms);
     }
-    axisJog_->setTerms(terms);
+    axisJog_->setPolicy(terms);
 }
 
 void JogColumn::stopMotion(StopCause cause) {
-    for (HoldButton* key : holdKeys()) {
+    for (HoldToRunButton* key : holdKeys()) {
         key->guard().stop(cause);
     }
     axisJog_->stop(cause);
 }
 
 bool JogColumn::isHolding() const {
-    for (const HoldButton* key : holdKeys()) {
+    for (const HoldToRunButton* key : holdKeys()) {
         if (key->isHolding()) {
             return true;
         }
@@ -229,9 +229,9 @@ bool JogColumn::isHolding() const {
 }
 
 void JogColumn::applyState(const SessionState& state) {
-    const bool sameTerms = state.speedFraction == state_.speedFraction && state.speedCap == state_.speedCap &&
-                           state.hasData() == state_.hasData() && state.tcpOffset == state_.tcpOffset &&
-                           state.model == state_.model;
+    const bool sameConditions = state.speedFraction == state_.speedFraction &&
+                                state.speedCap == state_.speedCap && state.hasData() == state_.hasData() &&
+                                state.tcpOffset == state_.tcpOffset && state.model == state_.model;
     state_ = state;
     ghosts_->setState(state);
     travel_->setState(state);
@@ -247,31 +247,31 @@ void JogColumn::applyState(const SessionState& state) {
     } else if (valid && state.link == LinkState::Live) {
         track_->record(state.q);
     }
-    tellWayBack();
+    reportRetracePath();
     const bool stale = state.link != LinkState::Live;
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
     pose_->setTcp(state.tcpOffset);
-    pose_->setSpeed(state.moving ? state.tcpSpeed : Twist());
+    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());  // late: the last known one
     lightKeys();
     if (shownJog_) {
         showJog();  // in the tool frame the direction rotates with the tool
     }
     showFactor();
-    if (!sameTerms || !near(state.q, speedsAt_, 0.01)) {
+    if (!sameConditions || !near(state.q, speedsAt_, 0.01)) {
         speedsKnown_ = false;
     }
     showSpeeds();
     showReason();
 }
 
-void JogColumn::tellWayBack() {
-    // Every sixth of sixty frames per second, because thousands of positions are passed.
+void JogColumn::reportRetracePath() {
+    // Every sixth frame (of sixty per second), because the path can have thousands of positions.
     constexpr int kFrames = 6;
-    if (++wayBackFrames_ >= kFrames && track_->revision() != wayBackTold_) {
-        wayBackFrames_ = 0;
-        wayBackTold_ = track_->revision();
-        Q_EMIT wayBackChanged();
+    if (++retracePathFrames_ >= kFrames && track_->revision() != retracePathReported_) {
+        retracePathFrames_ = 0;
+        retracePathReported_ = track_->revision();
+        Q_EMIT retracePathChanged();
     }
 }
 
@@ -280,7 +280,7 @@ void JogColumn::showFrame() {
 }
 
 void JogColumn::lightKeys() {
-    for (HoldButton* key : holdKeys()) {
+    for (HoldToRunButton* key : holdKeys()) {
         key->setConfirmed(state_.moving && key->isHolding());
     }
     if (!state_.moving || !axisJog_->isActive()) {
@@ -317,7 +317,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // Small sideways deflections do not change the displayed direction.
+    // Smaller sideways deflections do not change the displayed direction.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -508,7 +508,7 @@ void JogColumn::arrange() {
 
 void JogColumn::buildBottom(QVBoxLayout* layout) {
     const auto make = [this](const QString& text, const char* name, const QString& tip) {
-        auto* key = new HoldButton(text, this);
+        auto* key = new HoldToRunButton(text, this);
         key->setObjectName(QLatin1String(name));
         key->setToolTip(tip);
         key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -517,19 +517,19 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
     freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
     homeKey_ = make(tr("Home"), "homeKey", tr("Moves every joint to the home position while held"));
     align_ = make(tr("Align"), "alignKey",
-                  tr("Turns the tool to the nearest axis of the chosen frame while held"));
+                  tr("Rotates the tool to the nearest axis of the selected frame while held"));
     back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kSideMargin, kAboveKeys, kSideMargin, 0);
     row->setSpacing(8);
-    for (HoldButton* key : {freedrive_, homeKey_, align_, back_}) {
+    for (HoldToRunButton* key : {freedrive_, homeKey_, align_, back_}) {
         row->addWidget(key);
     }
     layout->addLayout(row);
 }
 
-void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
+void JogColumn::guardMotion(HoldToRunButton* key, HoldMotion motion, bool modified) {
     motion.begin = [this, begin = std::move(motion.begin)]() -> Result<RobotSession::MotionId> {
         if (!state_.canMove()) {
             return Error{ErrorCode::NotInControl, cannotMoveReason(state_), {}};
@@ -546,7 +546,7 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     });
     connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        // Our own refusal is a whole sentence already.
+        // Errors created by Tiller are already complete sentences.
         const bool own = !state_.canMove() || error.code == ErrorCode::UnsafeState ||
                          error.code == ErrorCode::Cancelled ||
                          (error.code == ErrorCode::NoSolution && error.controllerMessage.isEmpty());
@@ -559,7 +559,7 @@ void JogColumn::guardMotion(HoldButton* key, HoldMotion motion, bool modified) {
     });
 }
 
-void JogColumn::guardKey(HoldButton* key, const Begin& begin, Steps steps) {
+void JogColumn::guardKey(HoldToRunButton* key, const Begin& begin, Steps steps) {
     guardMotion(key,
                 {
                     .begin = begin,
@@ -649,7 +649,7 @@ void JogColumn::connectBottom() {
                          kinematics::jointSpeedBound(state_.dh, from, to, state_.tcpOffset, tcpSpeed).speed});
     });
     guardMotion(back_, track_->motion(), false);
-    for (HoldButton* key : {homeKey_, align_, back_}) {
+    for (HoldToRunButton* key : {homeKey_, align_, back_}) {
         key->setWidestDetail(QStringLiteral("000 mm/s"));
     }
 }
@@ -671,25 +671,25 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
 }
 
 Result<RobotSession::MotionId> JogColumn::beginJog(const control::JogTarget& target) {
-    bounds_ = {0, jogSilenceNs(target)};
+    bounds_ = {0, jogTimeoutNs(target)};
     return port_.beginJog(target);
 }
 
 Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) {
     const bool linear = request.kind == MoveRequest::Kind::MoveL;
     bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)),
-               HoldBounds::silenceAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
+               HoldBounds::holdTimeoutAt(linear ? request.speed : 0, linear ? 0 : request.speed)};
     return port_.beginMove(request);
 }
 
 /// Shown in the last seconds of the maximum hold duration of a motion without another end.
 QString JogColumn::countdown() const {
-    constexpr std::int64_t kSaidNs = 3 * kNsPerSecond;
+    constexpr std::int64_t kCountdownNs = 3 * kNsPerSecond;
     std::int64_t left = axisJog_->leftNs();
-    for (const HoldButton* key : holdKeys()) {
+    for (const HoldToRunButton* key : holdKeys()) {
         left = std::min(left, key->holdLeftNs());
     }
-    if (left > kSaidNs || !isHolding()) {
+    if (left > kCountdownNs || !isHolding()) {
         return {};
     }
     return tr("Ends in %1 s").arg(std::max<std::int64_t>(0, (left + kNsPerSecond - 1) / kNsPerSecond));
@@ -701,8 +701,8 @@ Result<RobotSession::MotionId> JogColumn::beginFreedrive() {
             return Error{ErrorCode::UnsafeState, doubt, {}};
         }
     }
-    constexpr std::int64_t kLongestFreedriveNs = 5 * 60 * kNsPerSecond;
-    bounds_ = {kLongestFreedriveNs, HoldBounds::kMaxSilenceNs};
+    constexpr std::int64_t kMaxFreedriveNs = 5 * 60 * kNsPerSecond;
+    bounds_ = {kMaxFreedriveNs, HoldBounds::kMaxHoldTimeoutNs};
     return port_.beginFreedrive(
         freedriveOf(freedriveAxes_, frameAxes(selection(), state_.tcpPose), state_.tcpPose));
 }
@@ -711,7 +711,7 @@ QString JogColumn::deviceObstacle() const {
     if (const QString reason = cannotMoveReason(state_); !reason.isEmpty()) {
         return reason;
     }
-    // Only one motion at a time.
+    // Only one motion at a time is allowed.
     return isHolding() ? tr("Another key is already held.") : QString();
 }
 

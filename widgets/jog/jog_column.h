@@ -27,7 +27,7 @@ namespace tiller {
 class ArmKey;
 class AxisJog;
 class RetracePath;
-class HoldButton;
+class HoldToRunButton;
 struct HoldMotion;
 class JogKey;
 class JogPad;
@@ -48,7 +48,7 @@ struct ShownJog {
     int axis = 0;                                         ///< 0-2: axis that defines the colour
     bool turns = false;  ///< rotation about the direction instead of translation
     int joint = -1;      ///< rotating joint, 0 ... 5; -1: none
-    int sign = 1;        ///< of the joint rotation
+    int sign = 1;        ///< sign of the joint rotation
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
 
@@ -74,31 +74,31 @@ public:
     const JogSelection& selection() const;
     /// The selected speed: upper limit for all hold-to-run motions.
     HeldSpeed heldSpeed() const;
-    /// ofProject  a position of the project, which the project guard of the session may refuse
+    /// ofProject  true for a position of the project, which the project guard of the session may refuse
     void setHome(const JointPositions& home, bool ofProject);
     /// Axes that are free in freedrive.
     void setFreedriveAxes(FreedriveAxes axes);
     /// Sets the zero point of the distance display; a second call removes it.
     void zeroHere();
-    /// The positions of the way back, oldest first, for the view.
-    std::vector<JointPositions> wayBack() const;
+    /// The positions of the path retraced by Back, oldest first, for the view.
+    std::vector<JointPositions> retracePath() const;
     /// Remaining distances of the arm, as displayed on the pad buttons.
     TravelWatch& travel() { return *travel_; }
 
-    /// Rules for all buttons, devices and the keyboard.
+    /// Sets the rules for all buttons, devices and the keyboard.
     /// terms  must outlive the column
-    void setHoldTerms(HoldTerms& terms);
+    void setHoldPolicy(HoldPolicy& terms);
     /// Ends the motion of any held button. Call before a change of tab, perspective or tool.
     void stopMotion(control::StopCause cause);
     /// True while a motion of a held button or device is active.
     bool isHolding() const;
-    /// For devices: with the same frame, speed and rules as the buttons.
+    /// Jogging by devices, with the same frame, speed and rules as the buttons.
     AxisJog& axisJog() { return *axisJog_; }
-    /// Connects the arm button with this keyboard. While it is armed, these keys work while held: F freedrive, Home
-    /// home, End align, Backspace back.
+    /// Connects the arm button with this keyboard. While the keyboard is armed, these keys work as
+    /// hold-to-run keys: F freedrive, Home home, End align, Backspace back.
     void addHoldKeys(KeyboardJog& keyboard);
     /// All buttons that move the arm, for tests.
-    QVector<HoldButton*> holdKeys() const;
+    QVector<HoldToRunButton*> holdKeys() const;
 
     QSize sizeHint() const override { return {390, 948}; }
     QSize minimumSizeHint() const override;
@@ -109,15 +109,15 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// A press had no effect; a sentence with reason and suggested action.
     void refused(const QString& reason);
-    /// A jog starts, changes direction, or ends (empty).
+    /// A jog has started, has changed direction, or has ended (empty).
     void jogShown(const std::optional<tiller::ShownJog>& jog);
     /// heldSpeed() may have changed.
     void speedChanged();
-    /// The pointer is on a button whose motion has a target, or the button is held.
+    /// The pointer is on a button whose motion has a target, or such a button is held.
     void ghostWanted(const tiller::Ghost& ghost);
-    void ghostGone();
-    /// wayBack() has changed; emitted about ten times per second at most.
-    void wayBackChanged();
+    void ghostHidden();
+    /// retracePath() has changed; emitted at most about ten times per second.
+    void retracePathChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -131,9 +131,9 @@ private:
     void connectBottom();
     /// Effect of a button in step mode.
     enum class Steps { None, Lengths, Turns };
-    void guardKey(HoldButton* key, const Begin& begin, Steps steps);
+    void guardKey(HoldToRunButton* key, const Begin& begin, Steps steps);
     /// modified  whether Ctrl and Shift change the speed
-    void guardMotion(HoldButton* key, HoldMotion motion, bool modified);
+    void guardMotion(HoldToRunButton* key, HoldMotion motion, bool modified);
     Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
     Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
     Result<RobotSession::MotionId> beginFreedrive();
@@ -154,7 +154,7 @@ private:
     void arrange();
     void showReason();
     void showFrame();
-    void tellWayBack();
+    void reportRetracePath();
     void showJog();
     void lightKeys();
     void showFactor();
@@ -171,9 +171,9 @@ private:
     JointPositions home_ = defaultHome();
     bool homeOfProject_ = false;
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
-    bool payloadChecked_ = true;  ///< check the forces before freedrive starts
+    bool payloadChecked_ = true;  ///< if true, the forces are checked before freedrive starts
     QString refusal_;
-    HoldBounds bounds_;  ///< of the last motion
+    HoldBounds bounds_;  ///< limits of the last motion
 
     JogSelectors* selectors_ = nullptr;
     SegmentedControl* detailTab_ = nullptr;
@@ -181,13 +181,13 @@ private:
     LimiterLine* limiter_ = nullptr;
     PoseView* pose_ = nullptr;
     JointRows* joints_ = nullptr;
-    HoldButton* freedrive_ = nullptr;
-    HoldButton* homeKey_ = nullptr;
-    HoldButton* align_ = nullptr;
-    HoldButton* back_ = nullptr;
+    HoldToRunButton* freedrive_ = nullptr;
+    HoldToRunButton* homeKey_ = nullptr;
+    HoldToRunButton* align_ = nullptr;
+    HoldToRunButton* back_ = nullptr;
     std::unique_ptr<RetracePath> track_;
-    std::uint64_t wayBackTold_ = 0;  ///< RetracePath::revision
-    int wayBackFrames_ = 0;          ///< frames since the last signal
+    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision
+    int retracePathFrames_ = 0;              ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
 

@@ -11,7 +11,7 @@
 namespace tiller {
 
 JogKey::JogKey(const QString& text, const CartesianKey& key, QWidget* parent)
-    : HoldButton(text, parent), key_(key) {
+    : HoldToRunButton(text, parent), key_(key) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
@@ -26,7 +26,7 @@ void JogKey::paintEvent(QPaintEvent*) {
     const bool high = height() >= 58;
     const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
     painter.drawText(QRect(0, 0, width(), height() >= 68 ? bar + 13 : bar), Qt::AlignCenter,
-                     saysHold() ? detail() : text());
+                     showsHoldHint() ? detail() : text());
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.axis(key_.axis % 3) : theme.border);
     painter.drawRoundedRect(QRectF(13, bar, width() - 26, 4), 2, 2);
@@ -101,7 +101,7 @@ JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
         const char* name;
         CartesianKey key;
     };
-    // Rows as on the screen; axis letters are not translated.
+    // Arranged as on the screen; axis letters are not translated.
     static constexpr Place kPlaces[3][4] = {
         {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
         {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},

@@ -8,12 +8,12 @@
 #include <QWidget>
 
 #include "robot/station/jog/jog_motion.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 namespace tiller {
 
 /// One button: its name, and below it a bar in the colour of its axis.
-class JogKey : public HoldButton {
+class JogKey : public HoldToRunButton {
     Q_OBJECT
 
 public:
@@ -23,7 +23,7 @@ public:
     /// Remaining distance in this direction, e.g. "312 mm"; near: close to the limit. Empty: not displayed.
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
-    /// The travel is being calculated again: it is shown greyed until then, and as "…" where there is none.
+    /// The distance is being recalculated: the old value is shown in grey, or "…" if there is none.
     void setTravelOutdated(bool outdated);
     bool isTravelOutdated() const { return outdated_; }
     QSize sizeHint() const override { return {85, 72}; }

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
-constexpr int kLongestName = 84;  // [px] of a frame name on its button
+constexpr int kMaxNameLength = 84;  // width of a frame name on its button [px]
 /// Segments of the length and angle rows: Hold, three sizes, other.
 constexpr int kHoldSegment = 0;
 constexpr int kOtherSegment = 4;
@@ -53,7 +53,7 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
-/// With as few digits as possible: "0.1", "45".
+/// Uses as few digits as possible: "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
     const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;
@@ -118,7 +118,7 @@ void JogSelectors::connectControls() {
     offerChoices(motion_, kOtherSegment, [this](QMenu& menu) { fillLengthMenu(menu); });
     offerChoices(turn_, kOtherSegment, [this](QMenu& menu) { fillAngleMenu(menu); });
     offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
-    // With several taught frames, the fourth button opens the list.
+    // With several taught frames, the fourth button opens a list.
     connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
         if (frames_.size() < 2) {
             return;
@@ -152,7 +152,7 @@ void JogSelectors::showFrames() {
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
     // A name may be longer than the button.
     const QString shown =
-        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kLongestName);
+        QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kMaxNameLength);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
     frame_->setSegmentEnabled(kTaughtSegment, any,
                               any ? name : tr("No frame taught yet. Teach a frame in the Frames tab."));
@@ -276,7 +276,7 @@ void JogSelectors::setStepAngle(double angle) {
 
 void JogSelectors::setUntilContact(double force) {
     Q_EMIT changing(StopCause::SelectionChanged);
-    selection_.contactForce = std::clamp(force, kLeastContactForce, kMostContactForce);
+    selection_.contactForce = std::clamp(force, kMinContactForce, kMaxContactForce);
     choose(MotionChoice::UntilContact);
 }
 
@@ -391,7 +391,7 @@ void JogSelectors::fillSpeedMenu(QMenu& menu) {
 
 void JogSelectors::askFor(Entry entry) {
     const double unit = format::metresPerUnit();
-    const bool coarse = unit > 1e-3;  // two more digits for inches
+    const bool coarse = unit > 1e-3;  // lengths in inches need two more digits
     switch (entry) {
         case Entry::Step:
             askForNumber(tr("Step in %1").arg(format::lengthUnit()), 0.002 / unit, 1e-5 / unit, 0.5 / unit,
@@ -408,7 +408,7 @@ void JogSelectors::askFor(Entry entry) {
             break;
         case Entry::ContactForce:
             askForNumber(tr("Contact force that ends the motion, in N"), selection_.contactForce,
-                         kLeastContactForce, kMostContactForce, 0,
+                         kMinContactForce, kMaxContactForce, 0,
                          [this](double value) { setUntilContact(value); });
             break;
     }

@@ -32,7 +32,7 @@ public:
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
     /// Selects a frame, as the fourth button of "Frame".
     void chooseTaughtFrame(const QUuid& frame);
-    /// index  into speedClasses()
+    /// index  index into speedClasses()
     void setSpeedClass(int index);
     /// A TCP speed entered manually [m/s]; rotation and joint speeds in proportion.
     void setFreeSpeed(double tcpSpeed);
@@ -66,7 +66,7 @@ private:
     void showFrames();
     void offerChoices(SegmentedControl* control, int segment, std::function<void(QMenu&)> fill);
     void choose(MotionChoice motion);
-    /// A button of the length or angle row.
+    /// Handles a click on a button of the length or angle row.
     void chooseStep(double StepSize::*size, int segment);
     void fillLengthMenu(QMenu& menu);
     void fillAngleMenu(QMenu& menu);
@@ -78,7 +78,7 @@ private:
     JogSelection selection_;
     QVector<TaughtFrame> frames_;
     bool hasView_ = false;
-    bool following_ = false;                  ///< the buttons are updated by the program, not by the user
+    bool following_ = false;                  ///< true while the program updates the buttons
     StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, even if Hold is active
     StepSize other_{0.050, toRadians(45.0)};  ///< values of the last button of each row
     SegmentedControl* frame_ = nullptr;

@@ -21,10 +21,10 @@ namespace {
 
 constexpr double kWarnAngle = toRadians(15);
 constexpr int kNameSize = 15;   // [px]
-constexpr int kRowMargin = 12;  // as the panel's content
+constexpr int kRowMargin = 12;  // same as the margin of the panel's content
 constexpr int kNumberPeriodMs = 100;
-constexpr int kSpeedWidth = 56;    // [px] width of "0.36 °/s" before the bar of a low row
-constexpr int kBarWithSpeed = 34;  // [px] minimum remaining width of the bar
+constexpr int kSpeedWidth = 56;    // width of "0.36 °/s" before the bar of a low row [px]
+constexpr int kBarWithSpeed = 34;  // minimum remaining width of the bar [px]
 
 }  // namespace
 
@@ -84,8 +84,8 @@ JointRow::JointRow(int joint, QWidget* parent)
     , joint_(joint)
     , name_(jointName(joint))
     , value_(QStringLiteral("–"))
-    , minus_(new HoldButton(QString(QChar(0x2212)), this))
-    , plus_(new HoldButton(QStringLiteral("+"), this))
+    , minus_(new HoldToRunButton(QString(QChar(0x2212)), this))
+    , plus_(new HoldToRunButton(QStringLiteral("+"), this))
     , bar_(new JointBar(this)) {
     setObjectName(QStringLiteral("joint.%1").arg(joint));
     setAccessibleName(name_);
@@ -145,12 +145,12 @@ void JointRow::setSpeed(const QString& speed) {
     update(speedWidth_ > 0 ? speedRect() : textRect());
 }
 
-/// Of the longest name, so that the rows are alike [px].
+/// Width of the longest joint name, so that all rows are aligned [px].
 int JointRow::nameRoom() const {
-    constexpr int kLeast = 86;
+    constexpr int kMinValue = 86;
     constexpr int kApart = 8;
     const QFontMetrics metrics(textFont(kNameSize));
-    int room = kLeast;
+    int room = kMinValue;
     for (int joint = 0; joint < kJointCount; ++joint) {
         room = std::max(room, metrics.horizontalAdvance(jointName(joint)) + kApart);
     }
@@ -180,7 +180,7 @@ QRect JointRow::speedRect() const {
     return {left, 0, bar_->x() - left, height() - 1};
 }
 
-/// Rows without space for the speed show it as tooltip.
+/// Rows without space for the speed show it as a tooltip.
 void JointRow::describe() {
     const QString speed = speed_.isEmpty() ? name_ : tr("%1: %2").arg(name_, speed_);
     setToolTip(compact_ || (low_ && speedWidth_ == 0) ? speed : QString());
@@ -216,7 +216,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int wide = finger > 0 ? 44 : 35;
     plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
     int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - nameRoom() - 92 - wide * 2 - 24));
-    // In a low row the speed stands before the bar, where there is room for it.
+    // In a low row, the speed is shown before the bar if there is enough space.
     speedWidth_ = low_ && bar >= kBarWithSpeed + kSpeedWidth ? kSpeedWidth : 0;
     bar -= speedWidth_;
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
@@ -241,7 +241,7 @@ void JointRow::paintEvent(QPaintEvent*) {
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(nameFont());
-    // In a full row the speed of the keys stands below the name.
+    // In a full-height row, the speed of the buttons is shown below the name.
     const bool named = !compact_ && !low_ && !speed_.isEmpty();
     painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),
                      compact_ ? shortName() : name_);

@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "robot/core/joints.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 class QGridLayout;
 
@@ -48,8 +48,8 @@ public:
     explicit JointRow(int joint, QWidget* parent = nullptr);
 
     int joint() const { return joint_; }
-    HoldButton* minusKey() const { return minus_; }
-    HoldButton* plusKey() const { return plus_; }
+    HoldToRunButton* minusKey() const { return minus_; }
+    HoldToRunButton* plusKey() const { return plus_; }
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
@@ -61,7 +61,7 @@ public:
     void setCompact(bool compact);
     /// Use a full-width row with reduced height.
     void setLow(bool low);
-    /// The name ends before the value begins.
+    /// True if name and value do not overlap.
     bool isNameApart() const;
     static int heightWhen(bool compact, bool low);
 
@@ -84,14 +84,14 @@ private:
     int joint_;
     QString name_;
     QString value_;
-    QString shown_;  ///< the displayed value
+    QString shown_;  ///< displayed value
     QString speed_;
-    HoldButton* minus_;
-    HoldButton* plus_;
+    HoldToRunButton* minus_;
+    HoldToRunButton* plus_;
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
-    int speedWidth_ = 0;  ///< [px] before the bar; 0: the speed is shown elsewhere
+    int speedWidth_ = 0;  ///< width before the bar [px]; 0: the speed is shown elsewhere
     bool grey_ = true;
 };
 

@@ -4,11 +4,11 @@
 #include <QEvent>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 namespace tiller {
 
-void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
+void KeyGhosts::offer(HoldToRunButton& key, const QString& name, Target target) {
     offers_.insert(&key, {name, std::move(target)});
     key.installEventFilter(this);
     connect(&key.guard(), &HoldGuard::began, this, [this, &key] { show(offers_.value(&key)); });
@@ -18,7 +18,7 @@ void KeyGhosts::offer(HoldButton& key, const QString& name, Target target) {
 void KeyGhosts::setState(const SessionState& state) {
     state_ = state;
     if (shown_ && !state.canMove()) {
-        hide();  // a target that no longer exists, although the pointer is on its button
+        hide();  // the target no longer exists, although the pointer is still on the button
     }
 }
 
@@ -51,7 +51,7 @@ bool KeyGhosts::eventFilter(QObject* watched, QEvent* event) {
     const bool enter = event->type() == QEvent::Enter;
     if (enter || event->type() == QEvent::Leave) {
         const auto offer = offers_.constFind(watched);
-        const auto* key = qobject_cast<const HoldButton*>(watched);
+        const auto* key = qobject_cast<const HoldToRunButton*>(watched);
         if (offer != offers_.constEnd() && key != nullptr && !key->isHolding()) {
             if (enter) {
                 show(*offer);

@@ -13,7 +13,7 @@
 
 namespace tiller {
 
-class HoldButton;
+class HoldToRunButton;
 
 class KeyGhosts : public QObject {
     Q_OBJECT
@@ -23,8 +23,8 @@ public:
 
     explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// target  of a press now; empty if the button has no target
-    void offer(HoldButton& key, const QString& name, Target target);
+    /// target  returns the target of a press now; empty if the button has no target
+    void offer(HoldToRunButton& key, const QString& name, Target target);
     void setState(const SessionState& state);
 
 Q_SIGNALS:

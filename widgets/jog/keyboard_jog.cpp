@@ -16,7 +16,7 @@ namespace tiller {
 
 namespace {
 
-/// Flag in the meaning of an arrow key that rotates.
+/// Flag for an arrow key that rotates.
 constexpr int kTurns = 0x4000'0000;
 
 constexpr Qt::KeyboardModifiers kMeaningful = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
@@ -57,8 +57,8 @@ bool isJointKey(int meaning) {
            meaning == Qt::Key_Minus;
 }
 
-/// The meaning of a key, by the symbol at its press. "+" and "-" are the key with this sign, with and without
-/// Shift, but not a key on which a layout has "=" or "_".
+/// The meaning of a key, determined by the symbol when it is pressed. "+" and "-" are the key with this sign,
+/// with and without Shift, but not a key on which a layout has "=" or "_".
 int meaningOf(const QKeyEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     if (event.key() == Qt::Key_Equal && !shift) {
@@ -88,13 +88,13 @@ void KeyboardJog::addHoldKey(Qt::Key key, HoldGuard& guard) {
     holdKeys_[key] = &guard;
 }
 
-/// True while keys belong to a text field, a menu, a dialog or another window.
+/// True while the keyboard input belongs to a text field, a menu, a dialog or another window.
 bool KeyboardJog::belongsElsewhere() const {
     return !window_.isActiveWindow() || takesText(QApplication::focusWidget()) ||
            QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr;
 }
 
-/// True while one of these keys holds a motion.
+/// True while a motion is held by keyboard keys.
 bool KeyboardJog::isMoving() const {
     if (keys_.isEmpty()) {
         return false;
@@ -103,17 +103,17 @@ bool KeyboardJog::isMoving() const {
                                           [](const HoldGuard* guard) { return guard->active(); });
 }
 
-/// Ends the motion held by keys because of a keyboard event. The keys are still known as held, so that their
-/// releases match; they have no effect until all are released.
-void KeyboardJog::tell(HoldNews::Kind kind) {
+/// Ends the motion held by keys because of a keyboard event. The keys remain known as pressed, so that their
+/// releases match, but have no effect until all of them are released.
+void KeyboardJog::tell(HoldEvent::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
     }
     jog_.tell(kind);
-    jog_.requireNeutral(Grip::By::Keys);  // rule: all keys up first
+    jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
 }
 
-/// Releases in other windows are not received: no key counts as held any more.
+/// Releases in other windows are not received, so all keys are considered released.
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
@@ -195,7 +195,7 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
                 followWindow();
             }
             return false;
-        case QEvent::FocusOut:  // to a floating panel: the window remains active
+        case QEvent::FocusOut:  // the focus moved to a floating panel: the window remains active
         case QEvent::WindowDeactivate:
             if (watched == (event->type() == QEvent::FocusOut ? static_cast<QObject*>(window_.windowHandle())
                                                               : &window_)) {
@@ -221,11 +221,11 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     const bool known = keys_.isDown(code);
     const bool press = event.type() == QEvent::KeyPress;
     int meaning = known ? keys_.meaningOf(code) : meaningOf(event);
-    // The release of a key pressed here is processed independent of the focus.
+    // The release of a key pressed here is processed regardless of the focus.
     if (!known && !press) {
         // Release without a press. For keys without a number, it may be the release of a motion key.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
-            tell(HoldNews::Kind::Unmatched);  // rule: release of a key that was not down
+            tell(HoldEvent::Kind::Unmatched);  // rule: release of a key that was not down
         }
         return false;
     }
@@ -248,7 +248,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
             keyReleased(meaning);
             break;
         case PhysicalKeys::Change::DownAgain:
-            tell(HoldNews::Kind::Unmatched);  // rule: press of a key that is down
+            tell(HoldEvent::Kind::Unmatched);  // rule: press of a key that is down
             break;
         case PhysicalKeys::Change::Repeat:
         case PhysicalKeys::Change::Unknown:
@@ -262,9 +262,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
     const bool held = std::any_of(holdKeys_.begin(), holdKeys_.end(),
                                   [](const HoldGuard* guard) { return guard->active(); });
     if (held) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a jog key in addition to a hold key
+        tell(HoldEvent::Kind::OtherKey);  // rule: a jog key in addition to a hold key
     } else if (jog_.isActive() && modifiers != modifiers_) {
-        tell(HoldNews::Kind::Modifier);  // rule: another modifier than at the start
+        tell(HoldEvent::Kind::Modifier);  // rule: other modifiers than at the start
     } else {
         modifiers_ = modifiers;
         follow();
@@ -274,9 +274,9 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
 void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
     // One motion at a time: the second key stops the first one and starts nothing.
     if (isMoving()) {
-        tell(HoldNews::Kind::OtherKey);  // rule: a hold key in addition to another motion
+        tell(HoldEvent::Kind::OtherKey);  // rule: a hold key in addition to another motion
     } else {
-        guard.press({Grip::By::Keys, {code}});
+        guard.press({HoldSource::By::Keys, {code}});
     }
 }
 
@@ -289,7 +289,7 @@ void KeyboardJog::keyReleased(int meaning) {
 
 void KeyboardJog::modifierChanged() {
     if (isMoving()) {
-        tell(HoldNews::Kind::Modifier);  // rule: a modifier is pressed or released
+        tell(HoldEvent::Kind::Modifier);  // rule: a modifier is pressed or released
     }
 }
 
@@ -301,11 +301,11 @@ void KeyboardJog::follow() {
         opposite = opposite || both(one, other) || both(one | kTurns, other | kTurns);
     }
     Deflection wish = deflection();
-    wish.grip = {Grip::By::Keys, keys_.codes()};
+    wish.grip = {HoldSource::By::Keys, keys_.codes()};
     // Opposite keys are not a valid input, nor are joints and Cartesian axes together. Releasing one of the two
     // keys is not a new press.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
-        tell(HoldNews::Kind::OtherKey);  // rule: opposite keys
+        tell(HoldEvent::Kind::OtherKey);  // rule: opposite keys
         return;
     }
     // Some layouts need Shift for digits and signs; it then does not change the speed.

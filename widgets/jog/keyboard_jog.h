@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by keyboard while it is armed. Armed mode is shown by a frame around the window and ends after half a
-// minute without a key. Keys are tracked by PhysicalKeys: the meaning of a key is determined by its press, and an
-// unexpected press or release ends the motion. A change of a modifier also ends it, because it selects another
-// speed or direction, as well as keys with opposite directions.
+// Jogging by keyboard while it is armed. Armed mode is shown by a frame around the window and ends after half
+// a minute without a key. Keys are tracked by PhysicalKeys: the meaning of a key is determined when it is
+// pressed, and an unexpected press or release ends the motion. Keys with opposite directions also end it, and
+// so does a change of a modifier, because it selects another speed or direction.
 
 #include <QMap>
 #include <QObject>
@@ -29,11 +29,11 @@ public:
     ~KeyboardJog() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// While armed, this key presses and releases this button of the column.
+    /// While armed, this key presses and releases this button of the jog column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
-    /// Refused while it is locked.
+    /// Has no effect while the keyboard is locked.
     void setArmed(bool armed);
-    /// why  it cannot be armed, as a sentence; empty when it can
+    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can
     void setLock(const QString& why);
     bool isArmed() const { return armed_; }
     /// Checks the timeout of half a minute. Called by a timer every second.
@@ -55,7 +55,7 @@ private:
     void keyReleased(int meaning);
     void follow();
     void modifierChanged();
-    void tell(HoldNews::Kind kind);
+    void tell(HoldEvent::Kind kind);
     void forget(control::StopCause cause);
     bool isJogKey(int meaning) const;
     bool isMoving() const;
@@ -69,7 +69,7 @@ private:
     QTimer idle_;
     QMap<int, HoldGuard*> holdKeys_;
     PhysicalKeys keys_;                  ///< motion and hold keys; the meaning is a Qt::Key, or a rotation
-    Qt::KeyboardModifiers modifiers_{};  ///< at the start of the motion
+    Qt::KeyboardModifiers modifiers_{};  ///< modifiers at the start of the motion
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;
     QString lock_;

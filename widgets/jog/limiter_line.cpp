@@ -12,13 +12,13 @@ namespace tiller {
 
 namespace {
 
-constexpr int kTextLeft = 28;  // [px] behind the triangle
+constexpr int kTextLeft = 28;  // text position to the right of the triangle [px]
 constexpr int kQuietLeft = 4;
 constexpr int kTextRight = 6;
-constexpr int kLargest = 13;  // [px] font size
+constexpr int kLargest = 13;  // font size [px]
 constexpr int kSmallest = 10;
 
-/// The largest letters with which all of it stands on one line.
+/// The largest font with which the text fits on one line.
 QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
     int size = kLargest;
     while (size > kSmallest && QFontMetrics(textFont(size, weight)).horizontalAdvance(text) > width) {
@@ -71,7 +71,7 @@ QList<LimiterLine::Line> LimiterLine::lines() const {
         return {line(limiter_.what, QFont::Bold, Qt::ElideRight),
                 line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
     }
-    // A sentence: what there is to do stands at its end.
+    // A sentence: the suggested action is at its end.
     const bool quiet = limiter_.what.isEmpty();
     const QString& sentence = quiet ? quiet_ : limiter_.what;
     const QFont::Weight weight = quiet ? QFont::Normal : QFont::Bold;

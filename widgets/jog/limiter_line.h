@@ -21,7 +21,7 @@ public:
 
     void setLimiter(const LimiterAdvice& limiter);
     const LimiterAdvice& limiter() const { return limiter_; }
-    /// Shown without a limit.
+    /// Sets the text that is shown without a limit.
     void setQuietText(const QString& text);
     QString quietText() const { return quiet_; }
 

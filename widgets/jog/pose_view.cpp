@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
-/// Measurement noise of the speed of an arm at rest.
-constexpr double kStands = 5e-5;              // [m/s]
-constexpr double kTurnsNot = toRadians(0.5);  // [rad/s]
-constexpr double kAtFlange = 5e-5;            // [m]
+/// Below these values the arm counts as stopped: measurement noise of the speed at rest.
+constexpr double kStandstillTolerance = 5e-5;  // [m/s]
+constexpr double kTurnsNot = toRadians(0.5);   // [rad/s]
+constexpr double kAtFlange = 5e-5;             // [m]
 
-/// Two decimals at rest, one during motion, padded with a blank.
+/// Two decimals at rest; one during motion, padded with a space.
 QString paced(double metres, bool moving) {
     const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;
@@ -45,7 +45,7 @@ PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     pace_.setInterval(kDigitPeriodMs);
     connect(&pace_, &QTimer::timeout, this, [this] {
         if (std::exchange(pending_, false)) {
-            showFigures();
+            updateValueTexts();
         }
     });
 }
@@ -71,7 +71,7 @@ void PoseView::changed(bool atOnce) {
         shown_.clear();
     }
     if (atOnce || !pace_.isActive()) {
-        showFigures();
+        updateValueTexts();
     } else {
         pending_ = true;
     }
@@ -86,7 +86,7 @@ QStringList PoseView::figures() const {
 }
 
 // Variations of an arm at rest are smaller than the displayed digits.
-void PoseView::showFigures() {
+void PoseView::updateValueTexts() {
     if (const QStringList now = figures(); now != shown_) {
         shown_ = now;
         update();
@@ -144,7 +144,7 @@ QString PoseView::speedText() const {
     }
     const double linear = speed_.linear.norm();
     const double turn = speed_.angular.norm();
-    const double shown = linear < kStands ? 0 : linear;
+    const double shown = linear < kStandstillTolerance ? 0 : linear;
     const QString way =
         format::lengthNumber(shown, shown < 0.010 ? 1 : 0, false) + QLatin1Char(' ') + format::speedUnit();
     return turn < kTurnsNot ? way : tr("%1 · %2").arg(way, format::degreesPerSecond(turn));
@@ -171,12 +171,12 @@ void PoseView::pressedHere() {
 void PoseView::describe() {
     const QString name = tr("TCP pose in %1").arg(frame_);
     setAccessibleName(name);
-    setToolTip(
-        name + QStringLiteral(", ") +
-        (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click: displacement "
-                       "since the press")
-                  : tr("orientation as set in Settings. Δ: displacement since the press. Click: zero here")) +
-        QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
+    setToolTip(name + QStringLiteral(", ") +
+               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click: "
+                              "displacement since the last key press")
+                         : tr("orientation as set in Settings. Δ: displacement since the last key press. "
+                              "Click: zero here")) +
+               QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }
 

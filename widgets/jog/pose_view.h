@@ -62,7 +62,7 @@ private:
     void changed(bool atOnce);
     /// All texts that change with the arm.
     QStringList figures() const;
-    void showFigures();
+    void updateValueTexts();
     Eigen::Vector3d inFrame(const Eigen::Vector3d& way) const;
 
     Pose pose_;

@@ -43,7 +43,7 @@ public:
                 return std::nullopt;
             }
         }
-        // The driver ends: a return to neutral would no longer be reported.
+        // If the driver ends, a return to neutral is no longer reported.
         pollfd socket{spnav_fd(), POLLIN, 0};
         if (socket.fd < 0 ||
             (::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {

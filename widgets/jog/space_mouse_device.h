@@ -12,7 +12,7 @@ public:
     std::vector<std::unique_ptr<InputDevice>> appeared() override;
 
 private:
-    std::weak_ptr<void> open_;  ///< libspnav supports one connection, so there is one device
+    std::weak_ptr<void> open_;  ///< libspnav supports only one connection, so there is one device
 };
 
 }  // namespace tiller

@@ -85,7 +85,7 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
         lastMotionNs_ = nowNs;
     }
     if (const bool types = useAt(nowNs) != Use::StopOnly; types != typed) {
-        // Input methods receive keys before the window; see eventFilter().
+        // Input methods receive keys before the window does; see eventFilter().
         if (!types) {
             QGuiApplication::inputMethod()->commit();
         }

@@ -65,13 +65,13 @@ private:
     std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs with the shortcuts
     int claimedKey_ = 0;                     ///< last pressed stop key without another function; 0: none
 
-    bool owned_ = false;  ///< in control or taking control, at the last state
+    bool owned_ = false;  ///< true if in control or taking control at the last state
     bool inControl_ = false;
-    std::optional<std::int64_t> controlLostNs_;  ///< not by releasing it
-    std::optional<std::int64_t> lastMotionNs_;   ///< while in control, or shortly after
+    std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; not set if control was released
+    std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after
     bool dark_ = false;                          ///< no data: the motion of the arm is unknown
     bool movedBeforeDark_ = false;               ///< the arm moved when the data ended, or shortly before
-    std::optional<std::int64_t> stoppedDarkNs_;  ///< the first stop since then
+    std::optional<std::int64_t> stoppedDarkNs_;  ///< time of the first stop since the data ended
 };
 
 }  // namespace tiller

@@ -13,8 +13,8 @@ namespace tiller {
 namespace {
 
 constexpr int kLookMs = 40;
-constexpr int kTicksMoving = 3;       ///< interval while the arm moves
-constexpr double kSamePlace = 0.002;  ///< [rad] of the joint with the largest change
+constexpr int kTicksMoving = 3;       ///< computed every third tick while the arm moves
+constexpr double kSamePlace = 0.002;  ///< change of the joint that moved most [rad]
 
 bool isOpen(const control::JogReach& travel) {
     return travel.end.kind == control::LimiterKind::None;
@@ -61,7 +61,7 @@ void TravelWatch::reset() {
     }
 }
 
-/// All are looked at again; until then the keys keep what they show, marked.
+/// Recomputes all directions; until then the buttons show their old values marked as outdated.
 void TravelWatch::setOutdated() {
     for (JogKey* key : pad_.keys()) {
         key->setTravelOutdated(true);
@@ -84,11 +84,11 @@ void TravelWatch::look() {
         reset();
     }
     if (!state_.canMove()) {
-        setOutdated();  // what is seen next may be another arm in another place
+        setOutdated();  // the next valid state may belong to another arm or position
         return;
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
-    // The tool turns while it moves, in steps of this size; another frame is a larger one.
+    // While the arm moves, the tool frame rotates in smaller steps; a larger change means another frame.
     const bool otherFrame = !state_.motionActive && !axes.isApprox(lookedIn_, 2e-2);
     if (otherFrame || state_.check != lookedWith_) {
         setOutdated();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the remaining distance for each button of the pad and displays it on the button: one direction at a
-// time, so that no frame has to wait for twelve.
+// Computes the remaining distance for each button of the pad and shows it on the button. Only one direction
+// is computed at a time, because all twelve would take too long for one frame.
 
 #include <Eigen/Core>
 #include <QObject>
@@ -30,7 +30,7 @@ public:
     /// Computes the next direction; while a button is held, every other time its direction. Called by a timer every
     /// 40 ms, and less often while the arm moves, because the values then change continuously.
     void look();
-    /// Writes what it knows again, in the operator's units.
+    /// Updates the texts of all buttons, e.g. after a change of units.
     void reset();
     /// While a button is held: the remaining distance and the limit at its end; otherwise empty.
     QString heldText() const;
@@ -39,7 +39,7 @@ private:
     void tick();
     void write(qsizetype index);
     void setOutdated();
-    /// Index of a key that is held; nothing when none is.
+    /// Index of the held button; empty if none is held.
     std::optional<qsizetype> heldKey() const;
 
     JogPad& pad_;
@@ -50,11 +50,11 @@ private:
     JointPositions lookedFrom_;
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
-    int next_ = 0;  ///< the next direction
+    int next_ = 0;  ///< index of the next direction
     int left_ = 0;  ///< number of directions still to compute
     JointPositions tickedAt_;
-    int ticks_ = 0;              ///< since the last computation
-    bool lookedAtHeld_ = false;  ///< at the last computation
+    int ticks_ = 0;              ///< ticks since the last computation
+    bool lookedAtHeld_ = false;  ///< true if the last computation was for the held button
 };
 
 }  // namespace tiller

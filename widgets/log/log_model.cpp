@@ -100,7 +100,7 @@ QString LogModel::rowText(int row) const {
         text += QStringLiteral(". ") + entry.detail;
     }
     text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
-    static const char* const kWords[] = {"Info", "Warning", "Error"};  // plain: for other programs
+    static const char* const kWords[] = {"Info", "Warning", "Error"};  // not translated, for other programs
     return QStringLiteral("%1\t%2\t%3")
         .arg(entry.first.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
              QLatin1String(kWords[static_cast<int>(entry.severity)]), text);
@@ -162,7 +162,7 @@ QFont LogModel::columnFont(int column) {
         font.setUnderline(true);
         return font;
     }
-    return column == Time ? figureFont(13) : textFont(14);
+    return column == Time ? numberFont(13) : textFont(14);
 }
 
 QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -19,8 +19,8 @@
 #include "robot/core/atomic_file.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/list_typing.h"
-#include "widgets/common/nothing_found.h"
 #include "widgets/common/replay_band.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/log/log_model.h"
@@ -49,7 +49,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     , details_(new QLabel) {
     setObjectName(QStringLiteral("log"));
     setAccessibleName(tr("Log"));
-    severity_->setNames(QStringLiteral("log.severity"), tr("Show from severity"));
+    severity_->setNames(QStringLiteral("log.severity"), tr("Minimum severity"));
     search_->setObjectName(QStringLiteral("log.search"));
     search_->setAccessibleName(tr("Filter the log by text"));
     search_->setPlaceholderText(tr("Filter"));
@@ -69,7 +69,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
         button(QStringLiteral("log.export"), tr("Export…"), tr("Write the visible entries to a file"));
 
     open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
-                   tr("Open the recording of the selected entry (incidents have a recording)"));
+                   tr("Open the recording of the selected entry (incidents only)"));
     open_->hide();
 
     auto* tools = new QHBoxLayout;
@@ -84,7 +84,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setObjectName(QStringLiteral("log.table"));
     table_->setAccessibleName(tr("Log"));
     table_->setModel(filter_);
-    nothing_ = new NothingFound(*table_);
+    nothing_ = new EmptyState(*table_);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -143,9 +143,9 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
             [this](int index) { filter_->setLeastSeverity(static_cast<Severity>(index)); });
     connect(search_, &QLineEdit::textChanged, filter_, &LogFilter::setWords);
     for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
-        connect(filter_, changed, this, &LogTab::showNothingFound);
+        connect(filter_, changed, this, &LogTab::showEmptyState);
     }
-    connect(search_, &QLineEdit::textChanged, this, &LogTab::showNothingFound);
+    connect(search_, &QLineEdit::textChanged, this, &LogTab::showEmptyState);
     connect(&session, &RobotSession::message, this, &LogTab::append);
 }
 
@@ -238,7 +238,7 @@ void LogTab::setReplay(const Replay& moment) {
         select(-1);
         table_->scrollToBottom();
     }
-    showNothingFound();
+    showEmptyState();
 }
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
@@ -278,7 +278,7 @@ void LogTab::showDetails() {
     }
 }
 
-void LogTab::showNothingFound() {
+void LogTab::showEmptyState() {
     nothing_->tell(filter_->rowCount() == 0 && shownModel().rowCount() > 0, search_->text());
 }
 

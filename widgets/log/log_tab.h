@@ -23,7 +23,7 @@ namespace tiller {
 
 class LogFilter;
 class LogModel;
-class NothingFound;
+class EmptyState;
 class ReplayBand;
 class SegmentedControl;
 
@@ -63,7 +63,7 @@ public Q_SLOTS:
     /// Asks for a file and writes the displayed rows.
     void exportToFile();
     void focusSearch();
-    /// Shows rows of this severity and above.
+    /// Sets the minimum severity of the displayed rows.
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
@@ -84,7 +84,7 @@ private:
     const LogModel& shownModel() const { return replay_ ? *replayModel_ : *model_; }
     void fillReplay(const ReplayMoment& moment);
     void select(int row);
-    void showNothingFound();
+    void showEmptyState();
     void add(Severity severity, const QString& text, Origin origin, const QString& detail,
              const QString& recording, std::optional<double> moment = {});
     QString textOf(const QList<int>& rows) const;
@@ -93,16 +93,16 @@ private:
     LogModel* model_;
     LogModel* replayModel_;  ///< the log of the replayed recording
     std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< its events
-    bool replay_ = false;                                                    ///< it is shown
+    bool replay_ = false;  ///< true while the replayed log is shown
     LogFilter* filter_;
     ReplayBand* band_;
     SegmentedControl* severity_;
     QLineEdit* search_;
     QToolButton* open_;
     QTableView* table_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
     QLabel* details_;
-    bool follows_ = true;  ///< the newest line was visible when the page was left
+    bool follows_ = true;  ///< true if the newest line was visible when the page was left
 };
 
 }  // namespace tiller

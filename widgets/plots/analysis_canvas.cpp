@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoomLeft = 64;  // space for the labels of the vertical axis [px]
 constexpr double kRoomBelow = 36;
 constexpr double kRoomAround = 10;
-constexpr qsizetype kSmooth = 4000;  // with more points there is no antialiasing
+constexpr qsizetype kSmooth = 4000;  // more points are drawn without antialiasing
 
 /// 1, 2 or 5 times a power of ten, so that at most this number of steps fits.
 double roundStep(double span, double most) {

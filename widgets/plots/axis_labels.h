@@ -15,7 +15,7 @@ namespace tiller {
 class AxisLabels : public QGraphicsItem {
 public:
     struct Label {
-        QRectF box;  ///< in chart coordinates
+        QRectF box;  ///< rectangle in chart coordinates
         QString text;
         friend bool operator==(const Label&, const Label&) = default;
     };

@@ -71,7 +71,7 @@ bool AxisRange::set(const Scale& scale) {
 }
 
 void AxisRange::zoom(double factor, double about) {
-    constexpr double kNarrowest = 0.01;  // in minimum steps
+    constexpr double kNarrowest = 0.01;  // [minimum steps]
     constexpr double kWidest = 1e4;
     const double span =
         std::clamp((max_ - min_) * factor, kNarrowest * smallestStep_, kWidest * smallestStep_);
@@ -96,7 +96,7 @@ bool AxisRange::fit(double low, double high, double seconds) {
         return false;
     }
     if (low < min_ || high > max_) {
-        // Grow without reducing the other side at the same time.
+        // Extend one side without reducing the other.
         return set(best(std::min(low, min_ + kEdge * step_), std::max(high, max_ - kEdge * step_)));
     }
     const Scale narrower = best(low, high);

@@ -15,7 +15,8 @@ public:
     double max() const { return max_; }
     double step() const { return step_; }  ///< distance of grid lines; 1, 2 or 5 times a power of ten
 
-    /// Adapts the scale to curves from low to high. Low > high: no curve, no change.
+    /// Adapts the scale to curves from low to high. Low > high: there is no curve, and the scale does not
+    /// change.
     /// seconds  since the last call; a scale that is too large for kPatience seconds is reduced
     /// Returns  true if the scale changed
     bool fit(double low, double high, double seconds);

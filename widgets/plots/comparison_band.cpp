@@ -14,14 +14,14 @@ namespace tiller {
 
 namespace {
 
-constexpr int kFlagRoom = 28;  // [px] on the left side
+constexpr int kFlagRoom = 28;  // space on the left side [px]
 
 }  // namespace
 
 ComparisonBand::ComparisonBand(QWidget* parent)
     : QFrame(parent), words_(new ElidedLabel({}, this)), key_(new QToolButton), compare_(new QToolButton) {
     setObjectName(QStringLiteral("plots.comparison"));
-    setAccessibleName(tr("Comparison with the model of the arm"));
+    setAccessibleName(tr("Comparison with the arm model"));
     words_->setObjectName(QStringLiteral("plots.comparison.words"));
     words_->setFont(textFont(14));
     words_->setElideMode(Qt::ElideRight);
@@ -44,7 +44,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    tell({}, {}, Key::None, false);  // the button needs its name before there is a result
+    tell({}, {}, Key::None, false);  // the button needs its text before there is a result
     style();
     hide();
 }

@@ -21,7 +21,7 @@ public:
 
     explicit ComparisonBand(QWidget* parent = nullptr);
 
-    /// parted  the deviation is marked in the plots with the same flag
+    /// parted  true if the deviation is marked in the plots with the same flag
     void tell(const QString& words, const QString& details, Key key, bool parted);
     QString words() const;
     QString details() const { return details_; }

@@ -10,7 +10,7 @@
 #include "robot/core/angles.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 
@@ -25,14 +25,14 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
                                    QWidget* parent)
     : QDialog(parent), model_(new ChoiceBox) {
     setObjectName(QStringLiteral("plots.comparison.dialog"));
-    setWindowTitle(tr("Compare with the model of the arm"));
+    setWindowTitle(tr("Compare with the arm model"));
     auto* words =
         new QLabel(tr("The simulated arm follows the recorded joint targets, and its motion is compared with "
                       "the recorded motion. The model has no contact and no friction."));
     words->setWordWrap(true);
     words->setMinimumWidth(kWidth);
     model_->setObjectName(QStringLiteral("plots.comparison.model"));
-    model_->setAccessibleName(tr("Model of the arm"));
+    model_->setAccessibleName(tr("Arm model"));
     model_->setPlaceholderText(tr("Choose…"));
     for (const RobotModel& each : robotModels()) {
         model_->addItem(QString::fromLatin1(each.name), static_cast<int>(each.id));
@@ -47,7 +47,7 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
     force_ = box("force", tr("TCP force"), QStringLiteral(" N"), limits.force, 10'000);
     lasting_ = box("lasting", tr("For longer than"), QStringLiteral(" ms"),
                    limits.lasting * kMsPerSecondOfLimit, 60'000);
-    for (FigureBox* each : {joint_, tcp_, current_, force_, lasting_}) {
+    for (DecimalSpinBox* each : {joint_, tcp_, current_, force_, lasting_}) {
         form->addRow(each->accessibleName(), each);
     }
     auto* none = new QLabel(tr("Signals with a limit of 0 are not compared."));
@@ -68,9 +68,9 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
     layout->addWidget(buttons);
 }
 
-FigureBox* ComparisonDialog::box(const char* name, const QString& text, const QString& unit, double value,
-                                 double most) {
-    auto* figure = new FigureBox;
+DecimalSpinBox* ComparisonDialog::box(const char* name, const QString& text, const QString& unit,
+                                      double value, double most) {
+    auto* figure = new DecimalSpinBox;
     figure->setObjectName(QStringLiteral("plots.comparison.") + QLatin1String(name));
     figure->setAccessibleName(text);
     figure->setRange(0, most);
@@ -97,7 +97,7 @@ std::optional<RobotModelId> ComparisonDialog::model() const {
 }
 
 void ComparisonDialog::accept() {
-    for (FigureBox* each : {joint_, tcp_, current_, force_, lasting_}) {
+    for (DecimalSpinBox* each : {joint_, tcp_, current_, force_, lasting_}) {
         if (each->isRefused()) {
             each->setFocus();
             each->explainRefusal();

@@ -13,7 +13,7 @@ class QPushButton;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 
 class ComparisonDialog : public QDialog {
     Q_OBJECT
@@ -29,14 +29,15 @@ public:
     void accept() override;
 
 private:
-    FigureBox* box(const char* name, const QString& text, const QString& unit, double value, double most);
+    DecimalSpinBox* box(const char* name, const QString& text, const QString& unit, double value,
+                        double most);
 
     ChoiceBox* model_;
-    FigureBox* joint_;
-    FigureBox* tcp_;
-    FigureBox* current_;
-    FigureBox* force_;
-    FigureBox* lasting_;
+    DecimalSpinBox* joint_;
+    DecimalSpinBox* tcp_;
+    DecimalSpinBox* current_;
+    DecimalSpinBox* force_;
+    DecimalSpinBox* lasting_;
     QPushButton* compare_;
 };
 

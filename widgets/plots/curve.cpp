@@ -176,7 +176,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
     // Relative to the origin of time, so that the dashes move with the curve.
     double place = std::fmod(static_cast<double>(raster_), dashLength_);
     place = place < 0 ? place + dashLength_ : place;
-    constexpr double kRounding = 1e-6;  // of the accumulated value
+    constexpr double kRounding = 1e-6;  // rounding error of the accumulated value
     for (std::uint8_t& each : drawn) {
         double rest = place + kRounding;
         std::size_t piece = 0;
@@ -202,7 +202,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         MinMax ends;
         double half = std::numeric_limits<double>::infinity();
         for (const std::size_t end :
-             {begin - 1, i}) {  // before the first column: wraps around to an invalid index
+             {begin - 1, i}) {  // before the first column, begin - 1 wraps to an invalid index
             if (end < count && !columns_[end].isEmpty()) {
                 ends.add((columns_[end].low + columns_[end].high) / 2);
                 half = std::min(half, (columns_[end].high - columns_[end].low) / 2);

@@ -2,7 +2,7 @@
 #pragma once
 
 // One curve, represented by its extent in every pixel column: from minimum to maximum, connected to the neighbours,
-// independent of the length of the history. CurveSheet renders the columns.
+// independent of the length of the history. CurveRaster renders the columns.
 
 #include <QPainterPath>
 #include <QPen>
@@ -37,11 +37,12 @@ public:
     const QPen& pen() const { return pen_; }
     void setVisible(bool visible) { visible_ = visible; }
     bool isVisible() const { return visible_; }
-    /// Subtracted before drawing.
+    /// Sets the offset that is subtracted before drawing.
     void setOffset(double offset) { offset_ = offset; }
     double offset() const { return offset_; }
 
-    /// Reads the data of the columns of this grid. Always from the same column of the same history.
+    /// Reads the data of the columns of this grid. `column` must always be the same column of the same
+    /// history.
     void sample(const SeriesBuffer& history, int column, const ColumnGrid& grid);
     /// Minimum and maximum of the data read.
     const MinMax& range() const { return range_; }
@@ -57,7 +58,7 @@ public:
     /// beyond  minimum excess, in the unit of the curve
     void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;
 
-    /// As a path, for vector formats.
+    /// Returns the curve as a path, for vector formats.
     QPainterPath path(const QRectF& area, double t0, double t1, double y0, double y1) const;
 
 private:
@@ -68,17 +69,17 @@ private:
 
     int signal_;
     QPen pen_;
-    std::vector<double> dashes_;  // of the pen, in columns: alternately drawn and not drawn
-    double dashLength_ = 0;       // total
+    std::vector<double> dashes_;  // dash pattern of the pen [columns]: alternately drawn and not drawn
+    double dashLength_ = 0;       // length of the whole pattern [columns]
     bool visible_ = true;
     double offset_ = 0;
-    std::vector<MinMax> envelope_;  // of the columns with cachedEdges_
+    std::vector<MinMax> envelope_;  // minimum and maximum of the columns at cachedEdges_
     std::vector<MinMax> fresh_;
     std::vector<std::int64_t> edges_;
     std::vector<std::int64_t> cachedEdges_;
     double cachedStart_ = 0;
     double cachedWidth_ = 0;
-    std::uint64_t cachedRevision_ = 0;  // of the history
+    std::uint64_t cachedRevision_ = 0;  // revision of the history
     std::vector<Column> columns_;
     std::int64_t raster_ = 0;
     double width_ = 0;

@@ -17,7 +17,8 @@ bool isOneFamily(const SignalStore& store, const std::vector<int>& shown) {
 }
 
 QList<qreal> dashesOf(std::size_t curve) {
-    // The first four are solid; then two patterns in turn, finer with every round of colours.
+    // The first four are solid; then two dash patterns alternate, which become finer with every round of
+    // colours.
     if (curve < 4) {
         return {};
     }

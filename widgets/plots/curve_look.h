@@ -13,7 +13,7 @@ struct Theme;
 
 /// Cosmetic pens, one per signal: the axis colours if all are x, y or z of one quantity, otherwise curve colours.
 std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& shown, const Theme& theme);
-/// What each is called in the legend: "Base" among joint currents alone, "I Base" beside others.
+/// The text in the legend: "Base" if all signals are joint currents, "I Base" among other signals.
 QString curveLabel(const SignalStore& store, const std::vector<int>& shown, int signal);
 
 }  // namespace tiller

@@ -22,10 +22,10 @@ namespace tiller {
 
 namespace {
 
-constexpr int kAnalyseAfter = 120;  // [ms] after the last change
-constexpr std::int64_t kMostSamples = 2'000'000;
-constexpr std::int64_t kMostPoints = 50'000;  // of one signal over another
-constexpr int kLeastLetters = 8;              // of a signal's name
+constexpr int kAnalyseAfter = 120;  // delay after the last change [ms]
+constexpr std::int64_t kMaxAnalysisSamples = 2'000'000;
+constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points for one signal over another
+constexpr int kMinLetters = 8;               // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
 /// With more samples, the worker is used.
 constexpr std::int64_t kOnTheSpot = 65'536;
@@ -38,13 +38,13 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     , kind_(new SegmentedControl({tr("Spectrum"), tr("XY")}))
     , x_(new ChoiceBox)
     , y_(new ChoiceBox)
-    , over_(new QLabel(tr("over")))
+    , over_(new QLabel(tr("vs.")))
     , title_(new QLabel)
     , canvas_(new AnalysisCanvas) {
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
-    // Elements shown or hidden next to it must not move it from under the pointer.
+    // Fixed size, so that elements shown or hidden next to it do not move it away from the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
@@ -79,7 +79,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     });
     for (ChoiceBox* box : {x_, y_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(kLeastLetters);
+        box->setMinimumContentsLength(kMinLetters);
         connect(box, &QComboBox::activated, this, &PlotAnalysis::fill);
     }
 }
@@ -148,7 +148,7 @@ void PlotAnalysis::fillChoices() {
             box->addItem(nameOf(signal), signal);
         }
         const int first = box->findData(before);
-        // The signal read by the cursors over the previous one.
+        // Select the signal read by the cursors instead of the previous one.
         const int read = box->findData(view_->readoutSignal());
         box->setCurrentIndex(first >= 0 && before.isValid() ? first : box == y_ ? std::max(read, 0) : 0);
     }
@@ -164,7 +164,7 @@ void PlotAnalysis::fill() {
     x_->setVisible(xy);
     if (y_->count() == 0) {
         cancel();
-        tellWhyNot(tr("Add a signal to the plots first."));
+        explainMissingResult(tr("Add a signal to the plots first."));
         return;
     }
     const int signal = y_->currentData().toInt();
@@ -177,7 +177,7 @@ void PlotAnalysis::fill() {
     }
 }
 
-void PlotAnalysis::tellWhyNot(const QString& message) {
+void PlotAnalysis::explainMissingResult(const QString& message) {
     title_->clear();
     canvas_->show({}, {}, {}, message);
 }
@@ -194,23 +194,24 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     const std::int64_t least = kind == Kind::Spectrum ? 2 : 1;
     if (task.end - task.begin < least) {
-        tellWhyNot(tr("There are no samples in this range."));
+        explainMissingResult(tr("There are no samples in this range."));
         return std::nullopt;
     }
     if (kind == Kind::Xy) {
-        task.every = (task.end - task.begin + kMostPoints - 1) / kMostPoints;
+        task.every = (task.end - task.begin + kMaxPoints - 1) / kMaxPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
-            tellWhyNot(
+            explainMissingResult(
                 tr("These signals are from different recordings: place the cursors A and B around a shorter "
                    "range."));
             return std::nullopt;
         }
         return task;
     }
-    task.end = std::min(task.end, task.begin + kMostSamples);
+    task.end = std::min(task.end, task.begin + kMaxAnalysisSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
-        tellWhyNot(tr(
-            "Samples are missing in this range: place the cursors A and B so that no gap is between them."));
+        explainMissingResult(
+            tr("Samples are missing in this range: place the cursors A and B so that there is no gap between "
+               "them."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /
@@ -260,7 +261,7 @@ void PlotAnalysis::run(const Task& task) {
 void PlotAnalysis::cancel() {
     cancel_.cancel();
     cancel_ = {};
-    worker_.cancelAll();  // including waiting jobs
+    worker_.cancelAll();  // cancels waiting jobs as well
     task_.reset();
     outcome_.reset();
     again_ = false;
@@ -285,7 +286,7 @@ void PlotAnalysis::readAndCompute(const Task& task, bool goesOn) {
         if (goesOn) {
             title_->setText(words);
         } else {
-            tellWhyNot(words);
+            explainMissingResult(words);
         }
     };
     progress(0);
@@ -367,7 +368,7 @@ void PlotAnalysis::finish(const Task& task, const Outcome& outcome) {
 
 void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
     if (outcome.points.isEmpty()) {
-        tellWhyNot(outcome.message);
+        explainMissingResult(outcome.message);
         return;
     }
     const QString from = format::number(task.range.from, kSecondDigits);
@@ -376,7 +377,7 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1
                                     ? tr("%n sample(s)", nullptr, count)
-                                    : tr("%n sample(s), every %1th shown", nullptr, count).arg(task.every);
+                                    : tr("%n sample(s), 1 of %1 shown", nullptr, count).arg(task.every);
         title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
         canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
         return;

@@ -53,8 +53,8 @@ private:
     /// A computation with its samples.
     struct Task {
         Kind kind = Kind::Spectrum;
-        std::vector<int> wanted;  ///< signals; for XY the one along the horizontal axis first
-        std::int64_t begin = 0;   ///< samples of the history of the first one
+        std::vector<int> wanted;  ///< signals; for XY, the signal of the horizontal axis is first
+        std::int64_t begin = 0;   ///< first used sample in the history of the first signal
         std::int64_t end = 0;
         std::int64_t every = 1;  ///< step between used samples
         Range range;             ///< [s]
@@ -81,7 +81,7 @@ private:
     void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
     void present(const Task& task, const Outcome& outcome);
-    void tellWhyNot(const QString& message);
+    void explainMissingResult(const QString& message);
     Columns gather(const Task& task) const;
     /// The data are in a file and have to be read by the worker.
     bool isFar(const Task& task) const;
@@ -99,9 +99,9 @@ private:
     AnalysisCanvas* canvas_;
     QTimer soon_;
     std::optional<Task> task_;        ///< task started last
-    std::optional<Outcome> outcome_;  ///< its result; empty: in progress
-    bool again_ = false;              ///< another task has to be started after its end
-    CancelToken cancel_;              ///< of the current task
+    std::optional<Outcome> outcome_;  ///< result of the task; empty: in progress
+    bool again_ = false;              ///< another task has to be started when the current one ends
+    CancelToken cancel_;              ///< cancels the current task
     SerialExecutor worker_;           ///< last member: its jobs end before other members are destroyed
 };
 

@@ -90,7 +90,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         divergence::Choice choice;
         choice.limits = limits_;
         choice.model = model;
-        // A separate instance of the file, because the plots use theirs.
+        // Opens the file separately, because the plots use their own instance.
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;
@@ -170,10 +170,10 @@ void PlotComparison::mark(const QString& recording, const divergence::Report& re
         return;
     }
     place_.marks.addOf(recording, {place_.store.timesOf(recording)->firstTime() + first->seconds,
-                                   tr("Arm and model diverge: %1").arg(partingMark(*first)), true});
+                                   tr("Arm and model diverge: %1").arg(deviationMark(*first)), true});
     constexpr int kWarning = 30;
     place_.replay.setFurtherEvents(
-        recording, {{first->seconds, kWarning, QStringLiteral("tiller"), partingText(*first)}});
+        recording, {{first->seconds, kWarning, QStringLiteral("tiller"), deviationText(*first)}});
 }
 
 void PlotComparison::goThere() {

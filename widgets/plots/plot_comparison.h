@@ -46,7 +46,7 @@ public:
 
     /// Compares an opened recording with the model stated in it, or with that of its robot while it is connected.
     void begin(const QString& recording);
-    /// Asks the user for model and limits, then compares.
+    /// Asks for the model and the limits, then runs the comparison.
     void ask(const QString& recording);
     void cancel(const QString& recording);
     /// All recordings were closed.
@@ -55,7 +55,7 @@ public:
     void goThere();
     /// The text for the page in front; empty: none.
     QString words() const;
-    /// The page in front, or its content, has changed.
+    /// Updates the display after a change of the page in front or of its content.
     void follow();
     /// The recording of the page in front; empty: none.
     QString recordingInFront() const;
@@ -89,7 +89,7 @@ private:
     divergence::Limits limits_;
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
-    QSet<QString> told_;     ///< files that were reported
+    QSet<QString> told_;     ///< files for which parted() was emitted
     SerialExecutor worker_;  ///< last member: its jobs end before other members are destroyed
 };
 

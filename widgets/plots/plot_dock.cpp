@@ -40,7 +40,7 @@
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
 #include "widgets/common/elided_label.h"
-#include "widgets/common/give_way.h"
+#include "widgets/common/reserve_height.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/plot_analysis.h"
@@ -57,8 +57,8 @@ namespace tiller {
 
 namespace {
 
-constexpr int kLeastReadout = 1;  // [px]
-constexpr int kLeastSide = 150;
+constexpr int kMinReadout = 1;  // [px]
+constexpr int kMinSide = 150;
 constexpr int kUsualSide = 230;
 constexpr int kFramesPerHistoryText = 60;
 constexpr int kFramesPerAnalysis = 30;
@@ -84,7 +84,7 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
     return button;
 }
 
-/// Changes the text only if it differs, because this updates the layout of the title bar. The width is that of the
+/// Changes the text only if it differs, because this updates the layout of the title bar. The width fits the
 /// longest text, so that adjacent elements do not move.
 void keepWidth(QToolButton* key, const QStringList& texts) {
     const QString now = key->text();
@@ -153,7 +153,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     sideLayout->setSpacing(0);
     sideLayout->addWidget(tree_, 1);
     sideLayout->addWidget(historyLabel_);
-    side_->setMinimumWidth(kLeastSide);
+    side_->setMinimumWidth(kMinSide);
     side_->hide();
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->setObjectName(QStringLiteral("plots.splitter"));
@@ -188,9 +188,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 
     pages_->setClock([this](double time) { return replay_->clockAt(time); });
     connect(replay_.get(), &PlotReplay::changed, this, &PlotDock::replayChanged);
-    connect(comparison_.get(), &PlotComparison::parted, this, &PlotDock::partedFromModel);
+    connect(comparison_.get(), &PlotComparison::parted, this, &PlotDock::deviatedFromModel);
     connect(comparison_.get(), &PlotComparison::limitsChanged, this, &PlotDock::arrangementChanged);
-    connect(comparison_.get(), &PlotComparison::bandChanged, this, &PlotDock::makeWay);
+    connect(comparison_.get(), &PlotComparison::bandChanged, this, &PlotDock::makeSpace);
     connect(pages_, &PlotPages::windowChanged, this, [this] {
         updateHeader();
         replay_->follow();
@@ -210,7 +210,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     });
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
-        sayWhatIsShown();
+        announceContent();
         updateHeader();
         values_->follow(view());
         analysis_->follow(&view());
@@ -225,7 +225,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
     connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
         const Result<int> made = store_->derive(text);
-        tree_->tellDerivation(made ? QString() : made.error().controllerMessage);
+        tree_->showDerivationResult(made ? QString() : made.error().controllerMessage);
         if (made) {
             view().addSignals({store_->info(*made).key});
         }
@@ -233,7 +233,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(store_.get(), &SignalStore::furtherFieldsChanged, &session_, &RobotSession::followExtraFields);
     connect(&session_, &RobotSession::extraSamplesReceived, this, &PlotDock::takeExtra);
     connect(&session_, &RobotSession::connected, this, &PlotDock::followAbsent);
-    sayWhatIsShown();
+    announceContent();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         feed_->beginLink();
         pages_->clearZero();  // another robot or tool
@@ -298,11 +298,11 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
-    // The plots shrink for the table: otherwise a panel of minimum height would grow and move the button from under
-    // the pointer.
+    // The plots shrink to make space for the table. Otherwise a panel of minimum height would grow and move
+    // the button away from the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
-    makeWay();
+    makeSpace();
     if (shown && analysis_->isHidden() && beneath->height() < pages_->sizeHint().height()) {
         // With little space, the plots have priority over the table.
         beneath->setSizes({beneath->height() - table - beneath->handleWidth(), table, 0});
@@ -310,11 +310,11 @@ void PlotDock::setValuesShown(bool shown) {
     valuesKey_->setChecked(shown);
 }
 
-void PlotDock::makeWay() {
+void PlotDock::makeSpace() {
     const auto* beneath = static_cast<const QSplitter*>(values_->parentWidget());
     const int table = values_->isHidden() ? 0 : values_->minimumSizeHint().height() + beneath->handleWidth();
     const int band = comparisonBand_->isHidden() ? 0 : comparisonBand_->sizeHint().height();
-    giveWay(*pages_, table + band);
+    reserveHeight(*pages_, table + band);
 }
 
 void PlotDock::addNote(double time, const QString& text) {
@@ -369,7 +369,7 @@ QString PlotDock::historyText() const {
 void PlotDock::buildPagesMenu() {
     QMenu* menu = pagesKey_->menu();
     menu->clear();
-    // These have buttons in the title bar if there is space.
+    // These have buttons in the title bar if there is enough space.
     const auto addSwitch = [this, menu](const char* name, const QString& text, bool on,
                                         void (PlotDock::*set)(bool)) {
         QAction* action = menu->addAction(text);
@@ -408,7 +408,7 @@ void PlotDock::buildPagesMenu() {
     };
     add(menu, "plots.layout.addPage", tr("New page"), [this] {
         addPage();
-    })->setEnabled(pages_->count() < PlotLayout::kMostPages);
+    })->setEnabled(pages_->count() < PlotLayout::kMaxPages);
     add(menu, "plots.layout.removePage", tr("Remove this page"), [this] {
         pages_->removePage(pages_->current());
     })->setEnabled(pages_->count() > 1);
@@ -418,7 +418,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
-    add(menu, "plots.layout.compare", tr("Compare with the model of the arm…"), [this] {
+    add(menu, "plots.layout.compare", tr("Compare with the arm model…"), [this] {
         compareWithModel();
     })->setEnabled(!comparison_->recordingInFront().isEmpty());
     menu->addSeparator();
@@ -482,7 +482,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at) {
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
-    // Only the files of incidents are immutable: others may have been recorded again.
+    // Only the files of incidents are immutable; other files may have been overwritten by a new recording.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
@@ -516,7 +516,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
 }
 
 PageLayout PlotDock::pageFor(const QString& recording) const {
-    // Its standard plots if available, otherwise the first columns.
+    // The standard plots of the recording if available, otherwise its first columns.
     PageLayout page;
     page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
@@ -609,7 +609,7 @@ void PlotDock::closeRecordings() {
     pages_->dropRecordings();
     incidents_.clear();
     store_->closeRecordings();
-    sayWhatIsShown();
+    announceContent();
     replay_->follow();
     comparison_->follow();
 }
@@ -672,7 +672,7 @@ QString PlotDock::picturesTitle() const {
     return families.isEmpty() ? tr("Plots") : families.mid(0, 4).join(QStringLiteral(", "));
 }
 
-void PlotDock::sayWhatIsShown() {
+void PlotDock::announceContent() {
     QStringList parts;
     for (const auto& pane : pages_->view().panes()) {
         QStringList families;
@@ -698,7 +698,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
-    readout_->setMinimumWidth(kLeastReadout);  // with and without text: the buttons do not move
+    readout_->setMinimumWidth(kMinReadout);  // constant: the buttons do not move
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
@@ -810,7 +810,7 @@ void PlotDock::take(const SampleBatch& batch) {
         replay_->noteFrame(history().lastTime(), QDateTime::currentDateTimeUtc());
     }
     const LaneEntry none = noDataEntry();
-    for (const HistoryFeed::Silence& silence : feed_->takeSilences()) {
+    for (const HistoryFeed::Silence& silence : feed_->takeDataGaps()) {
         lane_->add(silence.from, none.kind, none.label);
         lane_->add(silence.to, none.kind, none.label);
         backAt_ = silence.to;
@@ -828,7 +828,7 @@ void PlotDock::followLane(const SessionState& state) {
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // The last state ended with its last sample; the time continues.
+        // The last state ended with the last sample, but time continues.
         const LaneEntry none = noDataEntry();
         lane_->add(shown, none.kind, none.label);
         lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);
@@ -985,7 +985,7 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
     return tiller::exportPicture(pages_->view(), *store_, *lane_, text, path);
 }
 
-void PlotDock::sayNothingToExport() {
+void PlotDock::showNothingToExport() {
     Q_EMIT session_.message(Severity::Warning, tr("Cannot export: the plots show no samples. Connect to a "
                                                   "robot, or scroll to a time with samples."));
 }
@@ -993,14 +993,14 @@ void PlotDock::sayNothingToExport() {
 bool PlotDock::exportTo(const QString& path) {
     const bool csv = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
     if (history().isEmpty()) {
-        sayNothingToExport();
+        showNothingToExport();
         return false;
     }
     const Result<void> result = csv ? exportCsv(path) : exportPicture(path);
     if (result) {
         Q_EMIT session_.message(Severity::Info, tr("Exported the visible range to %1").arg(path));
     } else if (csv && result.error().code == ErrorCode::InvalidArgument) {
-        sayNothingToExport();
+        showNothingToExport();
     } else {
         Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
     }
@@ -1009,7 +1009,7 @@ bool PlotDock::exportTo(const QString& path) {
 
 void PlotDock::askExport() {
     const QList<QPair<QString, QString>> kinds = {
-        {tr("Picture (*.png)"), QStringLiteral(".png")},
+        {tr("Image (*.png)"), QStringLiteral(".png")},
         {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
         {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
         {tr("Values (*.csv)"), QStringLiteral(".csv")},

@@ -49,7 +49,7 @@ public:
     explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
     ~PlotDock() override;
 
-    PlotView& view();  ///< Of the page in front.
+    PlotView& view();  ///< The view of the page in front.
     PlotPages& pages() { return *pages_; }
     PlotMarks& marks() { return *marks_; }
     SignalStore& store() { return *store_; }
@@ -63,7 +63,7 @@ public:
     /// The displayed range as CSV, with column names as in recordings, or as an image (.png, .svg, .pdf).
     Result<void> exportCsv(const QString& path) const;
     Result<void> exportPicture(const QString& path) const;
-    /// By the file extension; shows the result to the user.
+    /// Selects the format by the file extension, and shows the result to the user.
     bool exportTo(const QString& path);
 
     /// Opens a recording of any format on a separate page next to the live data: it ends at the end of the history,
@@ -74,7 +74,7 @@ public:
     /// The time of cursor A while it refers to a recording or to a paused history.
     const Replay& replay() const;
     void closeRecordings();
-    /// Saves to and loads from a separate file, without messages.
+    /// Saves the arrangement to a separate file or loads it, without messages.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
     // The arrangement of the plots as text for the settings. Invalid data change nothing.
@@ -104,13 +104,13 @@ public Q_SLOTS:
     void addPage();
     /// Shows the table of values at and between the cursors.
     void setValuesShown(bool shown);
-    /// Shows the spectrum of a signal, or one signal over another.
+    /// Shows the spectrum of a signal, or one signal versus another.
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
     /// Asks for the text of a note at this time.
     void askForNote(double time);
     void addNote(double time, const QString& text);
-    /// Copies the displayed plots as an image.
+    /// Copies an image of the displayed plots to the clipboard.
     void copyPicture();
     /// Starts or ends a recording.
     void toggleRecording();
@@ -125,12 +125,12 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// Selected in the menu of the Record button.
     void recordingChosen(const tiller::RecordingChoice& choice);
-    /// The settings that are not in the menu should be shown: signals, folder, file name.
+    /// The settings that are not in the menu (signals, folder, file name) should be shown.
     void recordingOptionsWanted();
     /// The replayed time has changed; empty: all data are live.
     void replayChanged(const tiller::Replay& moment);
     /// Arm and model of a recording deviate at this time on its time axis.
-    void partedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
+    void deviatedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
     /// Pages, plots, their signals or the memory limit have changed.
     void arrangementChanged();
 
@@ -144,7 +144,7 @@ private:
     void takeExtra(const SampleBatch& batch);
     void followAbsent();
     void buildPagesMenu();
-    void sayWhatIsShown();
+    void announceContent();
     /// e.g. "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
     static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
@@ -157,13 +157,13 @@ private:
     PageLayout pageFor(const QString& recording) const;
     bool turnTo(const QString& recording);
     bool isOpen(const QString& path, std::optional<double> moment);
-    void makeWay();
+    void makeSpace();
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
     void followLane(const SessionState& state);
     void updateHeader();
-    void sayNothingToExport();
+    void showNothingToExport();
     void buildRecordMenu();
     void showRecordMenu();
     void askForFolder();
@@ -184,7 +184,7 @@ private:
     PlotAnalysis* analysis_ = nullptr;
     QToolButton* valuesKey_ = nullptr;
     QLabel* historyLabel_ = nullptr;
-    QWidget* side_ = nullptr;  // the list and the elements below it
+    QWidget* side_ = nullptr;  // the signal list and the elements below it
     QToolButton* signalsKey_ = nullptr;
     QToolButton* pagesKey_ = nullptr;
     ElidedLabel* readout_ = nullptr;
@@ -195,7 +195,7 @@ private:
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
-    std::optional<double> backAt_;  ///< on the time axis of the plots [s]: data resumed, not in the lane yet
+    std::optional<double> backAt_;  ///< data resumed at this time, not in the lane yet [s]
     RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;

@@ -15,11 +15,11 @@ namespace tiller {
 
 namespace {
 
-constexpr qsizetype kLongestName = 60;
+constexpr qsizetype kMaxNameLength = 60;
 /// Maximum length of the name of a recording (file name) or of a computed signal.
-constexpr qsizetype kLongestKey = DerivedSignal::kLongestText;
-constexpr double kLeastShare = 0.05;
-constexpr double kMostShare = 20;
+constexpr qsizetype kMaxKeyLength = DerivedSignal::kMaxTextLength;
+constexpr double kMinShare = 0.05;
+constexpr double kMaxShare = 20;
 
 constexpr std::array<const char*, 3> kTimeAxes = {"relative", "controller", "clock"};
 
@@ -36,7 +36,7 @@ QStringList toKeys(const QJsonValue& value, int most) {
     const QJsonArray array = value.toArray();
     for (const QJsonValue& one : array) {
         const QString key = one.toString();
-        if (!key.isEmpty() && key.size() <= kLongestKey && all.size() < most && !all.contains(key)) {
+        if (!key.isEmpty() && key.size() <= kMaxKeyLength && all.size() < most && !all.contains(key)) {
             all.append(key);
         }
     }
@@ -68,32 +68,32 @@ QJsonObject toObject(const divergence::Limits& limits) {
 }
 
 divergence::Limits toModelLimits(const QJsonObject& object) {
-    constexpr double kMost = 1e5;
+    constexpr double kMaxValue = 1e5;
     const divergence::Limits usual;
     divergence::Limits limits;
-    limits.jointPosition = within(object["joint"], 0, kMost, usual.jointPosition);
-    limits.tcpPosition = within(object["tcp"], 0, kMost, usual.tcpPosition);
-    limits.current = within(object["current"], 0, kMost, usual.current);
-    limits.force = within(object["force"], 0, kMost, usual.force);
-    limits.lasting = within(object["lasting"], 0, kMost, usual.lasting);
+    limits.jointPosition = within(object["joint"], 0, kMaxValue, usual.jointPosition);
+    limits.tcpPosition = within(object["tcp"], 0, kMaxValue, usual.tcpPosition);
+    limits.current = within(object["current"], 0, kMaxValue, usual.current);
+    limits.force = within(object["force"], 0, kMaxValue, usual.force);
+    limits.lasting = within(object["lasting"], 0, kMaxValue, usual.lasting);
     return limits;
 }
 
 PageLayout toPage(const QJsonObject& object) {
     PageLayout page;
-    page.name = object["name"].toString().trimmed().left(kLongestName);
+    page.name = object["name"].toString().trimmed().left(kMaxNameLength);
     const QJsonArray panes = object["plots"].toArray();
     for (const QJsonValue& value : panes) {
-        if (page.panes.size() == PlotLayout::kMostPanes) {
+        if (page.panes.size() == PlotLayout::kMaxPanes) {
             break;
         }
         const QJsonObject pane = value.toObject();
-        page.panes.append({toKeys(pane["signals"], PlotLayout::kMostSignals),
-                           toKeys(pane["hidden"], PlotLayout::kMostSignals),
-                           static_cast<int>(within(pane["column"], 0, PlotLayout::kMostColumns - 1, 0)),
-                           within(pane["share"], kLeastShare, kMostShare, 1)});
+        page.panes.append({toKeys(pane["signals"], PlotLayout::kMaxSignals),
+                           toKeys(pane["hidden"], PlotLayout::kMaxSignals),
+                           static_cast<int>(within(pane["column"], 0, PlotLayout::kMaxColumns - 1, 0)),
+                           within(pane["share"], kMinShare, kMaxShare, 1)});
     }
-    page.lanes = toKeys(object["lanes"], PlotLayout::kMostLanes);
+    page.lanes = toKeys(object["lanes"], PlotLayout::kMaxLanes);
     return page;
 }
 
@@ -137,7 +137,7 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     PlotLayout layout;
     layout.pages.clear();
     for (const QJsonValue& page : pages) {
-        if (layout.pages.size() < kMostPages) {
+        if (layout.pages.size() < kMaxPages) {
             layout.pages.append(toPage(page.toObject()));
         }
     }
@@ -146,9 +146,9 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     const QJsonArray limits = document.object()["thresholds"].toArray();
     for (const QJsonValue& value : limits) {
         const QJsonObject limit = value.toObject();
-        if (layout.thresholds.size() < PlotMarks::kMostThresholds && limit["limit"].isDouble()) {
+        if (layout.thresholds.size() < PlotMarks::kMaxThresholds && limit["limit"].isDouble()) {
             const QString key = limit["signal"].toString();
-            if (key.size() <= kLongestKey) {
+            if (key.size() <= kMaxKeyLength) {
                 layout.thresholds.append({key, limit["limit"].toDouble(), limit["above"].toBool(true)});
             }
         }

@@ -26,7 +26,7 @@ struct PaneLayout {
 
 struct PageLayout {
     QString name{};
-    QVector<PaneLayout> panes{};  ///< from top to bottom, column by column
+    QVector<PaneLayout> panes{};  ///< panes from top to bottom, column by column
     QStringList lanes{};
 
     /// TCP force and joint currents.
@@ -55,11 +55,11 @@ struct PlotLayout {
     static Result<PlotLayout> fromJson(const QByteArray& json);
     friend bool operator==(const PlotLayout&, const PlotLayout&) = default;
 
-    static constexpr int kMostPages = 12;
-    static constexpr int kMostPanes = 24;
-    static constexpr int kMostColumns = 4;
-    static constexpr int kMostSignals = 48;  ///< of one plot
-    static constexpr int kMostLanes = 24;
+    static constexpr int kMaxPages = 12;
+    static constexpr int kMaxPanes = 24;
+    static constexpr int kMaxColumns = 4;
+    static constexpr int kMaxSignals = 48;  ///< limit for one plot
+    static constexpr int kMaxLanes = 24;
 };
 
 }  // namespace tiller

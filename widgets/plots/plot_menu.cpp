@@ -23,7 +23,8 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// In the syntax of DerivedSignal. Characters of names or units with a meaning in this syntax are omitted.
+/// Returns the text in the syntax of DerivedSignal. Characters of names or units with a meaning in this
+/// syntax are omitted.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;
@@ -59,7 +60,7 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        if (!store_.isRecorded(signal)) {  // no more data that could cross a threshold
+        if (!store_.isRecorded(signal)) {  // A recorded signal gets no new data that could cross a threshold.
             addThresholds(menu, pane, signal, pane.valueAt(place.y()));
             menu.addSeparator();
         }
@@ -81,14 +82,14 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
     addAction(menu, "plots.menu.read", tr("Read %1 at the cursors").arg(name),
               [view, signal] { view->setReadoutSignal(signal); });
     addAction(
-        menu, "plots.menu.move", tr("Move %1 to a plot of its own").arg(name),
+        menu, "plots.menu.move", tr("Move %1 to a separate plot").arg(name),
         [view, at, key = store_.info(signal).key] {
             PageLayout page = view->page();
             page.panes[at].shown.removeAll(key);
             page.panes.insert(at + 1, PaneLayout{{key}, {}, page.panes[at].column, page.panes[at].share});
             view->setPage(page);
         })
-        ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMostPanes);
+        ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMaxPanes);
     addAction(menu, "plots.menu.remove", tr("Remove %1").arg(name),
               [view, at, signal] { view->removeSignal(at, signal); });
 }
@@ -96,7 +97,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
 void PlotMenu::addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value) {
     PlotMarks* marks = &view_.marks();
     const SignalInfo& info = store_.info(signal);
-    // With the number of digits displayed, so that the text matches the threshold.
+    // Rounded to the displayed number of digits, so that the text matches the threshold.
     const double scale = std::pow(10.0, info.digits);
     const double limit = std::round((value + pane.offset(signal)) * scale) / scale;
     for (const bool above : {true, false}) {
@@ -147,10 +148,10 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
             first = first < 0 ? one : first;
         }
     }
-    constexpr qsizetype kMost = 6;
-    if (keys.size() > 1 && keys.size() <= kMost) {
+    constexpr qsizetype kMaxValue = 6;
+    if (keys.size() > 1 && keys.size() <= kMaxValue) {
         const QString name = QStringLiteral("|%1|").arg(store_.info(first).longLabel);
-        add("plots.menu.norm", tr("Norm of the curves of this plot"),
+        add("plots.menu.norm", tr("Norm of the curves in this plot"),
             derivationText(name, pane.unit(),
                            QStringLiteral("norm(%1)").arg(keys.join(QStringLiteral(", ")))),
             PlotView::Place::Into);
@@ -161,7 +162,7 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
     PlotView* view = &view_;
     const int at = view_.paneIndex(pane);
     const int columns = columnsOf(view_);
-    const bool room = view_.panes().size() < PlotLayout::kMostPanes;
+    const bool room = view_.panes().size() < PlotLayout::kMaxPanes;
     const auto addPane = [view, at](int column) {
         PageLayout page = view->page();
         page.panes.insert(column == page.panes[at].column ? at + 1 : page.panes.size(),
@@ -173,12 +174,12 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
     })->setEnabled(room);
     addAction(menu, "plots.menu.beside", tr("New plot to the right"), [addPane, columns] {
         addPane(columns);
-    })->setEnabled(room && columns < PlotLayout::kMostColumns);
+    })->setEnabled(room && columns < PlotLayout::kMaxColumns);
     addAction(menu, "plots.menu.removePane", tr("Remove this plot"), [view, at] {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
     menu.addSeparator();
-    addAction(menu, "plots.menu.release", tr("Scale to the curves"), [view, at] {
+    addAction(menu, "plots.menu.release", tr("Scale to curves"), [view, at] {
         view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
     })->setEnabled(pane.isZoomed());
     addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });

@@ -16,14 +16,14 @@ class CursorItem : public QGraphicsItem {
 public:
     explicit CursorItem(const QString& letter);
 
-    /// x in the scene; the line extends from top to bottom.
+    /// Sets the horizontal position and the vertical extent in scene coordinates.
     void setLine(double x, double top, double bottom);
     void setActive(bool active);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
-    static constexpr int kLetterHeight = 16;  ///< above the line [px]
+    static constexpr int kLetterHeight = 16;  ///< height above the line [px]
 
 private:
     QString letter_;

@@ -23,7 +23,7 @@ PlotPages::PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks
     , tabs_(new QTabBar)
     , stack_(new QStackedWidget) {
     tabs_->setObjectName(QStringLiteral("plots.pages"));
-    tabs_->setAccessibleName(tr("Pages of plots"));
+    tabs_->setAccessibleName(tr("Plot pages"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setTabsClosable(true);
@@ -156,7 +156,7 @@ int PlotPages::livePage() const {
 }
 
 bool PlotPages::addPage(const PageLayout& page) {
-    if (count() >= PlotLayout::kMostPages) {
+    if (count() >= PlotLayout::kMaxPages) {
         return false;
     }
     addView().setPage(page);
@@ -255,7 +255,7 @@ PlotLayout PlotPages::arrangement() const {
 }
 
 void PlotPages::arrange(const PlotLayout& layout) {
-    const int wanted = std::clamp(static_cast<int>(layout.pages.size()), 1, PlotLayout::kMostPages);
+    const int wanted = std::clamp(static_cast<int>(layout.pages.size()), 1, PlotLayout::kMaxPages);
     while (count() > wanted) {
         removePage(count() - 1);
     }

@@ -36,13 +36,13 @@ public:
     bool addPage(const PageLayout& page);
     /// Removes all signals of recordings.
     void dropRecordings();
-    /// The last page remains, with the standard plots.
+    /// Removes a page. The last page is not removed, but reset to the standard plots.
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
     /// The page with signals of this recording; -1: none.
     int pageOf(const QString& recording) const;
-    /// The page in front or else the first one without recordings; -1: none.
+    /// The page in front if it has no recordings, otherwise the first such page; -1: none.
     int livePage() const;
 
     TimeAxis timeAxis() const { return timeAxis_; }

@@ -19,7 +19,7 @@
 #include "widgets/plots/axis_labels.h"
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 
 namespace tiller {
 
@@ -31,7 +31,7 @@ constexpr double kPixelsPerLine = 28;
 // Boxes of the labels; a text exceeds its box instead of being cut off. [px]
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
-constexpr double kLeastPitch = 14;
+constexpr double kMinPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
 
@@ -74,7 +74,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
         legend_.push_back(series);
         curves_.push_back(std::make_unique<Curve>(signal));
     }
-    sheet_ = new CurveSheet(curves_, chart_.get());
+    sheet_ = new CurveRaster(curves_, chart_.get());
     sheet_->setZValue(10);
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
@@ -92,7 +92,7 @@ void PlotPane::applyTheme() {
     const Theme& theme = Theme::current();
     values_->setLook(textFont(kLabelPixels), theme.secondary);
     times_->setLook(textFont(kLegendPixels), theme.secondary);
-    // Half way between surface and border: there when looked for, silent otherwise.
+    // The grid colour is half way between surface and border, so that the lines are not prominent.
     grid_->setGridLineColor(QColor((theme.panel.red() + theme.border.red()) / 2,
                                    (theme.panel.green() + theme.border.green()) / 2,
                                    (theme.panel.blue() + theme.border.blue()) / 2));
@@ -104,7 +104,7 @@ void PlotPane::applyTheme() {
         QPen pen = pens[i];
         const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
-        // The legend passes its font on only when it changes, so it is set for each entry.
+        // The legend forwards its font only when it changes, so it is set for each entry.
         if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
             QFont font = textFont(kLegendPixels);
             font.setStrikeOut(hidden);
@@ -180,7 +180,8 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
 }
 
 std::optional<int> PlotPane::legendAt(const QPointF& place) const {
-    // The chart's margins place the names across the upper edge of the plot area. Other positions are not searched.
+    // The chart's margins place the names across the upper edge of the plot area; other positions are not
+    // hit-tested.
     if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
     }
@@ -275,9 +276,9 @@ void PlotPane::updateValueAxis() {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
-    // In a low plot there is only space for the uppermost label, or for every second one.
+    // A plot with little height only has space for the uppermost label, or for every second one.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
-    const auto every = std::max(1LL, static_cast<long long>(std::ceil(kLeastPitch / std::max(pitch, 0.1))));
+    const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
         if ((last - i) % every != 0) {
             continue;
@@ -303,7 +304,7 @@ void PlotPane::updateValueAxis() {
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
     MinMax all;
     for (const auto& curve : curves_) {
-        // Hidden signals are read too: the sheet uses one raster for all.
+        // Hidden signals are sampled as well, because the sheet uses one raster for all curves.
         if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
             curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }

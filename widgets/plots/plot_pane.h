@@ -26,7 +26,7 @@ namespace tiller {
 
 class AxisLabels;
 class Curve;
-class CurveSheet;
+class CurveRaster;
 class SignalStore;
 
 /// A tick of an axis.
@@ -40,13 +40,13 @@ using GridOf = std::function<const ColumnGrid&(const SeriesBuffer&)>;
 
 class PlotPane {
 public:
-    /// shown  empty for a plot without signals
+    /// shown  the signals; empty for a plot without signals
     PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown);
     ~PlotPane();
     PlotPane(const PlotPane&) = delete;
     PlotPane& operator=(const PlotPane&) = delete;
 
-    /// area  of the curves, in scene coordinates; labels are drawn around it
+    /// area  area of the curves in scene coordinates; labels are drawn around it
     void setArea(const QRectF& area);
     const QRectF& area() const { return area_; }
     void applyTheme();
@@ -57,7 +57,7 @@ public:
     double share() const { return share_; }  ///< Height relative to the other plots of its column.
     void setShare(double share) { share_ = share; }
 
-    /// Labels below the plot; empty for all but the lowest plot of a stack.
+    /// Sets the labels below the plot; empty except for the lowest plot of a stack.
     void setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks);
     /// Shows t0 ... t1, divided into columns by the grids.
     /// seconds  since the last call, for the adaptation of the scale; negative: set the best scale immediately
@@ -65,7 +65,7 @@ public:
 
     const AxisRange& range() const { return range_; }
     const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
-    const CurveSheet& sheet() const { return *sheet_; }
+    const CurveRaster& sheet() const { return *sheet_; }
     const std::vector<int>& shown() const { return shown_; }
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
     /// The common unit of all signals, if any.
@@ -98,7 +98,7 @@ public:
     /// Copies hidden signals, offsets and zoom from another pane with the same signals.
     void showLike(const PlotPane& other);
 
-    static constexpr int kLegendHeight = 20;  ///< above the area [px]
+    static constexpr int kLegendHeight = 20;  ///< height above the area [px]
 
 private:
     std::size_t indexOf(int signal) const;
@@ -111,12 +111,12 @@ private:
     int column_ = 0;
     double share_ = 1;
     std::unique_ptr<QChart> chart_;
-    QValueAxis* grid_;  // the grid lines
+    QValueAxis* grid_;  // used for the grid lines only
     AxisLabels* values_;
     AxisLabels* times_;
-    std::vector<QLineSeries*> legend_;  // without points: the legend of the chart needs a series per entry
+    std::vector<QLineSeries*> legend_;  // empty series: one per legend entry
     std::vector<std::unique_ptr<Curve>> curves_;
-    CurveSheet* sheet_;
+    CurveRaster* sheet_;
     AxisRange range_;
     QRectF area_;
     int emphasis_;

@@ -30,7 +30,7 @@ class Page {
 public:
     Page(const PlotView& view, SignalStore& store, const StateLane& lane, PictureText text)
         : plots_(store, lane, view.marks()), text_(std::move(text)) {
-        // Has a layout like a window, but is never shown on a screen.
+        // The widget has a layout like a window, but is never shown on a screen.
         plots_.setAttribute(Qt::WA_DontShowOnScreen);
         plots_.resize(kPlots);
         plots_.setVisible(true);
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    const PaperColors paper_;  // before the plots, which read their colours at construction
+    const PaperColors paper_;  // constructed before the plots, which read their colours at construction
     PlotView plots_;
     PictureText text_;
 };

@@ -18,12 +18,12 @@ struct PictureText {
     QString detail;  ///< date, and values at the cursors
 };
 
-/// On a white page, independent of the theme: title, date, legend, axes, curves, cursors and lane, without
+/// Draws a white page, independent of the theme: title, date, legend, axes, curves, cursors and lane, without
 /// controls. The file extension selects the format: .png (twice the resolution of the screen), .svg and .pdf
 /// (vector graphics).
 /// view, store, lane  the displayed range and its data
-/// Errors             InvalidArgument (another extension), FileNotWritable, DiskFull; an existing file is then
-///                    unchanged
+/// Errors             InvalidArgument (another extension), FileNotWritable, DiskFull; an existing file is
+/// then unchanged
 /// Threads            GUI
 Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path);

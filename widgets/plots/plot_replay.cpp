@@ -47,7 +47,7 @@ QDateTime PlotReplay::wallTimeOf(double time) const {
     if (frame == frames_.end()) {
         return {};
     }
-    // Messages until the next frame belong to this frame.
+    // Messages up to the next frame belong to this frame.
     const auto next = frame + 1;
     const std::int64_t last =
         next == frames_.end() ? frame->wallMs : std::max(frame->wallMs, next->wallMs - 1);
@@ -104,7 +104,7 @@ Replay PlotReplay::momentNow() const {
     ReplayMoment moment;
     moment.source = source;
     moment.time = *time;
-    // Avoids reading the same sample again.
+    // True if the sample is already displayed and need not be read again.
     const bool same =
         moment_ && moment_->source == source && moment_->time == *time && !moment_->sample.isEmpty();
     moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);

@@ -53,7 +53,7 @@ private:
     const PlotPages& pages_;
     std::deque<Frame> frames_;
     Replay moment_;
-    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< by recording
+    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< events by recording
 };
 
 }  // namespace tiller

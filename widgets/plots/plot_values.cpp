@@ -22,9 +22,9 @@ namespace tiller {
 
 namespace {
 
-constexpr int kPatience = 80;    // [ms]
-constexpr int kGoesOn = 20;      // [ms] between two checks of the summation
-constexpr int kLeastTable = 66;  // [px], its titles and one signal
+constexpr int kPatience = 80;  // delay after the last change [ms]
+constexpr int kGoesOn = 20;    // interval between two checks of the summation [ms]
+constexpr int kMinTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -37,13 +37,13 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     between_->setContentsMargins(8, 2, 8, 2);
     table_->setObjectName(QStringLiteral("plots.values.table"));
     table_->setAccessibleName(tr("Values at the cursors"));
-    table_->setFont(figureFont(12));
+    table_->setFont(numberFont(12));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setFont(textFont(12));
     table_->setShowGrid(false);
-    table_->setMinimumHeight(kLeastTable);
+    table_->setMinimumHeight(kMinTable);
     const QStringList titles{tr("Signal"),     tr("A"),    tr("B"),   tr("B − A"), tr("Min"),
                              tr("Max"),        tr("Mean"), tr("RMS"), tr("Std"),   tr("Peak to peak"),
                              tr("Slope per s")};
@@ -54,7 +54,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(between_);
     layout->addWidget(table_, 1);
-    // Before the table, which would copy one cell.
+    // A shortcut, because Ctrl+C in the table would copy one cell only.
     auto* copying = new QShortcut(QKeySequence::Copy, this);
     copying->setContext(Qt::WidgetWithChildrenShortcut);
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);

@@ -25,7 +25,7 @@ public:
 
     /// Updates the table for this view after a short delay; many calls in a row cause one update.
     void follow(const PlotView& view);
-    /// As tab-separated text for spreadsheets.
+    /// Returns tab-separated text for spreadsheets.
     QString toText() const;
     void copy() const;
 

@@ -31,16 +31,16 @@ namespace {
 
 constexpr double kLeft = 56;  // space for the labels of the vertical axes [px]
 constexpr double kRight = 10;
-constexpr double kTop = 22;         // for the letters of the cursors and the legend
-constexpr double kBetween = 24;     // between two plots, for the legend of the lower one
-constexpr double kTimeLabels = 20;  // below the lowest plot
+constexpr double kTop = 22;         // space for the letters of the cursors and the legend [px]
+constexpr double kBetween = 24;     // space between two plots, for the legend of the lower one [px]
+constexpr double kTimeLabels = 20;  // space below the lowest plot [px]
 constexpr double kLaneHeight = 14;
 constexpr double kLaneGap = 2;
 constexpr double kBottom = 10;
-constexpr double kLeastHeight = 24;  // of a plot
+constexpr double kMinHeight = 24;  // minimum height of a plot [px]
 
 double niceTickStep(double span, double width) {
-    const double least = span / std::max(1.0, width / 110.0);  // minimum distance of labels in pixels
+    const double least = span / std::max(1.0, width / 110.0);  // minimum distance of labels [s]
     static constexpr double kSteps[] = {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1,    2,    5,    10,
                                         20,    30,   60,   120,  300, 600, 900, 1800, 3600, 7200, 14400};
     for (const double step : kSteps) {
@@ -71,10 +71,10 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     setObjectName(QStringLiteral("plots.view"));
     setAccessibleName(tr("Plots over time"));
     setAccessibleDescription(
-        tr("A and B place the cursors, left and right move them, up and down select the signal they read. H "
-           "hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, with Ctrl the "
-           "value scale; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the "
-           "newest samples"));
+        tr("A and B place the cursors, left and right move them, up and down select the signal at the "
+           "cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the "
+           "value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns "
+           "to the newest samples"));
     setScene(scene_.get());
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -231,7 +231,7 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
             continue;
         }
         QStringList& into = store_.info(signal).isState() ? page.lanes : curves;
-        const int most = store_.info(signal).isState() ? PlotLayout::kMostLanes : PlotLayout::kMostSignals;
+        const int most = store_.info(signal).isState() ? PlotLayout::kMaxLanes : PlotLayout::kMaxSignals;
         if (!into.contains(key) && into.size() < most) {
             into.append(key);
         }
@@ -240,23 +240,23 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
     PaneLayout& target = page.panes[at];
     if (!curves.isEmpty() && place == Place::Into) {
         for (const QString& key : std::as_const(curves)) {
-            if (!target.shown.contains(key) && target.shown.size() < PlotLayout::kMostSignals) {
+            if (!target.shown.contains(key) && target.shown.size() < PlotLayout::kMaxSignals) {
                 target.shown.append(key);
             }
         }
-    } else if (!curves.isEmpty() && page.panes.size() < PlotLayout::kMostPanes) {
+    } else if (!curves.isEmpty() && page.panes.size() < PlotLayout::kMaxPanes) {
         PaneLayout added{curves, {}, target.column, 1};
         if (place == Place::Beside) {
-            added.column = std::min(target.column + 1, PlotLayout::kMostColumns - 1);
+            added.column = std::min(target.column + 1, PlotLayout::kMaxColumns - 1);
             for (PaneLayout& other : page.panes) {
-                const bool moves = other.column > target.column && columns_ < PlotLayout::kMostColumns;
+                const bool moves = other.column > target.column && columns_ < PlotLayout::kMaxColumns;
                 other.column += moves ? 1 : 0;
             }
             page.panes.append(added);
             std::stable_sort(page.panes.begin(), page.panes.end(),
                              [](const PaneLayout& a, const PaneLayout& b) { return a.column < b.column; });
         } else {
-            // Its height is the average; the others keep their proportions.
+            // The new plot gets the average height; the others keep their proportions.
             double shares = 0;
             int count = 0;
             for (const PaneLayout& other : std::as_const(page.panes)) {
@@ -350,8 +350,8 @@ void PlotView::layOut() {
     for (int column = 0; column < columns_; ++column) {
         most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
     }
-    // Lanes without enough space would cover the curves.
-    const double least = kTop + most * kLeastHeight + (most - 1) * kBetween;
+    // Lanes are hidden if there is not enough space, because they would cover the curves.
+    const double least = kTop + most * kMinHeight + (most - 1) * kBetween;
     const double below = size.height() - kBottom - kTimeLabels;
     const bool roomy = below - lanes >= least;
     const double bottom = below - (roomy ? lanes : 0);
@@ -362,12 +362,12 @@ void PlotView::layOut() {
             shares += pane->column() == column ? pane->share() : 0;
             count += pane->column() == column ? 1 : 0;
         }
-        const double heights = std::max(count * kLeastHeight, bottom - kTop - (count - 1) * kBetween);
+        const double heights = std::max(count * kMinHeight, bottom - kTop - (count - 1) * kBetween);
         const double left = kLeft + column * (width + kLeft);
         double top = kTop;
         for (const auto& pane : panes_) {
             if (pane->column() == column) {
-                const double height = --count == 0 ? std::max(kLeastHeight, bottom - top)
+                const double height = --count == 0 ? std::max(kMinHeight, bottom - top)
                                                    : std::round(heights * pane->share() / shares);
                 pane->setArea({left, top, width, height});
                 top += height + kBetween;
@@ -508,7 +508,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
                                           effort) &&
                           isSharp;
                 if (history.revision() != known) {
-                    cutNow();  // by the times of the received rows
+                    cutNow();  // the times of the received rows are used
                 }
             }
         }
@@ -580,7 +580,7 @@ void PlotView::placeTicks() {
     timeLabels_.clear();
     for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
         const double value = static_cast<double>(i) * step;
-        // A label at the edge would be cut off.
+        // Labels that would be cut off at the edge are omitted.
         const double room = (value - start) / tickSpan_ * width;
         const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative;
         if (isNow || room < 24 || (end - value) / tickSpan_ * width < 24) {
@@ -748,7 +748,7 @@ void PlotView::changeEvent(QEvent* event) {
             pane->applyTheme();
         }
         if (isVisible()) {
-            show(0);  // including the curves: in a paused view there is no other repaint
+            show(0);  // Repaints the curves as well: a paused view is not repainted otherwise.
         }
         viewport()->update();
     }
@@ -951,7 +951,7 @@ void PlotView::releaseValues(PlotPane& pane) {
 }
 
 std::optional<double> PlotView::meanAtTheEnd(int signal) const {
-    constexpr double kSeconds = 0.25;  // long enough to average the noise
+    constexpr double kSeconds = 0.25;  // long enough to average the noise [s]
     const SeriesBuffer& history = *store_.buffer(signal);
     const double end = window_.end();
     double sum = 0;
@@ -1147,7 +1147,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (event->button() != Qt::LeftButton || legendAt(at)) {
-        // The second press of a double click is handled like any other press.
+        // The second press of a double click is handled as a separate press.
         mousePressEvent(event);
         return;
     }
@@ -1157,7 +1157,7 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     if (paneAt(at).area().contains(at)) {
-        // Its first click has placed a cursor.
+        // Revert the cursor that the first click has placed.
         cursors_ = cursorsBefore_;
         Q_EMIT readoutChanged();
         fit();
@@ -1172,7 +1172,7 @@ void PlotView::click(const QPointF& point) {
         setReadoutSignal(pane.shown().back());
     }
     const double time = timeAt(point.x());
-    // First A, then B, then the nearer one.
+    // Place A first, then B, then move the nearer one.
     Cursor which = Cursor::A;
     if (cursors_[0] && !cursors_[1]) {
         which = Cursor::B;
@@ -1204,7 +1204,7 @@ void PlotView::wheelEvent(QWheelEvent* event) {
 // ---- drag and drop, menu
 
 PlotView::Target PlotView::targetAt(const QPointF& place) const {
-    constexpr double kEdge = 0.2;  // fraction of a plot's height and width
+    constexpr double kEdge = 0.2;  // [fraction of the plot's height and width]
     PlotPane& pane = paneAt(place);
     const QRectF& area = pane.area();
     Target target{paneIndex(pane), Place::Into, area};
@@ -1213,7 +1213,7 @@ PlotView::Target PlotView::targetAt(const QPointF& place) const {
     if (pane.shown().empty()) {
         return target;
     }
-    if (along > 1 - kEdge / 2 && columns_ < PlotLayout::kMostColumns) {
+    if (along > 1 - kEdge / 2 && columns_ < PlotLayout::kMaxColumns) {
         target.place = Place::Beside;
         target.mark.setLeft(area.center().x());
     } else if (down > 1 - kEdge) {

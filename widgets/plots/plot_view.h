@@ -56,7 +56,7 @@ public:
     /// States are added as lanes at any position. Existing and unknown signals are ignored.
     /// Returns  false if the robot cannot send this number of signals
     bool addSignals(const QStringList& keys, int pane, Place place = Place::Into);
-    /// Adds to the plot with the signal read by the cursors.
+    /// Adds signals to the plot that contains the signal read by the cursors.
     bool addSignals(const QStringList& keys);
     void removeSignal(int pane, int signal);
     void removePane(int pane);
@@ -104,7 +104,7 @@ public:
     const LaneItem& laneItem() const { return *laneItem_; }
     /// Shows all details of a long recording, which are otherwise loaded over some frames.
     void showSharp();
-    /// Null: no lane for this signal.
+    /// Returns null if this signal has no lane.
     const LaneItem* signalLane(int signal) const;
     /// The columns of the displayed image for the samples of a history.
     const ColumnGrid& gridOf(const SeriesBuffer& history) const;
@@ -206,22 +206,22 @@ private:
     std::vector<SignalLane> lanes_;
     std::array<std::vector<CursorItem*>, 2> cursorItems_;  // one per column
     std::array<std::optional<double>, 2> cursors_;
-    std::array<std::optional<double>, 2> cursorsBefore_;  // before the last click
+    std::array<std::optional<double>, 2> cursorsBefore_;  // positions before the last click
     Cursor active_ = Cursor::A;
     int readoutSignal_;
     std::map<const SeriesBuffer*, ColumnGrid> grids_;
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
-    double sinceShown_ = 0;  // [s]
+    double sinceShown_ = 0;  // time since the last repaint [s]
     double reference_ = 0;   // reference of the time labels [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
     QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
-    QTimer sharpen_;              // more details are available than displayed
-    QHash<int, double> offsets_;  // by signal; empty: not zeroed
-    QString name_;                // of the page
+    QTimer sharpen_;              // runs while more details are available than displayed
+    QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
+    QString name_;                // name of the page
     Drag drag_ = Drag::None;
     std::optional<int> legendPressed_;
     Target dropTarget_;

@@ -20,7 +20,7 @@ public:
     /// Distance of the right edge from the newest sample [s]; 0 while following.
     double behind() const { return follows_ ? 0 : newest_ - end_; }
 
-    /// The history covers oldest to newest.
+    /// Sets the range covered by the history: oldest to newest.
     void setHistory(double oldest, double newest);
     /// Keeps the right edge while following, otherwise the centre.
     void setSpan(double seconds);
@@ -29,7 +29,7 @@ public:
     /// Shows exactly this range, limited to the history.
     void showRange(double from, double to);
     double oldest() const { return oldest_; }
-    /// Negative: backwards. Returning to the newest sample does not end a pause.
+    /// Scrolls by this time; negative: backwards. Returning to the newest sample does not end a pause.
     void scrollBy(double seconds);
     /// factor < 1 zooms in. The time `anchor` keeps its position on the screen, unless following.
     void zoom(double factor, double anchor);

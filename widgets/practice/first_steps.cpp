@@ -10,10 +10,10 @@
 namespace tiller {
 namespace {
 
-constexpr double kThere = 0.001;       // [m] of the flange
-constexpr double kTurnedThere = 0.01;  // [rad]
-constexpr double kSameJoints = 0.005;  // [rad] a waypoint taught at the current position
-constexpr double kRealMove = 0.01;     // [rad] minimum of a motion
+constexpr double kThere = 0.001;       // tolerance of the flange position [m]
+constexpr double kTurnedThere = 0.01;  // tolerance of the orientation [rad]
+constexpr double kSameJoints = 0.005;  // for a waypoint at the current position [rad]
+constexpr double kRealMove = 0.01;     // minimum joint motion that counts [rad]
 
 const char* nameOf(FirstStep step) {
     switch (step) {

@@ -35,7 +35,7 @@ public:
     QStringList done() const;
     void setDone(const QStringList& names);
 
-    /// Instruction in one line.
+    /// Instruction as one line of text.
     static QString text(FirstStep step);
 
 Q_SIGNALS:
@@ -51,7 +51,7 @@ private:
     SessionState state_;
     bool following_ = false;
     std::array<bool, kFirstSteps.size()> done_{};
-    std::optional<JointPositions> movedFrom_;  ///< start of a motion by this program, until standstill
+    std::optional<JointPositions> movedFrom_;  ///< start of a motion by this program; empty otherwise
 };
 
 }  // namespace tiller

@@ -6,14 +6,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/practice/tick_line.h"
+#include "widgets/practice/checklist_item.h"
 
 namespace tiller {
 
 FirstStepsCard::FirstStepsCard(FirstSteps& steps, QWidget& view)
     : ViewCard(QStringLiteral("firstSteps"), tr("First steps"), 0, view), steps_(steps) {
     for (const FirstStep step : kFirstSteps) {
-        auto* line = new TickLine(FirstSteps::text(step), this);
+        auto* line = new ChecklistItem(FirstSteps::text(step), this);
         line->setObjectName(QStringLiteral("firstSteps.%1").arg(static_cast<int>(step)));
         content().addWidget(line);
         lines_[static_cast<std::size_t>(step)] = line;

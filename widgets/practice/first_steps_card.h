@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The checklist of the first steps. It does not block anything.
+// The checklist of the first steps. It does not block other input.
 
 #include <array>
 
@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-class TickLine;
+class ChecklistItem;
 
 class FirstStepsCard : public ViewCard {
     Q_OBJECT
@@ -28,7 +28,7 @@ private:
     void showSteps();
 
     FirstSteps& steps_;
-    std::array<TickLine*, kFirstSteps.size()> lines_{};
+    std::array<ChecklistItem*, kFirstSteps.size()> lines_{};
 };
 
 }  // namespace tiller

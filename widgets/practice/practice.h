@@ -40,7 +40,7 @@ public:
     PracticeTask task() const { return task_; }
     /// Selects another task; the current attempt ends.
     void choose(PracticeTask task);
-    /// by  1: the next one, -1: the previous one
+    /// by  1: next task, -1: previous task
     void turn(int by);
 
     /// The reason why the task cannot be started; empty if it can.
@@ -49,7 +49,7 @@ public:
     bool isRunning() const { return check_ != nullptr; }
     /// True if the check of this attempt has passed.
     bool passed() const { return check_ != nullptr && check_->passed(); }
-    /// Text of the check, or the reason why there is none.
+    /// Text of the check, or the reason why there is no check.
     QString text() const;
     void setAnswer(std::optional<double> figure);
     /// The user finishes the task: it counts as completed if the check has passed. Selects the next open task.
@@ -64,7 +64,7 @@ public:
     void setDone(const QStringList& names);
 
 Q_SIGNALS:
-    /// A displayed property has changed.
+    /// A displayed value has changed.
     void changed();
     void taskDone(tiller::PracticeTask task);
 

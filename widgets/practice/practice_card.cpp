@@ -9,13 +9,13 @@
 #include <cmath>
 
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/practice.h"
-#include "widgets/practice/tick_line.h"
 
 namespace tiller {
 namespace {
 
-constexpr int kHeight = 370;  // [px] height for the longest task with its check
+constexpr int kHeight = 370;  // height for the longest task with its check [px]
 
 }  // namespace
 
@@ -26,7 +26,7 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     , text_(new QLabel)
     , answerRow_(new QWidget)
     , answer_(new QLineEdit)
-    , check_(new TickLine({}))
+    , check_(new ChecklistItem({}))
     , start_(new QPushButton(tr("Start")))
     , done_(new QPushButton(tr("Done"))) {
     name_->setObjectName(QStringLiteral("practice.name"));
@@ -101,7 +101,7 @@ void PracticeCard::showTask() {
         answerRow_->setVisible(task == PracticeTask::Measure);
         setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
     }
-    // In the user's units, which may change.
+    // Texts contain values in the user's units, which may change.
     text_->setText(practiceText(task));
     check_->setText(practice_.text());
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));

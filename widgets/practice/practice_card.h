@@ -12,7 +12,7 @@ class QPushButton;
 namespace tiller {
 
 class Practice;
-class TickLine;
+class ChecklistItem;
 
 class PracticeCard : public ViewCard {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
     QLabel* text_;
     QWidget* answerRow_;
     QLineEdit* answer_;
-    TickLine* check_;
+    ChecklistItem* check_;
     QPushButton* start_;
     QPushButton* done_;
     int task_ = -1;  ///< the displayed task

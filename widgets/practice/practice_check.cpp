@@ -21,7 +21,7 @@ struct PracticeText {
     Q_DECLARE_TR_FUNCTIONS(Practice)
 };
 
-/// Running and ready, as before the stop.
+/// True if the robot is in normal mode and ready, as before the stop.
 bool isReady(const SessionState& state) {
     return state.robotMode == RobotMode::Running && allowsMotion(state.safety());
 }
@@ -66,7 +66,7 @@ public:
         if (state.hasData()) {
             remember(state.tcpPose.position);
         }
-        QString text = PracticeText::tr("No new frame yet. Use 3 points in the Frames tab.");
+        QString text = PracticeText::tr("No new frame yet. Use “3 points” in the Frames tab.");
         for (const project::Frame& frame : project.frames) {
             if (known_.contains(frame.id)) {
                 continue;
@@ -117,10 +117,9 @@ private:
                           std::any_of(places_.begin(), places_.end(), [&](const Eigen::Vector3d& place) {
                               return (place - origin).norm() < kAtOrigin;
                           });
-        return been
-                   ? QString()
-                   : PracticeText::tr("“%1” was not taught with the arm: the TCP has not been at its origin.")
-                         .arg(frame.name);
+        return been ? QString()
+                    : PracticeText::tr("“%1” was not taught with the arm: the TCP was never at its origin.")
+                          .arg(frame.name);
     }
 
     QSet<QUuid> known_;
@@ -161,7 +160,7 @@ public:
             say(PracticeText::tr("“%1” is at the expected position, but the tool orientation changed.")
                     .arg(point.name));
         } else if (state.hasData() && (state.tcpPose.position - now->position).norm() < kTolerance) {
-            pass(PracticeText::tr("“%1” is at the part again.").arg(point.name));
+            pass(PracticeText::tr("“%1” matches the part again.").arg(point.name));
         } else {
             say(PracticeText::tr("“%1” is at the expected position, but the arm is not. Touch up the "
                                  "waypoint with the arm at the part.")
@@ -193,7 +192,7 @@ public:
             say(state.jogActive && limited && state.limiter.scale < 1
                     ? PracticeText::tr("Slowed down to %1. Continue.")
                           .arg(format::percent(state.limiter.scale))
-                    : PracticeText::tr("No limit reached yet. The line below the pad will name it."));
+                    : PracticeText::tr("No limit reached yet. The line below the pad will show it."));
             return;
         }
         const double back = (state.tcpPose.position - *at_).norm();
@@ -255,7 +254,7 @@ private:
                     ? PracticeText::tr("That recording is too short. Record again.")
                     : PracticeText::tr("No recording yet. Press Record above the plots."));
         } else if (!answer_) {
-            say(PracticeText::tr("Recorded. Enter the force that the plot shows."));
+            say(PracticeText::tr("Recorded. Enter the force shown in the plot."));
         } else if (std::abs(std::abs(*answer_) - *mean_) > kTolerance) {
             say(PracticeText::tr("%1 does not match the recording. Look at the Fz curve.")
                     .arg(format::newtons(*answer_)));
@@ -310,8 +309,8 @@ QString practiceText(PracticeTask task) {
     switch (task) {
         case PracticeTask::Recover:
             return PracticeText::tr(
-                "Start makes the simulated arm collide and enter a protective stop. Find out what stopped "
-                "it, wait five seconds, unlock it and take control again.");
+                "Start simulates a collision, which causes a protective stop. Find out what stopped the arm, "
+                "wait five seconds, unlock it and take control again.");
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
                 "Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ "
@@ -331,8 +330,8 @@ QString practiceText(PracticeTask task) {
             break;
     }
     return PracticeText::tr(
-        "Start makes a hand press on the tool from above. Record for at least three seconds, then stop. Read "
-        "the force Fz in the plots and enter it.");
+        "Start simulates a hand that presses on the tool from above. Record for at least three seconds, then "
+        "stop. Read the force Fz in the plots and enter it.");
 }
 
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project) {

@@ -38,7 +38,7 @@ public:
     /// A measured number, for tasks that ask for one; empty if not entered.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
-    /// Remains true once passed.
+    /// True once the check has passed; never reset.
     bool passed() const { return passed_; }
     /// What was achieved, and what is missing.
     QString text() const { return text_; }

@@ -11,16 +11,16 @@
 #include <algorithm>
 
 #include "widgets/common/icons.h"
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 namespace {
 
-constexpr int kGap = 8;            // distance from the edges of the view [px]
-constexpr int kMargin = 10;        // inner margin
-constexpr int kHeadMargin = 6;     // above and below the title
-constexpr int kLeastContent = 44;  // with less height it is folded
+constexpr int kGap = 8;          // distance from the edges of the view [px]
+constexpr int kMargin = 10;      // inner margin [px]
+constexpr int kHeadMargin = 6;   // margin above and below the title [px]
+constexpr int kMinContent = 44;  // the card is folded if there is less height [px]
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
     auto* key = new QToolButton(parent);
@@ -41,7 +41,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     , title_(new QLabel(title, this))
     , fold_(quietKey(name + QStringLiteral(".fold"), tr("Collapse"), this))
     , close_(quietKey(name + QStringLiteral(".close"), tr("Close"), this))
-    , scroll_(new SteadyScrollArea(this))
+    , scroll_(new NoFocusScrollArea(this))
     , inside_(new QWidget)
     , foot_(new QWidget(this)) {
     setObjectName(name);
@@ -63,7 +63,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setWidgetResizable(true);
     scroll_->setWidget(inside_);
-    scroll_->setMinimumHeight(kLeastContent);
+    scroll_->setMinimumHeight(kMinContent);
     scroll_->viewport()->setAutoFillBackground(false);
     inside_->setAutoFillBackground(false);
     footLayout_ = new QVBoxLayout(foot_);
@@ -124,7 +124,7 @@ void ViewCard::openQuietly() {
 }
 
 void ViewCard::putAway() {
-    // When hidden, it would pass the focus to the next control, e.g. a button or the speed slider.
+    // A hidden focus widget would pass the focus to the next control, e.g. a button or the speed slider.
     if (isAncestorOf(window()->focusWidget())) {
         view_.setFocus(Qt::OtherFocusReason);
     }
@@ -163,7 +163,7 @@ void ViewCard::place() {
     const int width = std::min(kWidth, view_.width() - 2 * kGap);
     const int room = view_.height() - 2 * kGap;
     const int head = fold_->sizeHint().height() + 2 * kHeadMargin;
-    const int least = head + kMargin + kLeastContent + 2 * layout()->spacing() + footHeight();
+    const int least = head + kMargin + kMinContent + 2 * layout()->spacing() + footHeight();
     noRoom_ = room < least || width < kWidth;
     const bool folded = isFolded();
     const QWidget* focus = window()->focusWidget();
@@ -177,7 +177,7 @@ void ViewCard::place() {
     fold_->setChecked(folded);
     fold_->setEnabled(!noRoom_);
     fold_->setIcon(themedIcon(folded ? QStringLiteral("up") : QStringLiteral("down")));
-    const QString what = noRoom_  ? tr("The view is too small to expand this")
+    const QString what = noRoom_  ? tr("The view is too small to expand this card")
                          : folded ? tr("Expand")
                                   : tr("Collapse");
     fold_->setAccessibleName(what);

@@ -39,7 +39,7 @@ public:
     static constexpr int kWidth = 306;  ///< [px]
 
 Q_SIGNALS:
-    /// The close button was pressed. The owner decides about the effect.
+    /// The close button was pressed; the owner decides what happens.
     void closeRequested();
     /// covered() has changed.
     void coveredChanged();

@@ -30,28 +30,27 @@ QString projectFolder() {
 }
 
 ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject(parent), store_(document) {
-    connect(&store_, &ProjectStore::keptAside, this, [this](const QString& copy) {
+    connect(&store_, &ProjectStore::copyKept, this, [this](const QString& copy) {
         Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1").arg(copy));
     });
     connect(&store_, &ProjectStore::saveFailed, this, [this](const Error& error) {
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("%1 is saved again").arg(store_.name()));
+        Q_EMIT message(Severity::Info, tr("Saving of %1 resumed").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
     connect(&store_, &ProjectStore::freeAgain, this, [this] {
         Q_EMIT noticeResolved(QLatin1String(kElsewhere));
-        Q_EMIT message(
-            Severity::Info,
-            tr("The other window closed %1. Changes in this window are saved again.").arg(store_.name()));
+        Q_EMIT message(Severity::Info,
+                       tr("The other window closed %1. This window saves changes again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
-    connect(&store_, &ProjectStore::foreignChangeGone, this,
+    connect(&store_, &ProjectStore::externalChangeResolved, this,
             [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
-        // These were about the project before.
+        // These notices referred to the previous project.
         for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {
             Q_EMIT noticeResolved(QLatin1String(cause));
         }
@@ -59,7 +58,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
 }
 
 void ProjectFiles::warn(const QString& title, const Error& error, const QString& cause) {
-    // The version is the file's here, never the robot's.
+    // Here the version is that of the file format, not of the robot.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
             ? tr("%1. Update Tiller to open it. The file was not changed.").arg(error.context)
@@ -72,8 +71,7 @@ void ProjectFiles::onOpenElsewhere() {
     const QString title = tr("%1 is open in another window").arg(store_.name());
     const QString who = store_.otherOwner() ? store_.otherOwner()->toString() : QString();
     const QString text =
-        tr("Opened by %1. Changes in this window are not saved to the file until you take the "
-           "project over.")
+        tr("Opened by %1. Changes in this window are not saved to the file until you take over the project.")
             .arg(who);
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
@@ -88,18 +86,17 @@ void ProjectFiles::onOpenElsewhere() {
 
 void ProjectFiles::onChangedByOther() {
     const QString title = tr("Another window or program has changed %1").arg(store_.name());
-    const QString text = store_.isModified()
-                             ? tr("This window has unsaved changes. Reload discards them. Keep both saves "
-                                  "the project of this window to a second file.")
-                             : tr("Reload shows the new content. Keep both saves the project of this window "
-                                  "to a second file. Changes are not saved until you decide.");
+    const QString text =
+        tr("“Keep both” saves the project of this window to a second file. “Reload” shows the "
+           "new content. Unsaved changes of this window are then offered at the next start.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    // This notice may replace another one under the pointer: the first button must not discard work.
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
-                         .accept = tr("Reload"),
-                         .accepted = [this] { reload(); },
-                         .other = tr("Keep both"),
-                         .otherAccepted = [this] { keepBoth(); },
+                         .accept = tr("Keep both"),
+                         .accepted = [this] { keepBoth(); },
+                         .other = tr("Reload"),
+                         .otherAccepted = [this] { reload(); },
                          .dismiss = tr("Decide later"),
                          .cause = QLatin1String(kForeign)});
 }
@@ -263,7 +260,8 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                          .accept = tr("Open %n waypoints", nullptr, whole),
                          .accepted =
                              [this, path] {
-                                 // What was open when the file was found damaged may have been changed since.
+                                 // The project that was open when the damage was detected may have been
+                                 // changed since.
                                  if (!mayLeave(QApplication::activeWindow())) {
                                      return;
                                  }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Opening and saving for people: asks which file, says what is wrong with one, and offers what can be read of
-// a damaged one. Where the words appear is the window's affair.
+// Opening and saving with user interaction: asks for the file, reports errors, and offers to load the
+// readable part of a damaged file. The window decides where the messages are shown.
 
 #include <QObject>
 
@@ -23,32 +23,32 @@ public:
     /// document  must outlive this object
     explicit ProjectFiles(ProjectDocument& document, QObject* parent = nullptr);
 
-    /// The file behind the project: which one, autosave, and what the status line says about it.
+    /// The file of the project: its path, autosave, and the text for the status line.
     ProjectStore& store() { return store_; }
 
-    /// over  the window the question stands in front of
+    /// over  the parent window of the question
     void askToOpen(QWidget* over);
     void askToSave(QWidget* over);
-    /// Opens the file; where there is none yet, an empty project that will be saved there. A damaged file is
-    /// named with its fault, and what can be read of it is offered.
+    /// Opens the file; if it does not exist, opens an empty project that will be saved there. If the file is
+    /// damaged, reports the error and offers to load the readable part.
     void open(const QString& path);
-    /// Opens what is in the file as a project without a file; saving asks for one.
-    /// name  what the copy is called until then
+    /// Opens the content of the file as a project without a file; saving asks for a file name.
+    /// name  name of the copy until then
     void openCopy(const QString& path, const QString& name);
-    /// Offers the newest work that a window which has ended left behind unsaved.
+    /// Offers to restore the newest unsaved project of a window that has ended.
     void offerKept();
-    /// Saves what is not saved yet; where that is not possible, asks what becomes of it.
-    /// over  the window the question stands in front of
-    /// Returns  false when the operator wants to stay
+    /// Saves unsaved changes; if that is not possible, asks whether to discard them.
+    /// over  the parent window of the question
+    /// Returns  false if the user cancelled
     bool mayLeave(QWidget* over);
-    /// path  gets the extension .tiller where it has none
+    /// path  the extension .tiller is added if it has none
     void saveAs(const QString& path);
 
 Q_SIGNALS:
     void noticeWanted(const tiller::Notice& notice);
-    /// Notices with this cause are no longer true.
+    /// Notices with this cause no longer apply.
     void noticeResolved(const QString& cause);
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
 
 private:
@@ -59,13 +59,13 @@ private:
     void takeOver();
     void reload();
     void keepBoth();
-    /// Where the questions begin: the open file, or the folder for projects.
+    /// Initial folder of the file dialogs: the folder of the open file, or the folder for projects.
     QString startingPlace() const;
 
     ProjectStore store_;
 };
 
-/// The folder a new project goes to: "Tiller" in the user's documents. It need not exist yet.
+/// The folder for new projects: "Tiller" in the user's documents. It need not exist yet.
 QString projectFolder();
 
 }  // namespace tiller

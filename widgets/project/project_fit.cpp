@@ -22,7 +22,7 @@ bool isSameTcp(const Pose& a, const Pose& b) {
     return by.distance <= kSameDistance && by.angle <= kSameAngle;
 }
 
-/// The first names, and how many there are besides.
+/// The first names and the number of the others.
 QString namesText(const QStringList& names) {
     constexpr int kNamed = 8;
     const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));
@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Not in the press that is being refused.
+            // Queued, so that the question does not open during the press that is being refused.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;
@@ -74,7 +74,7 @@ std::optional<project::Tool> ProjectFit::otherTcp() const {
     if (const project::Tool* used = tooling.tools.find(tooling.activeTool)) {
         return isSameTcp(used->tcpOffset, state.tcpOffset) ? std::nullopt : std::optional(*used);
     }
-    // Without one in use, the TCPs that the waypoints were taught with.
+    // If no tool is active, use the TCPs with which the waypoints were taught.
     for (const project::Waypoint& point : document_.waypoints()) {
         if (isSameTcp(point.tcpOffset, state.tcpOffset)) {
             return {};
@@ -105,7 +105,7 @@ QString ProjectFit::tcpText(const project::Tool& tool) const {
 QString ProjectFit::obstacle() const {
     const SessionState& state = session_.state();
     if (state.hasData() && !state.modelKnown && document_.project().robot) {
-        return tr("The model of the robot is not known yet. Wait until the robot has reported it.");
+        return tr("The robot model is not known yet. Wait until the robot reports it.");
     }
     if (isOfOtherModel()) {
         return modelText();
@@ -116,7 +116,7 @@ QString ProjectFit::obstacle() const {
 
 void ProjectFit::follow(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
-        resolve();  // it was about the robot that was connected
+        resolve();  // the notice was about the previously connected robot
     }
     if (!state.hasData() || !state.modelKnown) {
         return;
@@ -137,7 +137,7 @@ void ProjectFit::ask() {
         return;
     }
     if (session_.state().hasData() && !session_.state().modelKnown) {
-        return;  // follow() asks as soon as it is known
+        return;  // follow() asks as soon as the value is known
     }
     if (isOfOtherModel()) {
         askAboutModel();
@@ -163,9 +163,9 @@ void ProjectFit::askAboutModel() {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("Keep poses: Tiller recalculates the joint positions, and the tool reaches the same poses. Keep "
-           "joints: the arm keeps its configuration, and the tool reaches different poses. Until you decide, "
-           "moves to positions of the project are blocked."));
+        tr("“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” "
+           "keeps the arm configuration; the tool reaches different poses. Until you decide, moves to "
+           "positions of the project are blocked."));
     QPushButton* poses = question->addButton(tr("Keep poses"), QMessageBox::AcceptRole);
     poses->setObjectName(QStringLiteral("projectFit.poses"));
     QPushButton* joints = question->addButton(tr("Keep joints"), QMessageBox::AcceptRole);
@@ -176,7 +176,7 @@ void ProjectFit::askAboutModel() {
     question->setEscapeButton(cancel);
     connect(question, &QMessageBox::buttonClicked, this, [this, poses, joints](QAbstractButton* button) {
         if (!isOfOtherModel()) {
-            return;  // another robot or project meanwhile
+            return;  // another robot was connected or another project was opened in the meantime
         }
         if (button == poses) {
             change(project::Keep::Poses);
@@ -194,12 +194,12 @@ void ProjectFit::askAboutTcp(const project::Tool& tool) {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("With the TCP of the robot, the flange moves to the taught positions. Until you decide, moves to "
-           "positions of the project are blocked."));
+        tr("With the robot's TCP, the flange reaches the taught poses but the TCP does not. Until you "
+           "decide, moves to positions of the project are blocked."));
     QPushButton* set =
         question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
     set->setObjectName(QStringLiteral("projectFit.setTcp"));
-    QPushButton* keep = question->addButton(tr("Keep the robot’s TCP"), QMessageBox::AcceptRole);
+    QPushButton* keep = question->addButton(tr("Keep the robot's TCP"), QMessageBox::AcceptRole);
     keep->setObjectName(QStringLiteral("projectFit.keepTcp"));
     QPushButton* cancel = question->addButton(QMessageBox::Cancel);
     cancel->setObjectName(QStringLiteral("projectFit.cancel"));
@@ -240,7 +240,7 @@ void ProjectFit::change(project::Keep keep) {
     }
 }
 
-/// After Cancel: where the question can be had again.
+/// Shown after Cancel: a notice that opens the question again.
 void ProjectFit::remind() {
     noticed_ = true;
     Q_EMIT noticeWanted({.title = tr("Moves to positions of this project are blocked"),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether the open project fits the connected robot: its arm, and its TCP. While it does not, no move to a place of the
-// project begins (RobotSession::setProjectGuard), and the operator is asked what to do: about another arm when the
-// project is opened and when the robot is connected, about another TCP when the arm is to move.
+// Checks whether the open project matches the connected robot: its model and its TCP. If it does not match,
+// no move to a position of the project starts (RobotSession::setProjectGuard), and the operator is asked what
+// to do. The question about another model is shown when the project is opened and when the robot is
+// connected; the question about another TCP is shown when the arm is to move.
 
 #include <QObject>
 #include <QPointer>
@@ -24,29 +25,29 @@ class ProjectFit : public QObject {
     Q_OBJECT
 
 public:
-    /// session, document  must outlive it; it becomes the project guard of the session
-    /// over               the window that the questions belong to
+    /// session, document  must outlive the object; it becomes the project guard of the session
+    /// over               parent window of the questions
     ProjectFit(RobotSession& session, ProjectDocument& document, QWidget* over);
     ~ProjectFit() override;
 
-    /// Why nothing moves to a place of the project, as a sentence; empty when it may.
+    /// The reason why no move to a position of the project may start, as a sentence; empty if it may.
     QString obstacle() const;
-    /// Asks about what does not fit; reports that all fits otherwise.
+    /// Asks about differences; reports if there are none.
     void ask();
 
 Q_SIGNALS:
-    /// The arm has to stop before the window loses the keyboard.
+    /// A question is about to open: the arm has to stop before the window loses the keyboard focus.
     void questionOpens();
     void noticeWanted(const tiller::Notice& notice);
-    /// Notices with this cause are no longer true.
+    /// Notices with this cause no longer apply.
     void noticeResolved(const QString& cause);
-    /// Something the operator should be able to read again later.
+    /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
 
 private:
     void follow(const SessionState& state);
     bool isOfOtherModel() const;
-    /// The TCP the project uses, where the robot has another one.
+    /// The TCP used by the project if the robot uses a different one.
     std::optional<project::Tool> otherTcp() const;
     QString modelText() const;
     QString tcpText(const project::Tool& tool) const;
@@ -61,8 +62,8 @@ private:
     ProjectDocument& document_;
     QWidget* over_;
     QPointer<QMessageBox> question_;
-    std::optional<RobotModelId> askedFor_;  ///< the arm that has been asked about for this project
-    /// The TCP of the robot that the operator wants to keep with this project.
+    std::optional<RobotModelId> askedFor_;  ///< the robot model the user was asked about for this project
+    /// The TCP of the robot that the user chose to keep for this project.
     std::optional<Pose> keptTcp_;
     bool noticed_ = false;  ///< a notice about the model is shown
 };

@@ -17,7 +17,7 @@ public:
     using ProjectDocument::ProjectDocument;
 
     QUndoStack& undoStack() { return undo_; }
-    /// As those of the stack, and stepTaken() reports what changed.
+    /// Like undo() and redo() of the stack, but stepTaken() reports the change.
     void undo() { step(true); }
     void redo() { step(false); }
 

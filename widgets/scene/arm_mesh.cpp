@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kBigSegments = 28;
 constexpr int kSmallSegments = 22;
-constexpr double kDrumHalf = 1.08;  // half length of a joint's housing, in its radius
-constexpr double kGap = 0.045;      // gap between two rotating housings, in their radius
+constexpr double kDrumHalf = 1.08;  // half length of a joint housing, in units of its radius
+constexpr double kGap = 0.045;      // gap between two rotating housings, in units of their radius
 
-/// A position with the direction of its Z axis.
+/// Returns a frame at this position with this Z axis.
 Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), z).toRotationMatrix();
@@ -24,8 +24,8 @@ Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z
     return T;
 }
 
-/// A joint's housing: a cylinder about its axis; `lid` is the side that is closed by a lid, the other side rotates
-/// against the next housing.
+/// Adds a joint housing: a cylinder about the joint axis. `lid` is the side that is closed by a lid; the
+/// other side rotates against the next housing.
 void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& lid, double radius,
               double toLid, double toSeal, int segments) {
     const Eigen::Isometry3d T = axisAt(centre, lid);
@@ -44,7 +44,7 @@ void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& 
     addLathe(mesh, T, outline, segments, Material::Lid);
 }
 
-/// The dark ring in the gap between two housings, and the rim of the housing next to it.
+/// Adds the dark ring in the gap between two housings, and the rim of the adjacent housing.
 void addSeal(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              int segments) {
     const Eigen::Vector3d way = to - from;
@@ -52,7 +52,7 @@ void addSeal(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
     addLathe(mesh, axisAt(from, way.normalized()), outline, segments, Material::Seal);
 }
 
-/// A tube that widens at its ends.
+/// Adds a tube that widens at its ends.
 /// startHousing, endHousing  radii of the adjacent housings [m]
 void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              double startHousing, double endHousing, int segments) {
@@ -88,7 +88,8 @@ void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
           Material::Housing);
 }
 
-/// The connection from the side of a housing to the next joint: a short neck with the radius of the housing.
+/// Adds the connection from the side of a housing to the next joint: a short neck with the radius of the
+/// housing.
 void addNeck(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              int segments) {
     const Eigen::Vector3d way = to - from;

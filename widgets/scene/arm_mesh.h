@@ -14,7 +14,7 @@ namespace tiller {
 /// One mesh per link, in the frame of the link: 0 the base ... 6 the flange.
 using ArmMesh = std::array<Mesh, 7>;
 
-/// Threads  any. Takes about a millisecond: keep the result
+/// Threads  any. Takes about a millisecond, so the result should be cached
 ArmMesh armMesh(const RobotModel& model);
 
 }  // namespace tiller

@@ -18,7 +18,7 @@ constexpr double kStartAzimuth = toRadians(-138);
 constexpr double kStartElevation = toRadians(13);
 constexpr double kLowest = toRadians(2);
 constexpr double kHighest = toRadians(88);
-constexpr double kFocalLength = 2.2;  // in heights of the image
+constexpr double kFocalLength = 2.2;  // in units of the image height
 constexpr double kNear = 0.05;        // [m]
 constexpr double kNearest = 0.5;      // minimum distance of the eye from its target, in arm heights
 constexpr double kFarthest = 10;
@@ -58,8 +58,9 @@ void Camera::look(StandardView from) {
     }
 }
 
-/// Permitted positions of the eye in the axes of the view, so that all spheres are inside the margins. With the eye
-/// at (x, y, d): right - kRight d <= x <= kLeft d - left, vertically likewise; d >= least.
+/// Permitted positions of the eye in the axes of the view, so that all spheres are inside the margins. With
+/// the eye at (x, y, d): right - kRight d <= x <= kLeft d - left, and correspondingly for the vertical axis;
+/// d >= least.
 struct Camera::Room {
     double right = 0, left = 0, top = 0, bottom = 0;
     double kRight = 0, kLeft = 0, kTop = 0, kBottom = 0;

@@ -24,7 +24,7 @@ public:
         double radius = 0;
     };
 
-    /// The initial view for an arm with this height when upright [m].
+    /// Sets the initial view for an arm with this height when upright [m].
     void reset(double height);
     void setViewport(const QSizeF& size);
     QSizeF viewport() const { return viewport_; }
@@ -59,7 +59,7 @@ public:
     struct Eye {
         Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
         Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< target in the base frame [m]
-        double distance = 1;                               ///< of the eye from the target [m]
+        double distance = 1;                               ///< distance of the eye from the target [m]
         double focal = 1;                                  ///< [px]
         QPointF middle;                                    ///< centre of the image [px]
         friend bool operator==(const Eye&, const Eye&) = default;

@@ -7,18 +7,21 @@
 namespace tiller {
 
 std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size) {
-    constexpr double kBeside = 10;  // distance from the centre of the mark
+    constexpr double kSideDistance = 10;  // distance from the centre of the mark
     constexpr double kApart = 2;
     const double w = size.width();
     const double h = size.height();
     const double row = h + kApart;
-    // Names at the sides leave space for one below and one above; more distant ones are connected with the mark by
-    // a line.
-    const std::array<QPointF, 8> corners = {
-        QPointF(-w / 2, row / 2),           QPointF(kBeside, -h / 2),
-        QPointF(-w - kBeside, -h / 2),      QPointF(-w / 2, -row / 2 - h),
-        QPointF(-w / 2, row / 2 + row),     QPointF(-w / 2, -row / 2 - h - row),
-        QPointF(-w / 2, row / 2 + 2 * row), QPointF(-w / 2, -row / 2 - h - 2 * row)};
+    // Labels at the sides leave space for one label below and one above. Labels further away are connected to
+    // the mark by a line.
+    const std::array<QPointF, 8> corners = {QPointF(-w / 2, row / 2),
+                                            QPointF(kSideDistance, -h / 2),
+                                            QPointF(-w - kSideDistance, -h / 2),
+                                            QPointF(-w / 2, -row / 2 - h),
+                                            QPointF(-w / 2, row / 2 + row),
+                                            QPointF(-w / 2, -row / 2 - h - row),
+                                            QPointF(-w / 2, row / 2 + 2 * row),
+                                            QPointF(-w / 2, -row / 2 - h - 2 * row)};
     for (const QPointF& corner : corners) {
         const QRectF box(mark + corner, size);
         const bool free =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Places names next to the marks of an image, without covering other names or marks.
+// Places labels next to the marks of an image, without covering other labels or marks.
 
 #include <QPointF>
 #include <QRectF>
@@ -12,17 +12,17 @@
 
 namespace tiller {
 
-/// A name with its position.
+/// A label with its position.
 struct PlacedLabel {
     QString text;
-    QPointF mark;  ///< the named mark [px]
+    QPointF mark;  ///< position of the labelled mark [px]
     QRectF box;
     bool selected = false;
 };
 
 class LabelPlacer {
 public:
-    /// area  for the names
+    /// area  the area in which labels are placed
     explicit LabelPlacer(const QRectF& area) : area_(area) {}
 
     /// Keeps this rectangle free.

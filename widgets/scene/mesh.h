@@ -32,16 +32,16 @@ struct LathePoint {
     double z;       ///< [m]
 };
 
-/// Rotates an outline about the Z axis of `T_mesh_axis`. Points in +Z order make the surface face outwards; corners
-/// sharper than 35 degrees stay sharp.
-/// segments  around the axis
+/// Rotates an outline about the Z axis of `T_mesh_axis`. With points ordered along +Z the surface faces
+/// outwards; corners sharper than 35 degrees stay sharp.
+/// segments  number of segments around the axis
 void addLathe(Mesh& mesh, const Eigen::Isometry3d& T_mesh_axis, std::span<const LathePoint> outline,
               int segments, Material material);
 
 /// Outline of a cylinder between two heights, with edges rounded by `fillet` [m].
 std::vector<LathePoint> drumOutline(double radius, double low, double high, double fillet);
 
-/// Edges parallel to the axes of `T_mesh_box`, centred at its origin.
+/// Adds a box whose edges are parallel to the axes of `T_mesh_box`, centred at its origin.
 /// size  edge lengths [m]
 void addBox(Mesh& mesh, const Eigen::Isometry3d& T_mesh_box, const Eigen::Vector3d& size, Material material);
 

@@ -15,7 +15,7 @@ constexpr float kNearClip = 0.05F;  // [m]
 constexpr std::array<float, 4> kSampleX = {0.375F, 0.875F, 0.125F, 0.625F};
 constexpr std::array<float, 4> kSampleY = {0.125F, 0.375F, 0.625F, 0.875F};
 
-/// Red, green and blue, 0 ... 255, to 0x00RRGGBB.
+/// Packs red, green and blue, 0 ... 255, into 0x00RRGGBB.
 std::int32_t packed(FourFloats color) {
     const FourBits c = truncated(color);
     return c[0] << 16 | c[1] << 8 | c[2];
@@ -42,7 +42,7 @@ public:
         gloss *= gloss;
         gloss *= gloss;
         gloss *= gloss;
-        gloss *= gloss;  // to the 16th
+        gloss *= gloss;  // raised to the power of 16
         const float white = 255 * shine_ * gloss * 0.55F;
         red = std::min(255.0F, base[0] * light + white);
         green = std::min(255.0F, base[1] * light + white);
@@ -153,7 +153,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
         const float near = 1 / (distance - v.z());
         return Vertex{middleX + v.x() * focal * near, middleY - v.y() * focal * near, near, red, green, blue};
     };
-    // Colours are computed on demand: half of all vertices face away.
+    // Colours are computed on demand, because half of all vertices are on back faces.
     std::vector<std::int8_t>& shaded = shaded_;
     shaded.assign(mesh.places.size(), -1);
     const auto colored = [&](std::uint32_t corner, Material material) -> ScratchVertex& {
@@ -216,7 +216,7 @@ void Rasterizer::addFace(const Vertex& a, const Vertex& b, const Vertex& c, std:
     if (!(most >= 0 && least < width && bottom >= 0 && top < height)) {
         return;
     }
-    // Oriented so that the area is positive with Y down.
+    // Oriented so that the area is positive with the Y axis pointing down.
     const double area = (double(c.x) - a.x) * (double(b.y) - a.y) - (double(b.x) - a.x) * (double(c.y) - a.y);
     if (!(area > 1e-6)) {
         return;
@@ -370,8 +370,8 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
         const float dy = static_cast<float>(y) - face.y0;
         const auto planeAt = [dx, dy](const std::array<float, 3>& p) { return p[0] * dx + p[1] * dy + p[2]; };
         float near = planeAt(face.nearPlane);
-        // Colour at the centre of the pixel, which may be outside of the face: clamped to the values of the
-        // vertices.
+        // Colour at the centre of the pixel, which may be outside of the face: clamped to the range of the
+        // vertex colours.
         FourFloats color = four(0.0F);
         for (int k = 0; k < 3; ++k) {
             const std::array<float, 3>& p = face.color[static_cast<std::size_t>(k)];
@@ -437,7 +437,7 @@ bool Rasterizer::hides(const QPointF& pixel, double depth) const {
     if (x < 0 || y < 0 || x >= size_.width() || y >= size_.height() || depth <= 0) {
         return false;
     }
-    constexpr double kSkin = 1.004;  // objects on a surface are not hidden by it
+    constexpr double kSkin = 1.004;  // tolerance, so that objects on a surface are not hidden by it
     const float nearest = nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
                                    static_cast<std::size_t>(x)];
     return static_cast<double>(nearest) > kSkin / depth;

@@ -26,7 +26,7 @@ struct BodyColors {
 class Rasterizer {
 public:
     /// Starts an empty image.
-    /// scale  pixels of the image per pixel of the camera
+    /// scale  image pixels per camera pixel
     void begin(const QSize& size, const Camera& camera, double scale = 1);
     void add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, const BodyColors& colors);
     /// Bounding rectangle of the content, in pixels of the image; may be empty.
@@ -34,8 +34,8 @@ public:
     /// Renders the added meshes within `part`. Uncovered pixels become transparent.
     /// Returns  the image, premultiplied; unchanged outside of `part`
     const QImage& render(const QRect& part);
-    /// True if a solid body is closer to the eye than this position, in the last rendered image.
-    /// pixel  of the camera
+    /// True if a solid body is closer to the eye than this position in the last rendered image.
+    /// pixel  position in camera pixels
     /// depth  along the line of sight [m]
     bool hides(const QPointF& pixel, double depth) const;
 
@@ -49,8 +49,8 @@ private:
         std::array<double, 3> c;  ///< a x + b y + c >= 0 inside, for each edge
         std::array<float, 3> a, b;
         std::array<float, 3> nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], with [2] at the first vertex
-        std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, for red, green and blue
-        float x0, y0;                               ///< the first vertex
+        std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, but for red, green and blue
+        float x0, y0;                               ///< position of the first vertex
         std::array<float, 3> least, most;           ///< limits of red, green and blue at the vertices
         std::int16_t left, right, top, bottom;      ///< [px], inclusive
         std::uint8_t alpha;                         ///< below 255: transparent

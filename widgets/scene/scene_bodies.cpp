@@ -100,11 +100,11 @@ void SceneBodies::setReplay(const std::optional<JointPositions>& q) {
 }
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
-    constexpr double kThinRod = 0.005;  // [m]
-    constexpr double kLeast = 0.002;    // smaller distances are inside the flange [m]
+    constexpr double kThinRod = 0.005;   // [m]
+    constexpr double kMinValue = 0.002;  // smaller distances are inside the flange [m]
     tool_ = {};
     const double length = tool.tcpOffset.position.norm();
-    if (length > kLeast) {
+    if (length > kMinValue) {
         Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
         T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), tool.tcpOffset.position)
                          .toRotationMatrix();

@@ -27,8 +27,8 @@ struct ArmColors {
     static BodyColors stale(const Theme& theme);
     static BodyColors ghost(const Theme& theme);
     static BodyColors secondGhost(const Theme& theme);
-    static BodyColors replay(const Theme& theme);  ///< past position
-    static BodyColors border(const Theme& theme);  ///< a border plane
+    static BodyColors replay(const Theme& theme);  ///< a past position of the arm
+    static BodyColors border(const Theme& theme);  ///< a boundary plane
 };
 
 class SceneBodies {
@@ -38,15 +38,15 @@ public:
 
     /// The model must outlive the object.
     void setModel(const RobotModel& model);
-    /// Empty: no arm is shown.
+    /// Sets the joint positions of the arm; empty: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);
     void setGhost(const std::optional<JointPositions>& q);
-    /// In another colour than the first ghost.
+    /// Sets a second ghost, drawn in another colour than the first one.
     void setSecondGhost(const std::optional<JointPositions>& q);
     void setReplay(const std::optional<JointPositions>& q);
-    /// Without a radius, a thin rod connects flange and TCP.
+    /// Without a radius, flange and TCP are connected by a thin rod.
     void setTool(const collision::ToolBody& tool);
-    /// Boxes and planes; a floor, which has no name, is not drawn here.
+    /// Sets boxes and planes; a floor (which has no name) is not drawn here.
     void setSurroundings(const collision::Surroundings& surroundings);
 
     /// Updates the image.
@@ -64,7 +64,7 @@ private:
     const RobotModel* model_ = nullptr;
     ArmMesh arm_;
     Mesh tool_;   ///< in the flange frame
-    Mesh boxes_;  ///< in the base frame, like the next one
+    Mesh boxes_;  ///< in the base frame, as the next member
     Mesh borders_;
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;

@@ -17,12 +17,11 @@ SceneKeys::SceneKeys(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(th
     row_->setSizeConstraint(QLayout::SetFixedSize);
     const auto look = [this](StandardView from) { return [this, from] { Q_EMIT lookWanted(from); }; };
     addKey("scene.home", tr("3D"), tr("Default view, perspective"), look(StandardView::Home));
-    addKey("scene.front", tr("Front"), tr("Look from the front: X of the base to the right, Z up"),
+    addKey("scene.front", tr("Front"), tr("Look from the front: base X to the right, Z up"),
            look(StandardView::Front));
-    addKey("scene.side", tr("Side"), tr("Look from the side: Y of the base to the right, Z up"),
+    addKey("scene.side", tr("Side"), tr("Look from the side: base Y to the right, Z up"),
            look(StandardView::Side));
-    addKey("scene.top", tr("Top"), tr("Look from above: X of the base to the right, Y up"),
-           look(StandardView::Top));
+    addKey("scene.top", tr("Top"), tr("Look from above: base X to the right, Y up"), look(StandardView::Top));
     addKey("scene.fit", tr("Fit"), tr("Fit the arm, target and waypoints in the view"),
            [this] { Q_EMIT fitWanted(); });
     style();

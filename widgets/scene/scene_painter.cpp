@@ -59,7 +59,7 @@ void ScenePainter::ground(double reach, double height, bool solid) {
 }
 
 QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, const QColor& color) {
-    // Legible over the arm: a thin outline in the colour of the surface.
+    // A thin outline in the background colour makes the text legible over the arm.
     painter_.setPen(theme_.panel);
     for (const QPointF& by : {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5)}) {
         painter_.drawText(box.translated(by), flags, text);
@@ -71,8 +71,8 @@ QRectF ScenePainter::label(const QRectF& box, int flags, const QString& text, co
 }
 
 void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides) {
-    constexpr double kPiece = 6;      // step along a line between two visibility checks [px]
-    constexpr int kMostPieces = 400;  // maximum number of steps per line
+    constexpr double kPiece = 6;     // step along a line between two visibility checks [px]
+    constexpr int kMaxPieces = 400;  // maximum number of steps per line
     constexpr double kFaint = 0.28;
     const auto draw = [&](const QPolygonF& line, bool hidden) {
         if (line.size() < 2) {
@@ -113,7 +113,7 @@ void ScenePainter::path(std::span<const Eigen::Vector3d> points, const Stroke& s
             const QPointF way = b.point - a.point;
             const int pieces =
                 a.visible() && b.visible()
-                    ? std::min(kMostPieces, static_cast<int>(std::hypot(way.x(), way.y()) / kPiece))
+                    ? std::min(kMaxPieces, static_cast<int>(std::hypot(way.x(), way.y()) / kPiece))
                     : 0;
             for (int k = 1; k < pieces; ++k) {
                 visit(camera_.project(points[i - 1] + (points[i] - points[i - 1]) * k / pieces));
@@ -257,7 +257,7 @@ QRectF ScenePainter::turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& 
         return {};
     }
     constexpr int kPieces = 36;
-    constexpr double kArc = 4.9;  // [rad]: not a full circle, so that start and end are visible
+    constexpr double kArc = 4.9;  // [rad]; less than a full circle, so that start and end are visible
     const Eigen::Vector3d u = axis.normalized().unitOrthogonal();
     const Eigen::Vector3d v = axis.normalized().cross(u);
     QPolygonF line;

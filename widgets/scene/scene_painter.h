@@ -19,43 +19,44 @@ namespace tiller {
 
 class ScenePainter {
 public:
-    /// Whether a body is in front of a position.
+    /// Returns whether a body is in front of a position.
     using Hides = std::function<bool(const Camera::Projected&)>;
 
     ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme);
 
-    /// A grid around the base for an arm with this reach.
+    /// Draws a grid around the base for an arm with this reach.
     /// reach, height  [m]
-    /// solid  the floor of a cell: a plane that the arm stays above; else only lines
+    /// solid  true for the floor of a cell, drawn as a plane that the arm stays above; false: only lines
     void ground(double reach, double height, bool solid);
-    /// How a line in space is drawn.
+    /// Style of a line in space.
     struct Stroke {
         QColor color;
         double width = 1;
         bool dashed = false;
     };
-    /// A line through points in the base frame; hidden parts are drawn faintly.
+    /// Draws a line through points in the base frame; hidden parts are drawn faintly.
     void path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides);
-    /// The sign for a limitation of a path, distinct from a waypoint.
+    /// Draws the symbol for a limit on a path; it differs from a waypoint.
     void limit(const QPointF& at);
-    /// Three axes with their letters.
+    /// Draws three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
-    /// The mark of a point.
+    /// Draws the mark of a point.
     void marker(const QPointF& at, bool selected);
     void name(const PlacedLabel& name);
-    /// A prominent text in the centre of the box.
+    /// Draws a prominent text in the centre of the box.
     void headline(const QRectF& box, const QString& text);
-    /// A line of small text; empty: none.
+    /// Draws a line of small text; nothing if the text is empty.
     void note(const QRectF& box, const QString& text);
-    /// The size of a name, which is elided as drawn.
+    /// The size of a label; elides the text as it will be drawn.
     static QSizeF nameSize(QString& text);
-    /// An arrow next to the tool; seen end-on, a ring with a dot (towards the eye) or a cross (away).
-    /// Returns  the rectangle of its name
+    /// Draws an arrow next to the tool; seen end-on, a ring with a dot (towards the eye) or a cross (away
+    /// from it).
+    /// Returns  the rectangle of its label
     QRectF arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
                  const QColor& color, const QString& name);
-    /// An arrow around an axis in the direction of a rotation (right hand).
+    /// Draws an arrow around an axis in the direction of a rotation (right-hand rule).
     /// radius   of the rotation [m]
-    /// Returns  the rectangle of its name
+    /// Returns  the rectangle of its label
     QRectF turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                 const QColor& color, const QString& name);
 

@@ -7,8 +7,8 @@ namespace tiller {
 
 namespace {
 
-constexpr double kLeastStep = 0.0003;         // [m]: smaller steps are not visible
-constexpr std::size_t kLongestStretch = 256;  // limits the cost of each new position
+constexpr double kMinStep = 0.0003;       // [m]; smaller steps are not visible
+constexpr std::size_t kMaxStretch = 256;  // limits the cost of each new position
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool SceneTrace::fits(const Eigen::Vector3d& end) const {
     return std::all_of(passed_.begin(), passed_.end(), [&](const Eigen::Vector3d& place) {
         const Eigen::Vector3d to = place - from;
         const double at = to.dot(along);
-        // Positions beyond the end were passed before a reversal.
+        // Positions beyond the end were passed before a reversal of direction.
         return at <= length + kTolerance && at >= -kTolerance && (to - at * along).norm() <= kTolerance;
     });
 }
@@ -43,17 +43,17 @@ bool SceneTrace::extend(double time, const Eigen::Vector3d& place) {
         changed = true;
     }
     if (points_.size() == 2 && points_.back().time < time - kSeconds) {
-        clear();  // standstill for this time
+        clear();  // the arm was at standstill for this time
         changed = true;
     }
     if (points_.empty()) {
         points_.push_back({time, place});
         return true;
     }
-    if ((points_.back().place - place).norm() < kLeastStep) {
+    if ((points_.back().place - place).norm() < kMinStep) {
         return changed;
     }
-    if (points_.size() >= 2 && passed_.size() < kLongestStretch && fits(place)) {
+    if (points_.size() >= 2 && passed_.size() < kMaxStretch && fits(place)) {
         passed_.push_back(place);
         points_.back() = {time, place};
         return true;

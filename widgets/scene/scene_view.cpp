@@ -27,18 +27,18 @@ namespace tiller {
 namespace {
 
 constexpr int kFrameMs = 16;          // at most 60 per second
-constexpr double kStillAngle = 2e-5;  // [rad]: smaller changes are not visible
+constexpr double kStillAngle = 2e-5;  // [rad]; smaller changes are not visible
 constexpr int kExamineMs = 150;
-constexpr double kGhostApart = 0.003;     // [rad], of the joint with the largest difference
+constexpr double kGhostApart = 0.003;     // minimum difference of a joint at which a ghost is drawn [rad]
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
 constexpr double kKeysAt = 8;             // distance from the corner [px]
 constexpr double kFitShare = 0.07;        // margin when the view is fitted, as a fraction of the image
-constexpr double kLeastShare = 0.03;      // margin before the view moves automatically
+constexpr double kMinShare = 0.03;        // margin below which the view moves automatically
 constexpr double kToolAxes = 0.095;       // length of the tool axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;      // half the size of a mark [px]
 constexpr double kSeenMove = 1;  // smaller motions of the arm are not redrawn [device px]
-constexpr int kSoonMs = 4;       // practically immediately
+constexpr int kSoonMs = 4;       // practically without delay
 
 }  // namespace
 
@@ -288,14 +288,14 @@ void SceneView::updateGhost() {
         limitText_ = limit;
         Q_EMIT moveLimitChanged(limit);
     }
-    const QString text = ghostFigures();
+    const QString text = ghostValues();
     if (text != ghostText_) {
         ghostText_ = text;
         Q_EMIT ghostTextChanged(text);
     }
 }
 
-QString SceneView::ghostFigures() const {
+QString SceneView::ghostValues() const {
     if (!ghost_) {
         return {};
     }
@@ -341,7 +341,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
         balls.push_back(
             {kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position, kToolAxes * reach / 0.85});
     } else {
-        add(JointPositions(0, -std::numbers::pi / 2, 0, -std::numbers::pi / 2, 0, 0));  // upright
+        add(JointPositions(0, -std::numbers::pi / 2, 0, -std::numbers::pi / 2, 0, 0));  // upright arm
     }
     if (ghost_ && ghost_->reachable && haveJoints_) {
         add(ghost_->q);
@@ -355,7 +355,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     if (replay_ && replay_->q.allFinite()) {
         add(replay_->q);
     }
-    // Positions taught for another robot may be far away, and must not make the arm tiny.
+    // Positions taught for another robot may be far away and must not make the arm tiny in the view.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
         if (place.norm() < 2 * reach) {
             balls.push_back({place, radius});
@@ -396,7 +396,7 @@ void SceneView::frame(const QSizeF& size) {
         fitWanted_ = false;
         camera_.fit(inSight(), margins(size, kFitShare));
     } else {
-        camera_.contain(inSight(), margins(size, kLeastShare));
+        camera_.contain(inSight(), margins(size, kMinShare));
     }
 }
 
@@ -463,7 +463,7 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
             addLimit(path.limit->place, path.limit->text);
         }
     }
-    // Reserve the line with the number of hidden names.
+    // Reserve the line that shows the number of hidden labels.
     const QRectF line(12, size.height() - 28, size.width() / 2, 22);
     placer.block(line);
     std::stable_partition(names.begin(), names.end(), [](const Name& name) { return name.selected; });
@@ -724,7 +724,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
             resetView();
             break;
         default:
-            event->ignore();  // Space and Esc stop the robot and are not used here
+            event->ignore();  // Space and Esc stop the robot and are not handled here
             return;
     }
     event->accept();

@@ -38,7 +38,7 @@ struct SceneJog {
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
     bool turns = false;  ///< rotation about the direction instead of translation
     int joint = -1;      ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
-    int sign = 1;        ///< of the joint rotation
+    int sign = 1;        ///< sign of the joint rotation
 };
 
 class SceneView : public QWidget {
@@ -52,8 +52,8 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
-    /// A second ghost in another colour, for the replacement of the first one. They are also distinguished by
-    /// texts.
+    /// A second ghost in another colour, shown as the replacement of the first one. The two are also
+    /// distinguished by texts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
     /// Also shows the arm at a past time, with a text above it. Empty: none.
@@ -67,9 +67,9 @@ public:
     const std::vector<PathMark>& paths() const { return paths_; }
     /// The surroundings of the arm, displayed and checked before a move.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// The examination of the move to the ghost; empty without a reachable ghost.
+    /// The check of the move to the ghost; empty without a reachable ghost.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
-    /// The limitation of the move to the ghost, as a sentence; empty if none.
+    /// The limit on the move to the ghost, as a sentence; empty if none.
     QString moveLimitText() const;
     void setJogDirection(const std::optional<SceneJog>& jog);
     const std::optional<SceneJog>& jog() const { return jog_; }
@@ -86,13 +86,13 @@ public:
     /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
     Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
     const Camera& camera() const { return camera_; }
-    /// The names of waypoints and frames as drawn last, and the number of names without a free position.
+    /// The labels of waypoints and frames as drawn last, and the number of labels without a free position.
     const std::vector<PlacedLabel>& labels() const { return labels_; }
     int hiddenLabels() const { return hiddenLabels_; }
-    /// Text about hidden names; empty if there are none.
+    /// Text about hidden labels; empty if there are none.
     QString hiddenText() const;
 
-    /// Draws one frame; called by paintEvent(), benchmarks and image export.
+    /// Draws one frame; called by paintEvent(), benchmarks and the image export.
     void paintScene(QPainter& painter, const QSizeF& size);
 
     QSize sizeHint() const override { return {930, 520}; }
@@ -100,7 +100,7 @@ public:
 
 public Q_SLOTS:
     void setState(const tiller::SessionState& state);
-    /// Shows all objects from this direction.
+    /// Shows all objects from this viewing direction.
     void lookFrom(tiller::StandardView from);
     void resetView() { lookFrom(StandardView::Home); }
     /// Fit the arm, ghost, waypoints and frames in the view, and keep them visible from now on.
@@ -108,7 +108,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
-    /// The new moveLimitText().
+    /// moveLimitText() has changed.
     void moveLimitChanged(const QString& text);
     /// The camera moved: a jog in the frame "View" must stop or follow.
     void viewChanged();
@@ -130,12 +130,12 @@ private:
     void changed();
     /// True if the arm has visibly moved since it was drawn last.
     bool armHasMoved() const;
-    /// Examines the move to the ghost again.
+    /// Checks the move to the ghost again.
     void updateGhost();
-    QString ghostFigures() const;
+    QString ghostValues() const;
     void rebuildCheck();
     QRectF drawJog(ScenePainter& scene);
-    /// Of the cell [m]; nothing where it has none.
+    /// Height of the floor of the cell [m]; empty if the cell has no floor.
     std::optional<double> floorHeight() const;
     void orbitBy(const QPointF& pixels);
     void panBy(const QPointF& pixels);
@@ -143,7 +143,7 @@ private:
     /// Positions the camera for this image size.
     void frame(const QSizeF& size);
     std::vector<Camera::Ball> inSight() const;
-    /// share  of the image to keep free around the visible objects
+    /// share  fraction of the image to keep free around the visible objects
     QMarginsF margins(const QSizeF& size, double share) const;
     void placeKeys();
     void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
@@ -158,10 +158,10 @@ private:
     std::optional<Ghost> secondGhost_;
     std::optional<ReplayMark> replay_;
     collision::CellSurroundings cell_;
-    std::optional<collision::CollisionCheck> check_;  ///< empty: has to be created again
+    std::optional<collision::CollisionCheck> check_;  ///< empty: must be created again
     std::optional<collision::MoveReport> report_;
     QString limitText_;
-    QTimer examineTimer_;  ///< limits the rate of examinations while the arm moves
+    QTimer examineTimer_;  ///< limits the rate of checks while the arm moves
     QString ghostText_;
     std::vector<WaypointMark> waypoints_;
     std::vector<FrameMark> frames_;
@@ -169,8 +169,8 @@ private:
     std::vector<PathMark> paths_;
     SceneTrace trace_;
     std::unique_ptr<SceneBodies> bodies_;
-    QImage ground_;               ///< the ground, as drawn last
-    Camera::Eye groundSeenFrom_;  ///< with this camera
+    QImage ground_;               ///< cached image of the ground
+    Camera::Eye groundSeenFrom_;  ///< camera with which ground_ was drawn
     std::optional<ColorScheme> groundScheme_;
     bool haveJoints_ = false;
     bool stale_ = true;
@@ -178,10 +178,10 @@ private:
     double speedFraction_ = 1.0;
     Camera camera_;
     SceneKeys* keys_;
-    bool keptInSight_ = true;            ///< until the user moves the view or zooms
-    bool fitWanted_ = true;              ///< the view has to be fitted again
+    bool keptInSight_ = true;            ///< true until the user moves the view or zooms
+    bool fitWanted_ = true;              ///< the view must be fitted again
     double coveredBelow_ = 0;            ///< [px]
-    std::optional<Camera> beforeGhost_;  ///< to be restored when the ghost disappears
+    std::optional<Camera> beforeGhost_;  ///< the view to be restored when the ghost disappears
     std::vector<PlacedLabel> labels_;
     int hiddenLabels_ = 0;
     QPointF dragFrom_;

@@ -15,17 +15,17 @@
 
 #include "robot/station/history/signal_store.h"
 #include "widgets/common/density.h"
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 
 namespace {
 
-constexpr int kKeys = Qt::UserRole + 1;   // QStringList
-constexpr int kWords = Qt::UserRole + 2;  // what the filter looks through
-constexpr int kGroup = Qt::UserRole + 3;  // bool: only opens and closes
-constexpr int kLeastList = 24;            // [px], a line: the panel must not grow when the list is opened
+constexpr int kKeys = Qt::UserRole + 1;   // QStringList: keys of the signals
+constexpr int kWords = Qt::UserRole + 2;  // text searched by the filter
+constexpr int kGroup = Qt::UserRole + 3;  // bool: a group, which can only be expanded and collapsed
+constexpr int kMinList = 24;              // minimum height: one line, so that the panel does not grow [px]
 
 class Model : public QStandardItemModel {
 public:
@@ -40,7 +40,7 @@ public:
         keys.removeDuplicates();
         auto* data = new QMimeData;
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
-        // Into an expression, which is over what a robot or a file tells.
+        // Derived signals are excluded: an expression uses only signals of the robot or of a file.
         keys.removeIf([](const QString& key) { return key.contains(QLatin1Char('=')); });
         std::transform(keys.begin(), keys.end(), keys.begin(), &DerivedSignal::written);
         data->setText(keys.join(QStringLiteral(", ")));
@@ -48,7 +48,7 @@ public:
     }
 };
 
-/// Every word somewhere in it, in any order.
+/// Accepts rows that contain every word, in any order.
 class Filter : public QSortFilterProxyModel {
 public:
     explicit Filter(QObject* parent) : QSortFilterProxyModel(parent) { setRecursiveFilteringEnabled(true); }
@@ -98,7 +98,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setObjectName(QStringLiteral("signals.tree"));
     view_->setAccessibleName(tr("Signals of the robot"));
     view_->setHeaderHidden(true);
-    view_->setMinimumHeight(kLeastList);
+    view_->setMinimumHeight(kMinList);
     view_->setUniformRowHeights(true);
     view_->setDragEnabled(true);
     view_->setDragDropMode(QAbstractItemView::DragOnly);
@@ -108,7 +108,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setFont(textFont(13));
     shown_->setSourceModel(model_);
     view_->setModel(shown_);
-    nothing_ = new NothingFound(*view_);
+    nothing_ = new EmptyState(*view_);
     nothing_->setObjectName(QStringLiteral("signals.nothingFound"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 0, 4, 8);
@@ -149,7 +149,7 @@ void SignalTree::fill() {
                 QLatin1Char(' ')),
             kWords);
     };
-    // Those made here first.
+    // Derived signals first.
     std::vector<int> order;
     for (const bool derived : {true, false}) {
         for (int i = 0; i < store_.count(); ++i) {
@@ -215,7 +215,7 @@ void SignalTree::setAbsent(const QSet<QString>& fields) {
     }
 }
 
-void SignalTree::tellDerivation(const QString& problem) {
+void SignalTree::showDerivationResult(const QString& problem) {
     problem_->setText(problem);
     problem_->setVisible(!problem.isEmpty());
     if (problem.isEmpty()) {

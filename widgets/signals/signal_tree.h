@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Everything the robot may tell as a tree with a filter. A signal, or a family of them, is dragged onto a plot, or
-// taken by a double click or Return. Below it a line takes signals computed from others.
+// Tree of all signals available from the robot, with a filter. A signal or a group of signals is dragged onto
+// a plot, or added by a double click or Return. An input line below the tree defines signals computed from
+// others.
 
 #include <QSet>
 #include <QStringList>
@@ -19,7 +20,7 @@ class QTreeView;
 
 namespace tiller {
 
-class NothingFound;
+class EmptyState;
 class SignalStore;
 
 class SignalTree : public QWidget {
@@ -28,20 +29,20 @@ class SignalTree : public QWidget {
 public:
     explicit SignalTree(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Those that this robot does not send: they cannot be chosen, and say why.
+    /// Sets the signals that this robot does not send: they are disabled, with the reason in their tooltip.
     void setAbsent(const QSet<QString>& fields);
     void focusFilter();
-    /// What became of the text that was entered: empty when it is a signal now.
-    void tellDerivation(const QString& problem);
+    /// Shows the result of entering a derived signal: a problem, or empty if the signal was created.
+    void showDerivationResult(const QString& problem);
 
-    /// What a drag carries.
+    /// The signals contained in the data of a drag.
     static QStringList keysIn(const QMimeData* data);
     static constexpr const char* kMime = "application/x-tiller-signals";
 
 Q_SIGNALS:
-    /// Chosen by a double click or Return.
+    /// Signals were selected by a double click or Return.
     void chosen(const QStringList& keys);
-    /// A signal to be computed from others, as DerivedSignal describes the text.
+    /// The user entered a signal to be computed from others; for the syntax see DerivedSignal.
     void derivationEntered(const QString& text);
 
 private:
@@ -54,7 +55,7 @@ private:
     QTreeView* view_;
     QStandardItemModel* model_;
     QSortFilterProxyModel* shown_;
-    NothingFound* nothing_;
+    EmptyState* nothing_;
     QLineEdit* derivation_;
     QLabel* problem_;
     QSet<QString> absent_;

@@ -24,7 +24,7 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
-constexpr double kOrdinaryCap = 0.250;  // [m/s]; higher values are displayed in the header
+constexpr double kOrdinaryCap = 0.250;  // a higher speed limit is displayed in the header [m/s]
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
@@ -66,7 +66,7 @@ QString stepWords(const QPushButton& key, const QString& text, int width) {
 
 /// The width of the button for the next step, equal for all steps [px].
 int stepRoom(QPushButton& key, int least) {
-    key.ensurePolished();  // applies its font
+    key.ensurePolished();  // ensures that the font of the style sheet is used
     int room = least;
     for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
@@ -118,8 +118,8 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     for (StateChip* withMenu : {robot_, mode_, control_}) {
         withMenu->setMenuArrow(true);
     }
-    link_->setFigures(true);
-    lastStop_->setFigures(true);
+    link_->setNumberFont(true);
+    lastStop_->setNumberFont(true);
     // The layout depends on the width of the bar; see arrange().
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
@@ -262,13 +262,13 @@ void HeaderBar::showLastStop() {
 void HeaderBar::showLink() {
     ModeLook look = linkLook(state_);
     if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
-        // In the normal state the rate is sufficient if there is little space.
+        // With little space, the packet rate is sufficient in the normal state.
         look.advice.prepend(look.text + QLatin1Char('\n'));
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // The consequence for jogging comes before the name of the state.
-    link_->setCaption(linkCaption(state_), StateChip::GivesWay::Before);
+    // Show the consequence for jogging before the name of the state.
+    link_->setCaption(linkCaption(state_), StateChip::ElidedPart::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
     }
@@ -300,6 +300,9 @@ void HeaderBar::showStep() {
     }
     const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
+    if (isAnother) {
+        stepButton_->clearFocus();  // a key press intended for the previous step
+    }
     const QString obstacle = nextStepObstacle(state_);
     offerStep(step_ != NextStep::None, obstacle.isEmpty());
     if (isAnother) {
@@ -383,6 +386,20 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
         }
         return QWidget::eventFilter(watched, event);
     }
+    if (watched == stepButton_ &&
+        (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (key.key() == Qt::Key_Space) {
+            return true;  // who presses Space wants to stop the arm, not to power it on
+        }
+        if (event->type() == QEvent::KeyPress &&
+            (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
+            if (!key.isAutoRepeat()) {
+                stepButton_->click();
+            }
+            return true;
+        }
+    }
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
         event->type() == QEvent::TouchBegin) {
         keepPlaces();
@@ -392,7 +409,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
 
 void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
-        // Waiting: a second click is ignored.
+        // While waiting, a second click is ignored.
         keepPlaces();
         offerStep(true, false);
     }

@@ -63,7 +63,7 @@ Q_SIGNALS:
     void connectRequested();
     /// A chip with an arrow was clicked.
     void menuRequested(tiller::HeaderBar::Menu menu);
-    /// "Recover…", or the safety chip.
+    /// "Recover…" or the safety chip was clicked.
     void recoveryRequested();
 
 protected:
@@ -96,7 +96,7 @@ private:
     SessionState state_;
     NextStep step_ = NextStep::None;
     std::array<std::optional<std::array<int, 3>>, 2> contentWidths_;  ///< of each density; until fonts change
-    bool stepLostFocus_ = false;                                      ///< when it was disabled or hidden
+    bool stepLostFocus_ = false;  ///< the button was disabled or hidden while it had the focus
     QTimer linkPace_;
     QTimer places_;  ///< active while positions must not change
 
@@ -112,7 +112,7 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
-    /// A modal dialog blocks this window: STOP is then shown above it at the same position.
+    /// While a modal dialog blocks this window, STOP is shown above the dialog at the same position.
     QPointer<StopButton> stopAbove_;
     QLabel* cap_;  ///< the banner below the bar; hidden unless the cap was raised
 };

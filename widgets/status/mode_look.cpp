@@ -111,7 +111,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
 }
 
 ModeLook safetyModeLook(SafetyStatus status) {
-    // An unknown number from newer software does not count as normal.
+    // An unknown value from newer software is shown as an alarm.
     return lookOf(kSafety, status, safetyWords(status), {status, Shape::Octagon, Emphasis::Alarm, "?"});
 }
 
@@ -159,7 +159,7 @@ ModeLook controlLook(const SessionState& state) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
-        // A program other than Tiller's: it moves the arm.
+        // A program other than Tiller's may move the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
@@ -290,7 +290,7 @@ ModeLook linkLook(const SessionState& state) {
     }
     QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
-        // Only mentioned if relevant for jogging.
+        // Only shown if it is relevant for jogging.
         text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
             text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);
@@ -374,12 +374,13 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::Connect:
             return ModeLookText::tr("Select the simulator or enter the address of a robot");
         case NextStep::PowerOn:
-            return ModeLookText::tr("Powers the arm. Brakes stay engaged.");
+            return ModeLookText::tr("Powers the arm on. Brakes stay engaged.");
         case NextStep::ReleaseBrakes:
             return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:
             return ModeLookText::tr(
-                "Shows what stopped the arm, the last five seconds, and the recovery steps. Nothing moves.");
+                "Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not "
+                "move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
                 "Starts the control program on the robot. Asks before it stops another program.");

@@ -14,8 +14,8 @@
 #include <algorithm>
 
 #include "robot/station/text/notation.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/shapes.h"
-#include "widgets/common/steady_scroll_area.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::chrono::seconds kAtMost{30};
 constexpr int kTitle = 230;            // minimum width of the column [px]
-constexpr double kFirstSpeed = 0.050;  // [m/s] initial speed of the jog column
+constexpr double kFirstSpeed = 0.050;  // initial speed of the jog column [m/s]
 
 struct Look {
     QString word;
@@ -140,7 +140,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
         list_->addWidget(rows_.back());
     }
     list_->addStretch(1);
-    auto* scroll = new SteadyScrollArea(this);
+    auto* scroll = new NoFocusScrollArea(this);
     scroll->setObjectName(QStringLiteral("preflightConditions"));
     scroll->setAccessibleName(tr("Conditions"));
     scroll->setWidget(list);
@@ -214,8 +214,8 @@ void PreflightPage::examine() {
     worker_.post(this, [this, run, patient = patient_](const CancelToken& token) {
         const doctor::Report report = doctor::examine(patient, Deadline::after(kAtMost, token),
                                                       [this, run](const doctor::Finding& finding) {
-                                                          // The page outlives its worker, whose destructor waits
-                                                          // for this job.
+                                                          // The page outlives its worker: the destructor of
+                                                          // the worker waits for this job.
                                                           QMetaObject::invokeMethod(
                                                               this,
                                                               [this, run, finding] {
@@ -276,7 +276,7 @@ void PreflightPage::sortRows() {
         }
         return 2;
     };
-    QVector<FindingRow*> sorted = rows_;  // rows_ itself is indexed by condition
+    QVector<FindingRow*> sorted = rows_;  // sorts a copy, because rows_ is indexed by condition
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const FindingRow* a, const FindingRow* b) { return rank(a) < rank(b); });
     for (int i = 0; i < sorted.size(); ++i) {

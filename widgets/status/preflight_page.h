@@ -30,7 +30,7 @@ public:
 private:
     class Sign;
 
-    /// Over all conditions in this language, for a common column [px].
+    /// Maximum over all conditions in this language, for a common column [px].
     int widestTitle() const;
 
     doctor::Finding finding_;
@@ -63,7 +63,7 @@ private:
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
-    /// The suggested button is the default button; the other one is not emphasized.
+    /// The suggested button becomes the default button; the other one is not emphasized.
     void offer(bool connecting);
     /// Bad findings first, then those with Attention, each in their original order.
     void sortRows();

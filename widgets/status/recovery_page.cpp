@@ -16,16 +16,16 @@
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
 namespace {
 
-// Minimum range of the scale of the small plots.
-constexpr double kLeastForce = 20.0;   // [N]
-constexpr double kLeastCurrent = 2.0;  // [A]
-constexpr double kLeastSpeed = 0.020;  // [m/s]
+// Minimum ranges of the scales of the small plots.
+constexpr double kMinForceRange = 20.0;   // [N]
+constexpr double kMinCurrentRange = 2.0;  // [A]
+constexpr double kMinSpeedRange = 0.020;  // [m/s]
 
 /// e.g. "+200.0 mm"
 QString signedLength(double metres) {
@@ -70,7 +70,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
     painter.setFont(textFont(13));
     painter.setPen(theme.secondary);
     painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignLeft | Qt::AlignVCenter, title_);
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignRight | Qt::AlignVCenter,
                      tr("max %1").arg(peak_));
     painter.setPen(theme.border);
@@ -119,7 +119,7 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
     connect(&session_, &RobotSession::message, this, [this](Severity severity) {
-        // Refused: the user may try again.
+        // The command was refused: the user may try again.
         if (severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
@@ -161,7 +161,7 @@ void RecoveryPage::build() {
         plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
         layout->addWidget(plots_[i]);
     }
-    layout->addStretch(1);  // the text above may become shorter
+    layout->addStretch(1);  // takes up the space when the text above becomes shorter
     checkLayout_ = new QVBoxLayout;
     checkLayout_->setSpacing(currentDensity() == Density::Touch ? 0 : 6);
     layout->addLayout(checkLayout_);
@@ -172,7 +172,7 @@ void RecoveryPage::build() {
     waiting_->setProperty("role", QStringLiteral("secondary"));
     key_ = new QPushButton(this);
     key_->setObjectName(QStringLiteral("recoveryKey"));
-    key_->setMinimumWidth(180);  // its text changes, its position does not
+    key_->setMinimumWidth(180);  // constant width, because its text changes
     QSizePolicy keepsItsPlace = key_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     key_->setSizePolicy(keepsItsPlace);
@@ -188,7 +188,7 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
-        // A gap of less than a second: neither new data nor discarded confirmations.
+        // A gap of less than a second: no new data, but the confirmations remain valid.
         guide_.waiting = tr("Waiting for data from the robot…");
         showKey();
         return;
@@ -210,7 +210,7 @@ void RecoveryPage::applyState(const SessionState& state) {
     }
     showRecord();
     showKey();
-    makeRoom(*this);
+    fitToContents(*this);
 }
 
 void RecoveryPage::showRecord() {
@@ -236,15 +236,15 @@ void RecoveryPage::showRecord() {
     where_->setText(where);
     reports_->setText(record->reports.join(QLatin1Char('\n')));
     plots_[0]->show(
-        *record, [](const StopRecord::Point& p) { return p.force; }, format::newtons, kLeastForce);
+        *record, [](const StopRecord::Point& p) { return p.force; }, format::newtons, kMinForceRange);
     plots_[1]->show(
         *record,
         [joint](const StopRecord::Point& p) {
             return joint >= 0 ? p.current[joint] : p.current.cwiseAbs().maxCoeff();
         },
-        format::amperes, kLeastCurrent);
+        format::amperes, kMinCurrentRange);
     plots_[2]->show(
-        *record, [](const StopRecord::Point& p) { return p.speed; }, format::speed, kLeastSpeed);
+        *record, [](const StopRecord::Point& p) { return p.speed; }, format::speed, kMinSpeedRange);
 }
 
 void RecoveryPage::changeEvent(QEvent* event) {
@@ -262,7 +262,7 @@ void RecoveryPage::showChecks() {
         auto* box = new QCheckBox(text, this);
         box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
         box->setAccessibleName(text);
-        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // not narrower than its text
+        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // not narrower than the text
         connect(box, &QCheckBox::toggled, this, &RecoveryPage::showKey);
         checkLayout_->addWidget(box);
         checks_.append(box);
@@ -320,7 +320,7 @@ void RecoveryPage::takeStep() {
             }
             session_.takeControl();
             break;
-        default:  // no button
+        default:  // no action
             break;
     }
     showKey();

@@ -75,7 +75,7 @@ private:
     bool sent_ = false;  ///< the command was sent; waiting for the robot
     double recordShown_ = -1;
     QStringList asked_;     ///< required confirmations
-    double askedFor_ = -1;  ///< the stop they refer to, by the controller's time stamp [s]
+    double askedFor_ = -1;  ///< the stop that the confirmations refer to, as time stamp of the controller [s]
 
     QLabel* title_;
     QLabel* what_;

@@ -20,11 +20,11 @@ namespace tiller {
 
 namespace {
 
-constexpr int kWidth = 460;       // [px]
-constexpr int kLeastMargin = 16;  // [px] distance from the edges of the covered widget
+constexpr int kWidth = 460;     // [px]
+constexpr int kMinMargin = 16;  // minimum distance from the edges of the covered widget [px]
 constexpr int kMargin = 16;
 constexpr int kSign = 22;
-constexpr qsizetype kLongest = 600;  // [characters]; the log has the complete text
+constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the complete text
 
 using script::MessageSeverity;
 
@@ -112,7 +112,7 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
 // During a flood of popups, showing each one would overload the layout and the screen reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // another popup than the one that could be closed
+        showKey();  // another popup than the one that could be closed is displayed now
         return;
     }
     obstacle_ = obstacleNow(session_.state());
@@ -160,7 +160,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // The refusal applies to the displayed popup.
+    // The refusal refers to the displayed popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());
@@ -225,7 +225,7 @@ void RobotPopup::place() {
     const QRect room = over_.isVisible() && over_.window() == &window
                            ? QRect(over_.mapTo(&window, QPoint(0, 0)), over_.size())
                            : window.rect();
-    const int width = std::min(kWidth, std::max(240, room.width() - 2 * kLeastMargin));
+    const int width = std::min(kWidth, std::max(240, room.width() - 2 * kMinMargin));
     layout()->activate();
     const int height = std::max(heightForWidth(width), minimumSizeHint().height());
     setGeometry(room.center().x() - width / 2, room.center().y() - height / 2, width, height);

@@ -24,7 +24,7 @@ class RobotPopup : public QFrame {
 
 public:
     /// window  the parent
-    /// over    the widget it is centred on, while that is visible
+    /// over    the widget it is centred on while that is visible
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
     /// Number of reported popups on the pendant, at most kMaxPopups; the newest is shown.
@@ -33,7 +33,7 @@ public:
     int updates() const { return updates_; }
 
     static constexpr int kMaxPopups = 100;    ///< beyond this number the oldest are dropped
-    static constexpr int kShowEveryMs = 200;  ///< [ms] between two updates of the widget
+    static constexpr int kShowEveryMs = 200;  ///< interval between two updates of the widget [ms]
 
     /// A new popup cannot be closed during this time [ms].
     static constexpr int kUnreadMs = 500;
@@ -59,7 +59,7 @@ private:
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
     QString obstacle_;                ///< the reason why it can only be closed on the pendant
-    std::optional<qsizetype> asked_;  ///< the popup that the robot was asked to close, until it responds
+    std::optional<qsizetype> asked_;  ///< the popup that the robot was requested to close, until it responds
     bool refused_ = false;            ///< the robot did not close the displayed popup
     QTimer unread_;
     QTimer nextUpdate_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/speed_chip.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -14,7 +15,7 @@ namespace tiller {
 namespace {
 constexpr int kPadding = 13;
 constexpr int kSettleMs = 800;
-constexpr int kLeastPercent = 2;  // 0 has caused protective stops
+constexpr int kMinPercent = 2;  // a speed of 0 has caused protective stops
 }  // namespace
 
 SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
@@ -22,10 +23,10 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setAccessibleName(tr("Speed slider"));
     setToolTip(tr("Speed slider of the robot, 2 to 100 %"));
     setOrientation(Qt::Horizontal);
-    setRange(kLeastPercent, 100);
+    setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus);  // after a click, keys have no effect on the speed
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     settle_.setSingleShot(true);
     settle_.setInterval(kSettleMs);
@@ -82,7 +83,7 @@ void SpeedChip::paintEvent(QPaintEvent*) {
     painter.setFont(caption);
     painter.setPen(theme.secondary);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("SPEED"));
-    painter.setFont(figureFont(13));
+    painter.setFont(numberFont(13));
     painter.setPen(valid_ ? theme.text : theme.secondary);
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      valid_ ? QStringLiteral("%1 %").arg(value()) : QStringLiteral("–"));
@@ -121,6 +122,19 @@ void SpeedChip::mouseMoveEvent(QMouseEvent* event) {
 void SpeedChip::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
         setSliderDown(false);
+    }
+}
+
+void SpeedChip::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Home:
+        case Qt::Key_End:
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+            event->ignore();  // one key must not make the arm many times faster
+            break;
+        default:
+            QAbstractSlider::keyPressEvent(event);
     }
 }
 

@@ -17,14 +17,14 @@ public:
 
     /// The value reported by the robot, 0..1; valid false: grey.
     void setReported(double fraction, bool valid);
-    /// reason  why it cannot be changed, as a sentence; empty: it can
+    /// reason  why the speed cannot be changed, as a sentence; empty if it can
     void setLocked(const QString& reason);
 
     QSize sizeHint() const override { return {230, 47}; }
     QSize minimumSizeHint() const override { return {118, 47}; }
 
 Q_SIGNALS:
-    /// The user requests this fraction, 0.02 ... 1.
+    /// The user requested this fraction, 0.02 ... 1.
     void fractionChosen(double fraction);
 
 protected:
@@ -32,6 +32,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:

@@ -20,13 +20,13 @@ namespace tiller {
 
 namespace {
 
-// What a robot may lack; a warning about it is out of date once it has it again.
+// Conditions missing for a motion, as bits. A warning is outdated once the missing condition is restored.
 constexpr unsigned kNoLink = 1;
 constexpr unsigned kUnsafe = 2;
 constexpr unsigned kNotRunning = 4;
 constexpr unsigned kNoControl = 8;
 
-/// With a key for a finger and its frame.
+/// The height in the current density, including a button with its frame for touch.
 int heightNow() {
     constexpr int kFrame = 6;
     return std::max(StatusLine::kHeight, touchHeight() > 0 ? touchHeight() + kFrame : 0);
@@ -76,7 +76,7 @@ StatusLine::StatusLine(QWidget* parent)
     message_->setObjectName(QStringLiteral("lastMessage"));
 
     recording_->setFont(textFont(13, QFont::Bold));
-    details_->setFont(figureFont(13));
+    details_->setFont(numberFont(13));
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -148,7 +148,8 @@ void StatusLine::applyState(const SessionState& state) {
     }
 }
 
-/// A warning stays until what was missing since it came is there again. The log keeps it.
+/// Removes a warning once a condition that was missing since it appeared is restored. The log keeps the
+/// warning.
 void StatusLine::followTrouble(const SessionState& state) {
     const unsigned missing = (state.link == LinkState::Live ? 0U : kNoLink) |
                              (allowsMotion(state.safetyMode) ? 0U : kUnsafe) |
@@ -172,7 +173,7 @@ void StatusLine::showMessage(Severity severity, const QString& text) {
 
 void StatusLine::paintWords() {
     const Theme& theme = Theme::current();
-    // As a property, so that the style sheet of the theme sets the colour.
+    // Set as a property, so that the style sheet of the theme defines the colour.
     const auto give = [](QWidget* widget, const char* role) {
         if (widget->property("role").toByteArray() != role) {
             widget->setProperty("role", QLatin1String(role));

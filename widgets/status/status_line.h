@@ -21,7 +21,7 @@ public:
     /// Shows state and messages of this session.
     explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
 
-    /// text  name of the project and whether it is saved; empty for none
+    /// text  name of the project and whether it is saved; empty: no project
     void setProjectText(const QString& text);
     /// Adds a button of fixed width at the right end and takes ownership.
     void addKey(QWidget* key);
@@ -51,8 +51,8 @@ private:
     ElidedLabel* message_;
     RecordingState state_;
     Severity severity_ = Severity::Info;
-    unsigned missing_ = 0;       ///< what the robot lacks now
-    unsigned missingSince_ = 0;  ///< what it has lacked since the message came
+    unsigned missing_ = 0;       ///< conditions that are missing now
+    unsigned missingSince_ = 0;  ///< conditions that were missing since the message appeared
 };
 
 }  // namespace tiller

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/status/stop_button.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScreen>
+#include <algorithm>
 
 #include "widgets/common/theme.h"
 
@@ -19,9 +22,10 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    // Screen readers activate the button by click().
+    // Screen readers activate the button through click().
     connect(this, &QAbstractButton::clicked, this, &StopButton::stopRequested);
     setKeysStop(false);
+    qApp->installEventFilter(this);
 }
 
 void StopButton::setKeysStop(bool keys) {
@@ -81,6 +85,41 @@ void StopButton::mouseDoubleClickEvent(QMouseEvent* event) {
 void StopButton::mouseReleaseEvent(QMouseEvent* event) {
     event->accept();
     setDown(false);
+}
+
+void StopButton::keepUncovered(QWidget& popup) const {
+    const QRect own(mapToGlobal(QPoint(0, 0)), size());
+    QRect at = popup.geometry();
+    if (!at.intersects(own)) {
+        return;
+    }
+    const QRect free = screen()->availableGeometry();
+    at.moveTop(own.bottom() + 1);
+    if (at.bottom() > free.bottom()) {
+        at.moveTop(std::max(free.top(), free.bottom() + 1 - at.height()));
+        at.moveRight(own.left() - 1);
+    }
+    popup.move(at.topLeft());
+}
+
+bool StopButton::eventFilter(QObject* watched, QEvent* event) {
+    if (!watched->isWidgetType() || !isVisible()) {
+        return false;
+    }
+    auto& widget = *static_cast<QWidget*>(watched);
+    if (event->type() == QEvent::Show && widget.windowType() == Qt::Popup) {
+        keepUncovered(widget);
+    }
+    // An open menu receives every press, and a press outside of it only closes it.
+    const bool pressed =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (pressed && widget.windowType() == Qt::Popup) {
+        const QPoint at = static_cast<QMouseEvent*>(event)->globalPosition().toPoint();
+        if (rect().contains(mapFromGlobal(at)) && !widget.geometry().contains(at)) {
+            Q_EMIT stopRequested();
+        }
+    }
+    return false;
 }
 
 bool StopButton::event(QEvent* event) {

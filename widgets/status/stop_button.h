@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The STOP button. It acts on press with any mouse button or finger, and does not take the focus. It shows the keys
-// with the same function, or that a click is required.
+// The STOP button. It acts on press with any mouse button or finger, and does not take the focus. It also acts while a
+// menu is open, and menus do not cover it. It shows the keys with the same function, or that a click is required.
 
 #include <QAbstractButton>
 
@@ -14,7 +14,7 @@ class StopButton : public QAbstractButton {
 public:
     explicit StopButton(QWidget* parent = nullptr);
 
-    /// keys  Space and Esc stop as well; initially false
+    /// keys  whether Space and Esc stop as well; initially false
     void setKeysStop(bool keys);
     bool keysStop() const { return keysStop_; }
 
@@ -30,8 +30,11 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void keepUncovered(QWidget& popup) const;
+
     bool keysStop_ = true;
 };
 

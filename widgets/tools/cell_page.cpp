@@ -13,11 +13,11 @@
 
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/pose_editor.h"
 #include "widgets/common/row_table.h"
-#include "widgets/common/steady_scroll_area.h"
 
 namespace tiller {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 constexpr double kFarthestInCell = 10;  ///< [m]
 constexpr double kNewEdge = 0.1;        ///< initial size of a box [m]
 
-/// A pose at this point with the normal as Z axis, and otherwise minimum rotation relative to the base.
+/// Returns a pose at this point whose Z axis is the normal, with minimum rotation relative to the base.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -49,7 +49,7 @@ QString sizeText(const project::CellBox& box) {
 
 PartModel* cellModel(ProjectDocument& document) {
     PartModel::Content content;
-    content.figureHeadings = [] { return QStringList{CellPage::tr("Size %1").arg(format::lengthUnit())}; };
+    content.valueHeadings = [] { return QStringList{CellPage::tr("Size %1").arg(format::lengthUnit())}; };
     content.count = [&document] {
         return static_cast<int>(document.cell().boxes.size() + document.cell().planes.size());
     };
@@ -105,7 +105,7 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         const auto at = static_cast<std::size_t>(i);
         auto* letter = new QLabel(letters.at(at));
         letter->setProperty("role", "secondary");
-        auto* box = new FigureBox;
+        auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("%1.%2").arg(name).arg(i));
         box->setAccessibleName(spoken.at(at));
         box->setToolTip(tr("%1. Press Return to apply. The robot does not move.").arg(spoken.at(at)));
@@ -118,7 +118,7 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         boxes_.at(at) = box;
         connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { take(i); });
     }
-    showFigures();
+    updateValueTexts();
 }
 
 double VectorEditor::unit() const {
@@ -128,20 +128,20 @@ double VectorEditor::unit() const {
 void VectorEditor::setVector(const Eigen::Vector3d& vector) {
     if (vector != vector_) {
         vector_ = vector;
-        showFigures();
+        updateValueTexts();
     }
 }
 
-void VectorEditor::showFigures() {
+void VectorEditor::updateValueTexts() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        FigureBox& box = *boxes_[i];
+        DecimalSpinBox& box = *boxes_[i];
         const QSignalBlocker quiet(box);
         box.setDecimals(kind_ == Kind::Direction                           ? 4
                         : Notation::current().length == LengthUnit::Inches ? 3
                                                                            : 2);
         const double most = kind_ == Kind::Direction ? 1 : kFarthestInCell / unit();
-        constexpr double kLeastEdge = 0.001;  // [m]
-        box.setRange(kind_ == Kind::Size ? kLeastEdge / unit() : -most, most);
+        constexpr double kMinEdge = 0.001;  // [m]
+        box.setRange(kind_ == Kind::Size ? kMinEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
         shown_[i] = box.value();  // rounded: only edited values count as changed
@@ -160,7 +160,7 @@ void VectorEditor::take(int figure) {
 
 void VectorEditor::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange && boxes_[2] != nullptr) {
-        showFigures();
+        updateValueTexts();
     }
     QWidget::changeEvent(event);
 }
@@ -192,7 +192,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
           VectorEditor::Kind::Size, QStringLiteral("cell.size"),
           {CellPage::tr("LX"), CellPage::tr("LY"), CellPage::tr("LZ")},
           {CellPage::tr("Length along X"), CellPage::tr("Length along Y"), CellPage::tr("Length along Z")}))
-    , planeFigures_(new QWidget)
+    , planeValues_(new QWidget)
     , point_(new VectorEditor(VectorEditor::Kind::Point, QStringLiteral("cell.point"),
                               {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
                               {CellPage::tr("Point on the plane X"), CellPage::tr("Point on the plane Y"),
@@ -203,24 +203,24 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
           {CellPage::tr("Normal X, towards the arm"), CellPage::tr("Normal Y, towards the arm"),
            CellPage::tr("Normal Z, towards the arm")}))
     , hasFloor_(new QCheckBox(CellPage::tr("Floor")))
-    , floor_(new FigureBox)
-    , distance_(new FigureBox) {
+    , floor_(new DecimalSpinBox)
+    , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, it is not drawn and not checked."));
+    enabled_->setToolTip(CellPage::tr("When off, it is neither drawn nor checked."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
     floor_->setAccessibleName(CellPage::tr("Height of the floor"));
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
-    distance_->setToolTip(CellPage::tr(
-        "Jogging stops at this distance from the arm itself and from the cell. Moves that come closer are "
-        "refused."));
+    distance_->setToolTip(
+        CellPage::tr("Jogging stops at this distance from the cell and between parts of the arm. Moves that "
+                     "come closer are refused."));
     auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));
-    for (FigureBox* box : {floor_, distance_}) {
+    for (DecimalSpinBox* box : {floor_, distance_}) {
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(72);
@@ -229,7 +229,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     auto* headline = new QHBoxLayout;
     headline->addWidget(facts_, 1);
     headline->addWidget(enabled_);
-    auto* planeLayout = new QVBoxLayout(planeFigures_);
+    auto* planeLayout = new QVBoxLayout(planeValues_);
     planeLayout->setContentsMargins(0, 0, 0, 0);
     planeLayout->setSpacing(6);
     planeLayout->addWidget(point_);
@@ -240,7 +240,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     selectedLayout->addLayout(headline);
     selectedLayout->addWidget(pose_);
     selectedLayout->addWidget(size_);
-    selectedLayout->addWidget(planeFigures_);
+    selectedLayout->addWidget(planeValues_);
     selectedLayout->addStretch();
     auto* keep = new QLabel(CellPage::tr("Distance"));
     keep->setBuddy(distance_);
@@ -251,8 +251,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // In a low panel the values scroll; the list and the row below do not move.
-    auto* figures = new SteadyScrollArea;
+    // In a panel with little height the values scroll; the list and the row below do not move.
+    auto* figures = new NoFocusScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
     figures->setFrameShape(QFrame::NoFrame);
@@ -269,15 +269,15 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     layout->setSpacing(6);
     layout->addWidget(figures);
     layout->addLayout(cellRow);
-    constexpr int kSizeColumn = 150;  // [px]
-    table().setColumnWidth(PartModel::FirstFigure, kSizeColumn);
+    constexpr int kSizeColumn = 150;  // width of the column for sizes [px]
+    table().setColumnWidth(PartModel::FirstValue, kSizeColumn);
 
     cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Corner here"),
                         CellPage::tr("Set a corner of a box to the TCP"), 3, [this] { takeCorner(); });
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
-            // The tool points at the surface; the arm stays on its side.
+            // The tool points at the surface, and the arm is on its own side of the plane.
             addPlane(planePose(state_.tcpPose.position, -rotationMatrix(state_.tcpPose.rotation).col(2)));
         }
     };
@@ -444,9 +444,9 @@ void CellPage::takeCorner() {
                           refresh();
                       });
     } else {
-        constexpr double kLeastEdge = 0.001;  // [m]
+        constexpr double kMinEdge = 0.001;  // [m]
         const Eigen::Vector3d edges = (here - *corner_).cwiseAbs();
-        if (edges.minCoeff() < kLeastEdge) {
+        if (edges.minCoeff() < kMinEdge) {
             showProblem(CellPage::tr(
                 "The two corners are in one plane. Move the TCP to the opposite corner of the box."));
             return;
@@ -578,7 +578,7 @@ void CellPage::refresh() {
     selected_->setVisible(selected != nullptr || wall != nullptr);
     pose_->setVisible(selected != nullptr);
     size_->setVisible(selected != nullptr);
-    planeFigures_->setVisible(wall != nullptr);
+    planeValues_->setVisible(wall != nullptr);
     const auto fact = [this](const auto& part, const QString& kind) {
         const project::Frame* frame = document_.frames().find(part.frame);
         facts_->setText(CellPage::tr("%1 · %2 in %3")

@@ -15,11 +15,11 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 class PoseEditor;
 class ProjectDocument;
 
-/// Three numbers in a row: a point or a size in the units of the settings, or a direction without unit.
+/// Three numbers in a row: a point or a size in the units of the settings, or a direction without a unit.
 class VectorEditor : public QWidget {
     Q_OBJECT
 
@@ -33,20 +33,20 @@ public:
     void setVector(const Eigen::Vector3d& vector);  ///< [m], or without a unit
 
 Q_SIGNALS:
-    /// A value was edited; the other two keep the digits that are not displayed.
+    /// A value was edited; the other two keep their full precision.
     void entered(const Eigen::Vector3d& vector);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showFigures();
+    void updateValueTexts();
     void take(int figure);
     double unit() const;
 
     Kind kind_;
     Eigen::Vector3d vector_ = Eigen::Vector3d::Zero();
-    std::array<FigureBox*, 3> boxes_{};
+    std::array<DecimalSpinBox*, 3> boxes_{};
     std::array<double, 3> shown_{};
 };
 
@@ -64,7 +64,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // Boxes are first in the list, then planes. One of the two is null, both without a selection.
+    // Boxes are listed before planes. One of the two is null; both are null without a selection.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
     QString obstacle() const;
@@ -97,12 +97,12 @@ private:
     QCheckBox* enabled_;
     PoseEditor* pose_;
     VectorEditor* size_;
-    QWidget* planeFigures_;
+    QWidget* planeValues_;
     VectorEditor* point_;
     VectorEditor* normal_;
     QCheckBox* hasFloor_;
-    FigureBox* floor_;
-    FigureBox* distance_;
+    DecimalSpinBox* floor_;
+    DecimalSpinBox* distance_;
     double shownFloor_ = 0;
     double shownDistance_ = -1;
 };

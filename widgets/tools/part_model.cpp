@@ -31,7 +31,7 @@ int PartModel::rowCount(const QModelIndex& parent) const {
 }
 
 int PartModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : FirstFigure + static_cast<int>(content_.figureHeadings().size());
+    return parent.isValid() ? 0 : FirstValue + static_cast<int>(content_.valueHeadings().size());
 }
 
 QVariant PartModel::data(const QModelIndex& index, int role) const {
@@ -45,7 +45,7 @@ QVariant PartModel::data(const QModelIndex& index, int role) const {
             case Name:
                 return content_.name(index.row());
             default:
-                return content_.figures(index.row()).value(index.column() - FirstFigure);
+                return content_.figures(index.row()).value(index.column() - FirstValue);
         }
     };
     switch (role) {
@@ -60,7 +60,7 @@ QVariant PartModel::data(const QModelIndex& index, int role) const {
                        : QStringLiteral("%1 %2").arg(
                              headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(), text());
         case Qt::FontRole:
-            return index.column() < FirstFigure ? textFont(15) : figureFont(13);
+            return index.column() < FirstValue ? textFont(15) : numberFont(13);
         default:
             return {};
     }
@@ -94,7 +94,7 @@ QVariant PartModel::headerData(int section, Qt::Orientation orientation, int rol
     }
     return section == Mark   ? QString()
            : section == Name ? tr("Name")
-                             : content_.figureHeadings().value(section - FirstFigure);
+                             : content_.valueHeadings().value(section - FirstValue);
 }
 
 Qt::ItemFlags PartModel::flags(const QModelIndex& index) const {

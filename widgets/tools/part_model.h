@@ -14,10 +14,10 @@ class PartModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Mark, Name, FirstFigure };
+    enum Column { Mark, Name, FirstValue };
 
     struct Content {
-        std::function<QStringList()> figureHeadings;
+        std::function<QStringList()> valueHeadings;
         std::function<int()> count;
         std::function<bool(int row)> isInUse;
         QString inUse;  ///< text of the mark: "In use"
@@ -45,7 +45,7 @@ Q_SIGNALS:
 
 private:
     Content content_;
-    int rows_ = 0;  ///< as known to the views
+    int rows_ = 0;  ///< number of rows known to the views
 };
 
 }  // namespace tiller

@@ -10,7 +10,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/row_table.h"
 
@@ -65,7 +65,7 @@ PartPage::PartPage(const QString& name, const QString& title, PartModel* model, 
     layout->setSpacing(0);
     layout->addWidget(usual_, 1);
     notice_ = new NoticeBar;
-    new LowerEdge(*notice_, *this, {pages_, usual_});
+    new BottomOverlay(*notice_, *this, {pages_, usual_});
 
     connect(table_, &RowTable::currentRowChanged, this, [this] {
         for (QAction* action : actions_) {

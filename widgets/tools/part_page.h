@@ -40,16 +40,16 @@ Q_SIGNALS:
     void frontWanted();
 
 protected:
-    /// name     e.g. "tcp": the parts have the object names tcp.table, tcp.more ...
+    /// name     prefix of the object names, e.g. "tcp" for tcp.table, tcp.more ...
     /// empty    suggested action for an empty list
-    /// details  below the list
+    /// details  widget below the list
     PartPage(const QString& name, const QString& title, PartModel* model, const QString& empty,
              QWidget* details, QWidget* parent);
     ~PartPage() override;
 
     QPushButton* addKey(const QString& name, const QString& text, const QString& spoken, int stretch,
                         std::function<void()> run);
-    /// needsRow  disabled without a selection
+    /// needsRow  the command is disabled without a selection
     QAction* addCommand(const QString& name, const QString& text, bool needsRow, std::function<void()> run);
     QMenu* menu() { return menu_; }
     /// Replaces buttons, list and details; null: restores them.
@@ -59,12 +59,12 @@ protected:
     NoticeBar& notice() { return *notice_; }
     QWidget& details() { return *details_; }
     void showProblem(const QString& text);
-    /// The list has changed.
+    /// Updates the page after a change of the list.
     void followList();
     /// Keeps the details visible without a selection.
     void keepDetails() { detailsAlways_ = true; }
 
-    /// The selection or the values of the selected object have changed.
+    /// Called when the selection or the values of the selected object have changed.
     virtual void onSelection() = 0;
 
 private:

@@ -11,7 +11,7 @@
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -22,7 +22,7 @@ constexpr double kProposals[][3] = {{0, 0, 0},      {0.6, 0, 0},     {-0.4, 0.7,
                                     {0, -0.7, 1.6}, {0.5, 0.5, 2.4}, {-0.5, -0.5, -0.8}};
 constexpr double kProposedSpeed = 0.5;         ///< [rad/s]
 constexpr double kProposedAcceleration = 1.0;  ///< [rad/s2]
-/// Differences above the noise between the poses [N, Nm].
+/// Minimum difference of the forces and torques between the poses, above the noise [N, Nm].
 constexpr double kPoorForce = 1.0;
 constexpr double kPoorTorque = 0.1;
 
@@ -33,7 +33,7 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     , port_(std::move(port))
     , take_(new QPushButton)
     , again_(new QPushButton)
-    , next_(new HoldButton(tr("Next pose (hold)")))
+    , next_(new HoldToRunButton(tr("Next pose (hold)")))
     , feedback_(new QLabel)
     , poses_(new QLabel)
     , keep_(new QPushButton(tr("Keep payload"))) {
@@ -55,7 +55,7 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     feedback_->setWordWrap(true);
     poses_->setObjectName(QStringLiteral("payload.estimator.poses"));
     poses_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    poses_->setFont(figureFont(13));
+    poses_->setFont(numberFont(13));
     keep_->setObjectName(QStringLiteral("payload.estimator.keep"));
     keep_->setAccessibleName(keep_->text());
     auto* cancel = new QPushButton(tr("Cancel"));
@@ -152,7 +152,8 @@ Result<MotionPort::Id> PayloadEstimator::beginMove() {
              .speed});
     request.acceleration = kProposedAcceleration;
     request = slowedTo(heldSpeed_(), request, state_);
-    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)), HoldBounds::silenceAt(0, request.speed)};
+    bounds_ = {HoldBounds::longestOf(moveSeconds(request, state_)),
+               HoldBounds::holdTimeoutAt(0, request.speed)};
     return port_.beginMove(request);
 }
 
@@ -240,7 +241,7 @@ QString PayloadEstimator::feedback() const {
                ? tr("Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the "
                     "wrist, by jogging or with Next pose, and take three more poses.")
                : tr("Rotate the wrist in another direction and take the pose. Poses still needed: %n",
-                    nullptr, kinematics::kLeastPayloadPoses - static_cast<int>(readings_.size()));
+                    nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }
 
 void PayloadEstimator::refresh() {

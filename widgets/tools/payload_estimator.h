@@ -18,7 +18,7 @@ class QPushButton;
 
 namespace tiller {
 
-class HoldButton;
+class HoldToRunButton;
 
 class PayloadEstimator : public QWidget {
     Q_OBJECT
@@ -27,7 +27,7 @@ public:
     explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 
-    /// Restarts with the current position.
+    /// Restarts the estimation with the current position.
     void begin();
     void setState(const SessionState& state);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { heldSpeed_ = std::move(speed); }
@@ -56,7 +56,7 @@ private:
     QString problem_;
     QPushButton* take_;
     QPushButton* again_;
-    HoldButton* next_;
+    HoldToRunButton* next_;
     QLabel* feedback_;
     QLabel* poses_;
     QPushButton* keep_;

@@ -12,7 +12,7 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/row_table.h"
 
@@ -27,7 +27,7 @@ PartModel* payloadModel(ProjectDocument& document) {
         return document.tooling().payloads.at(static_cast<std::size_t>(row));
     };
     PartModel::Content content;
-    content.figureHeadings = [] {
+    content.valueHeadings = [] {
         return QStringList{PayloadPage::tr("Mass kg"), PayloadPage::tr("CX %1").arg(format::lengthUnit()),
                            PayloadPage::tr("CY %1").arg(format::lengthUnit()),
                            PayloadPage::tr("CZ %1").arg(format::lengthUnit())};
@@ -65,7 +65,8 @@ struct Preset {
     double mass;    ///< [kg]
     double height;  ///< height of the centre of gravity above the flange [m]
 };
-/// Source: estimates, not yet compared with the manufacturers' data sheets; with coupling, without a part.
+/// Estimated values, not compared with the manufacturers' data sheets. They include the coupling, but no
+/// workpiece.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
@@ -93,7 +94,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
     const QString spoken[] = {tr("Mass of the payload"), tr("Centre of gravity X"), tr("Centre of gravity Y"),
                               tr("Centre of gravity Z")};
     for (int i = 0; i < 4; ++i) {
-        auto* box = new FigureBox;
+        auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("payload.details.") + QLatin1String(kNames[i]));
         box->setAccessibleName(spoken[i]);
         box->setToolTip(tr("Press Return to apply to the project. The robot's payload does not change."));
@@ -103,7 +104,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
         grid->addWidget(title, 0, i);
         grid->addWidget(box, 1, i);
         boxes_[static_cast<std::size_t>(i)] = box;
-        connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { takeFigure(i); });
+        connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { storeValue(i); });
     }
     auto* layout = new QVBoxLayout(&details());
     layout->setContentsMargins(12, 8, 12, 12);
@@ -186,11 +187,11 @@ void PayloadPage::change(const project::Payload& payload, const QString& text) {
     document_.changeTooling(after, text);
 }
 
-void PayloadPage::takeFigure(int figure) {
+void PayloadPage::storeValue(int figure) {
     const project::Payload* payload = current();
     const auto at = static_cast<std::size_t>(figure);
     if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
-        return;  // keep the digits that are not displayed
+        return;  // keep the full precision
     }
     project::Payload after = *payload;
     if (figure == 0) {
@@ -198,7 +199,7 @@ void PayloadPage::takeFigure(int figure) {
     } else {
         after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
     }
-    // It was valid for the previous mass.
+    // The inertia was valid for the previous mass.
     after.inertia.reset();
     change(after, tr("Change the payload “%1”").arg(payload->name));
 }
@@ -289,7 +290,7 @@ void PayloadPage::followCheck() {
             const Wrench left = mean_.remaining();
             const double force = left.force.norm();
             const double torque = left.torque.norm();
-            const QString felt = tr("With %1 kg, the arm measures %2 and %3 at standstill.")
+            const QString felt = tr("With a payload of %1 kg, the arm measures %2 and %3.")
                                      .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
                                           format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {
@@ -334,7 +335,7 @@ void PayloadPage::refresh() {
     if (payload == nullptr) {
         return;
     }
-    showFigures(*payload);
+    updateValueTexts(*payload);
     if (checking_) {
         return;
     }
@@ -345,7 +346,7 @@ void PayloadPage::refresh() {
                                                      format::position(state_.payloadCentre)));
 }
 
-void PayloadPage::showFigures(const project::Payload& payload) {
+void PayloadPage::updateValueTexts(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
         return;  // keep a value that is being edited
@@ -354,7 +355,7 @@ void PayloadPage::showFigures(const project::Payload& payload) {
     shownUnit_ = perUnit;
     for (int i = 0; i < 4; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        FigureBox& box = *boxes_[at];
+        DecimalSpinBox& box = *boxes_[at];
         const QSignalBlocker quiet(box);
         const double most = i == 0 ? project::kHeaviestPayload : project::kFarthestPayload / perUnit;
         box.setRange(i == 0 ? 0 : -most, most);

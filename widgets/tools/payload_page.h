@@ -15,7 +15,7 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 class ProjectDocument;
 
 class PayloadPage : public PartPage {
@@ -32,10 +32,10 @@ public:
     /// Measures for a second, and shows whether the configured payload explains the forces.
     void checkTruth();
 
-    /// Larger differences are reported [kg, m].
+    /// Larger differences between robot and project are reported [kg, m].
     static constexpr double kSameMass = 0.005;
     static constexpr double kSameCentre = 0.0005;
-    /// Permitted force at rest with a correct payload [N, Nm].
+    /// Maximum residual force and torque at rest with a correct payload [N, Nm].
     static constexpr double kTrueForce = 3.0;
     static constexpr double kTrueTorque = 0.5;
 
@@ -49,9 +49,9 @@ private:
     void remove();
     void insert(project::Payload payload);
     void change(const project::Payload& payload, const QString& text);
-    void takeFigure(int figure);
+    void storeValue(int figure);
     void refresh();
-    void showFigures(const project::Payload& payload);
+    void updateValueTexts(const project::Payload& payload);
     void compare();
     void followCheck();
     bool isOnRobot(const project::Payload& payload) const;
@@ -60,7 +60,7 @@ private:
     ProjectDocument& document_;
     SessionState state_;
     QLabel* facts_;
-    std::array<FigureBox*, 4> boxes_{};  ///< mass, then the centre of gravity
+    std::array<DecimalSpinBox*, 4> boxes_{};  ///< mass and centre of gravity
     std::array<double, 4> shown_{};
     std::optional<project::Payload> shownPayload_;
     double shownUnit_ = 0;

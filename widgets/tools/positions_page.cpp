@@ -17,7 +17,7 @@
 #include "robot/station/text/format.h"
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/row_table.h"
 
@@ -29,7 +29,7 @@ PartModel* positionModel(ProjectDocument& document) {
         return document.positions().list.at(static_cast<std::size_t>(row));
     };
     PartModel::Content content;
-    content.figureHeadings = [] { return QStringList{PositionsPage::tr("Joints °")}; };
+    content.valueHeadings = [] { return QStringList{PositionsPage::tr("Joints °")}; };
     content.count = [&document] { return static_cast<int>(document.positions().list.size()); };
     content.isInUse = [&document, at](int row) { return at(row).id == document.positions().home; };
     content.inUse = PositionsPage::tr("Home");
@@ -68,14 +68,14 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     , state_(session.state())
     , facts_(new QLabel)
     , hasHeight_(new QCheckBox(tr("Safe height")))
-    , height_(new FigureBox) {
+    , height_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("position.facts"));
     facts_->setWordWrap(true);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(6);
     for (int i = 0; i < kJointCount; ++i) {
-        auto* box = new FigureBox;
+        auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("position.details.%1").arg(i));
         box->setAccessibleName(jointName(i));
         box->setToolTip(
@@ -305,7 +305,7 @@ void PositionsPage::refresh() {
     const project::NamedPosition* position = current();
     findChild<QPushButton*>(QStringLiteral("position.useAsHome"))
         ->setEnabled(position != nullptr && position->id != positions.home);
-    for (FigureBox* box : joints_) {
+    for (DecimalSpinBox* box : joints_) {
         box->setEnabled(position != nullptr);
     }
     if (position == nullptr) {

@@ -13,7 +13,7 @@ class QLabel;
 
 namespace tiller {
 
-class FigureBox;
+class DecimalSpinBox;
 class ProjectDocument;
 
 class PositionsPage : public PartPage {
@@ -47,11 +47,11 @@ private:
     ProjectDocument& document_;
     SessionState state_;
     QLabel* facts_;
-    std::array<FigureBox*, 6> joints_{};
+    std::array<DecimalSpinBox*, 6> joints_{};
     std::array<double, 6> shown_{};
     std::optional<project::NamedPosition> shownPosition_;
     QCheckBox* hasHeight_;
-    FigureBox* height_;
+    DecimalSpinBox* height_;
     double shownHeight_ = 0;
 };
 

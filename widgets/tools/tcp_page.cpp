@@ -26,7 +26,7 @@ PartModel* tcpModel(ProjectDocument& document) {
         return document.tooling().tools.at(static_cast<std::size_t>(row));
     };
     PartModel::Content content;
-    content.figureHeadings = [] {
+    content.valueHeadings = [] {
         return QStringList{QStringLiteral("X %1").arg(format::lengthUnit()),
                            QStringLiteral("Y %1").arg(format::lengthUnit()),
                            QStringLiteral("Z %1").arg(format::lengthUnit())};

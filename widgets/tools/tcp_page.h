@@ -28,7 +28,7 @@ public:
     /// After undo or redo: selects the changed TCP, and asks if the robot has a different one.
     void followStep(const QUuid& id);
 
-    /// Larger differences are reported [m, rad].
+    /// Larger differences between robot and project are reported [m, rad].
     static constexpr double kSameDistance = 5e-5;
     static constexpr double kSameAngle = 1e-3;
 
@@ -55,7 +55,7 @@ private:
     TcpTeacher* teacher_;
     QUuid teachingInto_;
     std::optional<project::Tool> asked_;  ///< the tool for which the user was asked
-    Pose askedAbout_;                     ///< with this TCP of the robot
+    Pose askedAbout_;                     ///< the TCP of the robot in that question
 };
 
 }  // namespace tiller

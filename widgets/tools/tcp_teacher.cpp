@@ -46,9 +46,9 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     setObjectName(QStringLiteral("tcp.teacher"));
     setAccessibleName(tr("Teach the TCP"));
     title_->setProperty("role", "strong");
-    poses_->setFont(figureFont(13));
+    poses_->setFont(numberFont(13));
     take_->setProperty("primary", true);
-    takeTurn_->setAccessibleName(tr("Take a pose of the rotation"));
+    takeTurn_->setAccessibleName(tr("Take a pose for the rotation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
     turning_->setAccessibleName(tr("Rotation of the tool"));
     turning_->addItems({tr("Keep current rotation"), tr("Rotation from one pose: tool straight down"),
@@ -140,7 +140,7 @@ void TcpTeacher::takeTurn() {
     }
     const std::size_t needed = turning_->currentIndex() == ThreePoses ? 3 : 1;
     if (turns_.size() == needed) {
-        turns_.clear();  // restart
+        turns_.clear();  // restarts the rotation
     }
     turns_.push_back(*T);
     refresh();
@@ -150,7 +150,7 @@ std::optional<Eigen::Vector3d> TcpTeacher::rotation() const {
     switch (turning_->currentIndex()) {
         case StraightDown:
             if (turns_.size() == 1) {
-                // Z down, X along X of the base.
+                // Z pointing down, X along X of the base.
                 const Eigen::Matrix3d R_base_tool = rotationMatrix({M_PI, 0, 0});
                 return rotationVector(kinematics::toolRotation(turns_[0].linear(), R_base_tool));
             }
@@ -202,7 +202,7 @@ QString TcpTeacher::tipFeedback() const {
                            "each with the tip on the same point and the tool tilted in another direction.")
                       : tr("Tilt the tool in another direction, move the tip to the same point again, and "
                            "take the pose. Poses still needed: %n",
-                           nullptr, kinematics::kLeastTipPoses - taken);
+                           nullptr, kinematics::kMinTipPoses - taken);
 }
 
 QString TcpTeacher::turnFeedback() const {
@@ -223,10 +223,10 @@ QString TcpTeacher::turnFeedback() const {
         case 1:
             return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and take "
                       "the pose.")
-                .arg(format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::shortLength(kinematics::kMinAxisTravel));
         case 2:
             return tr("Now move the tool along its +X direction by at least %1, and take the pose.")
-                .arg(format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::shortLength(kinematics::kMinAxisTravel));
         default:
             break;
     }
@@ -244,10 +244,10 @@ QString TcpTeacher::turnFeedback() const {
                 .arg(fit.worst + 1);
         case Problem::ZTooClose:
             return tr("The distance along +Z is only %1. Take the three poses again, at least %2 apart.")
-                .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::XTooClose:
             return tr("The distance along +X is only %1. Take the three poses again, at least %2 apart.")
-                .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kLeastAxisWay));
+                .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::InLine:
             return tr("The three poses are collinear: the third is only %1 from the line. Take the three "
                       "poses again.")

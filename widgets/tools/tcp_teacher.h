@@ -26,7 +26,7 @@ public:
     explicit TcpTeacher(QWidget* parent = nullptr);
 
     /// Restarts teaching.
-    /// rotation  of the tool, kept if no other is taught
+    /// rotation  rotation of the tool, kept unless another one is taught
     void begin(const QString& title, const Eigen::Vector3d& rotation);
     /// The current flange pose; poses can be recorded while data are live.
     void setLive(const SessionState& state);
@@ -34,7 +34,7 @@ public:
     void takeNext();
     void finish();
 
-    /// The result of the poses so far.
+    /// The TCP that results from the poses recorded so far.
     std::optional<Pose> tcp() const;
 
 Q_SIGNALS:
@@ -42,7 +42,7 @@ Q_SIGNALS:
     void cancelled();
 
 private:
-    /// Source of the rotation.
+    /// How the rotation of the tool is taught.
     enum Turning { AsItIs, StraightDown, ThreePoses };
 
     std::optional<Eigen::Isometry3d> flange() const;
@@ -57,7 +57,7 @@ private:
     SessionState state_;
     Eigen::Vector3d before_ = Eigen::Vector3d::Zero();
     std::vector<Eigen::Isometry3d> tips_;
-    std::vector<Eigen::Isometry3d> turns_;  ///< one or three poses
+    std::vector<Eigen::Isometry3d> turns_;  ///< flange poses for the rotation: one or three
     kinematics::TipFit fit_;
     QLabel* title_;
     QPushButton* take_;

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "robot/station/document/project_document.h"
+#include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/segmented_control.h"
-#include "widgets/common/steady_scroll_area.h"
 #include "widgets/tools/cell_page.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
@@ -17,8 +17,8 @@ namespace tiller {
 
 namespace {
 
-/// A page that scrolls where the tab is too low for it, and is never narrower than its keys.
-class PageArea : public SteadyScrollArea {
+/// A page that scrolls if the tab has little height, and is never narrower than its buttons.
+class PageArea : public NoFocusScrollArea {
 public:
     explicit PageArea(QWidget* page) {
         setWidgetResizable(true);

@@ -40,7 +40,7 @@ public:
     CellPage& cell() { return *cell_; }
     /// All actions for menus, the command palette and the help.
     QList<QAction*> commandActions() const;
-    /// Returns the speed limit for suggested poses, at each press; initially none.
+    /// Sets the source of the speed limit for suggested poses, evaluated at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 
 Q_SIGNALS:
@@ -48,7 +48,7 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
     /// A command needs this tab to be visible.
     void frontWanted();
-    /// Another page was selected: hold-to-run operation ends.
+    /// Another page was selected: a hold-to-run motion must end.
     void pageChanged();
 
 private:

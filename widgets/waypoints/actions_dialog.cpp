@@ -14,7 +14,7 @@
 
 #include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 namespace {
@@ -48,20 +48,20 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     , kind_(new ChoiceBox)
     , pin_(new ChoiceBox)
     , value_(new ChoiceBox)
-    , seconds_(new FigureBox) {
+    , seconds_(new DecimalSpinBox) {
     setObjectName(QStringLiteral("waypoint.actions"));
     const auto count = static_cast<int>(waypoints.size());
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
     auto* what = new QLabel(
-        tr("Runs in this order when “Go through” reaches the waypoint, and only while its key is held."));
+        tr("Actions run in this order when “Run route” reaches the waypoint, while its key is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
         std::any_of(waypoints.begin(), waypoints.end(),
                     [this](const project::Waypoint& point) { return point.actions != actions_; });
     auto* warning = new QLabel(
-        tr("These waypoints have different actions. “Change” replaces them all with the actions below."));
+        tr("These waypoints have different actions. “Apply” replaces them all with the actions below."));
     warning->setObjectName(QStringLiteral("waypoint.actions.differ"));
     warning->setProperty("role", "warning");
     warning->setWordWrap(true);
@@ -75,7 +75,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     upper->addWidget(buildKeys());
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("waypoint.actions.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &ActionsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -133,7 +133,7 @@ QWidget* ActionsDialog::buildFields() {
         connect(box, &QComboBox::activated, this, &ActionsDialog::change);
     }
     seconds_->setDecimals(2);
-    seconds_->setRange(0, project::kLongestAction);
+    seconds_->setRange(0, project::kMaxActionTime);
     seconds_->setSuffix(QStringLiteral(" s"));
     connect(seconds_, &QDoubleSpinBox::valueChanged, this, &ActionsDialog::change);
 
@@ -151,7 +151,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // Fields do not move when the action type changes.
+        // All fields have the same position for all action types.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -164,7 +164,7 @@ QWidget* ActionsDialog::buildFields() {
 void ActionsDialog::add() {
     Action action;
     action.kind = Action::Kind::SetOutput;
-    // The next action is usually of the same type as the last one.
+    // The next action usually has the same type as the last one.
     const int row = list_->currentRow();
     if (row >= 0) {
         action = actions_[static_cast<std::size_t>(row)];

@@ -17,7 +17,7 @@ class QPushButton;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 
 class ActionsDialog : public QDialog {
     Q_OBJECT
@@ -45,7 +45,7 @@ private:
     void refresh();
 
     project::WaypointActions actions_;
-    bool filling_ = false;  ///< the fields are updated by the program, not by the user
+    bool filling_ = false;  ///< true while the program updates the fields
     QListWidget* list_;
     QPushButton* remove_ = nullptr;
     QPushButton* up_ = nullptr;
@@ -53,7 +53,7 @@ private:
     ChoiceBox* kind_;
     ChoiceBox* pin_;
     ChoiceBox* value_;
-    FigureBox* seconds_;
+    DecimalSpinBox* seconds_;
     QLabel* kindText_;
     QLabel* pinText_;
     QLabel* valueText_;

@@ -14,7 +14,8 @@ public:
     }
 
     QSize minimumSizeHint() const override { return {0, 0}; }
-    /// room  space in the panel without its other content [px]. Hiding the row ends hold-to-run operation in it.
+    /// room  space in the panel without its other content [px]. Hiding the row ends a hold-to-run motion of
+    /// its buttons.
     void fitInto(const QSize& room) {
         const QSize wanted = sizeHint();
         setVisible(room.width() >= wanted.width() && room.height() >= wanted.height());

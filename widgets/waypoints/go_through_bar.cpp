@@ -11,7 +11,7 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 namespace tiller {
 
@@ -27,12 +27,12 @@ GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDoc
     , scope_(new ChoiceBox)
     , loop_(new QCheckBox(tr("Loop"))) {
     setObjectName(QStringLiteral("waypoint.route"));
-    setAccessibleName(tr("Go through the waypoints"));
+    setAccessibleName(tr("Run the route"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 0, 12, 8);
     layout->setSpacing(8);
     layout->addWidget(
-        addKey(tr("Go through (hold)"), QStringLiteral("waypoint.goThrough"), tr("Go through, hold"),
+        addKey(tr("Run route (hold)"), QStringLiteral("waypoint.goThrough"), tr("Run route, hold"),
                tr("Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and "
                   "runs the actions of each waypoint. Release to pause; the next press continues to the next "
                   "waypoint."),
@@ -74,9 +74,9 @@ GoThroughBar::~GoThroughBar() {
     stop(control::StopCause::WindowClosed);
 }
 
-HoldButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
-                                 const QString& accessibleName, const QString& toolTip, Way way) {
-    auto* key = new HoldButton(text);
+HoldToRunButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
+                                      const QString& accessibleName, const QString& toolTip, Way way) {
+    auto* key = new HoldToRunButton(text);
     key->setObjectName(objectName);
     key->setAccessibleName(accessibleName);
     key->setToolTip(toolTip);
@@ -125,7 +125,7 @@ void GoThroughBar::followDocument(int current, const QList<int>& selected) {
 
 void GoThroughBar::setState(const SessionState& state) {
     state_ = state;
-    for (HoldButton* key : keys_) {
+    for (HoldToRunButton* key : keys_) {
         key->setConfirmed(key->isHolding() && state.moving);
     }
     updateAvailability();
@@ -138,7 +138,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // Do not disable a held button: the motion ends by itself.
+        // A held button is not disabled: the motion ends by itself.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }
@@ -174,7 +174,7 @@ void GoThroughBar::showRoute() {
     Q_EMIT comingChanged();
 }
 
-HoldButton& GoThroughBar::through() {
+HoldToRunButton& GoThroughBar::through() {
     return *keys_[static_cast<std::size_t>(Way::Through)];
 }
 
@@ -195,13 +195,14 @@ void GoThroughBar::showDetail() {
 }
 
 void GoThroughBar::stop(control::StopCause cause) {
-    for (HoldButton* key : keys_) {
+    for (HoldToRunButton* key : keys_) {
         key->guard().stop(cause);
     }
 }
 
 bool GoThroughBar::isHolding() const {
-    return std::any_of(keys_.begin(), keys_.end(), [](const HoldButton* key) { return key->isHolding(); });
+    return std::any_of(keys_.begin(), keys_.end(),
+                       [](const HoldToRunButton* key) { return key->isHolding(); });
 }
 
 int GoThroughBar::comingRow() const {

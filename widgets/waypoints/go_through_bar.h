@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons for "Go through": hold to run, one waypoint back, one forward, selection of waypoints, once or in a
-// loop, and the next waypoint. The rules are those of HoldRules.
+// The buttons for "Run route": hold to run, one waypoint back, one forward, selection of waypoints, once or
+// in a loop, and display of the next waypoint. The rules are those of HoldRules.
 
 #include <QWidget>
 #include <array>
@@ -15,7 +15,7 @@ class QCheckBox;
 namespace tiller {
 
 class ChoiceBox;
-class HoldButton;
+class HoldToRunButton;
 
 class GoThroughBar : public QWidget {
     Q_OBJECT
@@ -38,7 +38,7 @@ public:
     void followDocument(int current, const QList<int>& selected);
     /// Updates the displayed speed.
     void showSpeed();
-    /// Ends the active motion, if any.
+    /// Ends an active motion.
     void stop(control::StopCause cause);
     bool isHolding() const;
 
@@ -53,12 +53,12 @@ Q_SIGNALS:
     void refused(const QString& reason);
 
 private:
-    HoldButton* addKey(const QString& text, const QString& objectName, const QString& accessibleName,
-                       const QString& toolTip, RouteRunner::Way way);
+    HoldToRunButton* addKey(const QString& text, const QString& objectName, const QString& accessibleName,
+                            const QString& toolTip, RouteRunner::Way way);
     QVector<int> rows() const;
     void showRoute();
     void showDetail();
-    HoldButton& through();
+    HoldToRunButton& through();
     void updateAvailability();
 
     MotionPort port_;
@@ -68,12 +68,12 @@ private:
     RouteRunner goThrough_;
     int current_ = -1;
     QList<int> selected_;
-    std::array<QString, 3> obstacles_;  ///< of the route, by RouteRunner::Way
+    std::array<QString, 3> obstacles_;  ///< reasons why the route cannot run, by RouteRunner::Way
 
     QString place_;  ///< e.g. "2 of 7"
     QString speed_;
 
-    std::array<HoldButton*, 3> keys_{};  ///< by RouteRunner::Way
+    std::array<HoldToRunButton*, 3> keys_{};  ///< keys by RouteRunner::Way
     ChoiceBox* scope_;
     QCheckBox* loop_;
 };

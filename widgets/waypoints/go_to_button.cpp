@@ -23,7 +23,7 @@ bool typingSomewhere() {
 }  // namespace
 
 GoToButton::GoToButton(MotionPort port, Target target, QWidget* parent)
-    : HoldButton(tr("Go to (hold)  G"), parent), port_(std::move(port)), target_(std::move(target)) {
+    : HoldToRunButton(tr("Go to (hold)  G"), parent), port_(std::move(port)), target_(std::move(target)) {
     setObjectName(QStringLiteral("waypoint.goTo"));
     setAccessibleName(tr("Go to, hold"));
     setToolTip(
@@ -59,7 +59,7 @@ Result<MotionPort::Id> GoToButton::begin() {
     }
     const bool linear = request->kind == MoveRequest::Kind::MoveL;
     bounds_ = {HoldBounds::longestOf(moveSeconds(*request, state_)),
-               HoldBounds::silenceAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
+               HoldBounds::holdTimeoutAt(linear ? request->speed : 0, linear ? 0 : request->speed)};
     return port_.beginMove(*request);
 }
 
@@ -67,10 +67,10 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
     const KeyCode code = PhysicalKeys::codeOf(key);
     const bool press = key.type() == QEvent::KeyPress;
     if (!key_.isEmpty() && !key_.isDown(code)) {
-        // Another key in addition to the held one: two keys do not count as holding, and an unmatched release may
-        // have been that of the held key.
+        // Another key was pressed or released in addition to the held one. Two keys do not count as holding,
+        // and an unmatched release may have been that of the held key.
         if (!key.isAutoRepeat()) {
-            guard().tell(press ? HoldNews::Kind::OtherKey : HoldNews::Kind::Unmatched);
+            guard().tell(press ? HoldEvent::Kind::OtherKey : HoldEvent::Kind::Unmatched);
         }
         return false;
     }
@@ -81,7 +81,7 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
                 guard().release();
                 break;
             case PhysicalKeys::Change::DownAgain:
-                guard().tell(HoldNews::Kind::Unmatched);
+                guard().tell(HoldEvent::Kind::Unmatched);
                 break;
             default:
                 break;
@@ -94,7 +94,7 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
         return false;
     }
     if (key_.take(key, Qt::Key_G) == PhysicalKeys::Change::Down) {
-        guard().press({Grip::By::Keys, {code}});
+        guard().press({HoldSource::By::Keys, {code}});
     }
     return true;
 }
@@ -105,7 +105,7 @@ bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    // Of any window: the panel of this button may have moved to another one since the press.
+    // For any window: the panel of this button may have moved to another one since the press.
     if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
         static_cast<QWidget*>(watched)->isWindow()) {
         key_.clear();  // its release will not be received
@@ -113,18 +113,18 @@ bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
             guard().stop(control::StopCause::WindowDeactivated);
         }
     }
-    return HoldButton::eventFilter(watched, event);
+    return HoldToRunButton::eventFilter(watched, event);
 }
 
 void GoToButton::showEvent(QShowEvent* event) {
     qApp->installEventFilter(this);
-    HoldButton::showEvent(event);
+    HoldToRunButton::showEvent(event);
 }
 
 void GoToButton::hideEvent(QHideEvent* event) {
     qApp->removeEventFilter(this);
     key_.clear();
-    HoldButton::hideEvent(event);
+    HoldToRunButton::hideEvent(event);
 }
 
 }  // namespace tiller

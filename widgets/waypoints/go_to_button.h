@@ -7,23 +7,24 @@
 #include <functional>
 
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/physical_keys.h"
 
 namespace tiller {
 
-class GoToButton : public HoldButton {
+class GoToButton : public HoldToRunButton {
     Q_OBJECT
 
 public:
-    /// Returns the move for a press, or the reason why there is none, as text for the operator (NoSolution).
+    /// Returns the move for a press, or the reason why no move is possible, as text for the operator
+    /// (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
     GoToButton(MotionPort port, Target target, QWidget* parent = nullptr);
     ~GoToButton() override;
 
     void setState(const SessionState& state);
-    /// Ends the active motion, if any.
+    /// Ends an active motion.
     void stop(control::StopCause cause) { guard().stop(cause); }
 
 Q_SIGNALS:

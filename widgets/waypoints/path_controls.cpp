@@ -115,7 +115,7 @@ void PathControls::show() {
                                  "again, and stores it as waypoints. The robot does not move."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
-    // The width of its longest text, so that adjacent elements do not move.
+    // Keep the width of the longest text, so that adjacent elements do not move.
     const QString now = record_->text();
     int widest = record_->sizeHint().width();
     record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));

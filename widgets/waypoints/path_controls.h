@@ -30,9 +30,9 @@ public:
                  QWidget* parent = nullptr);
 
     PathRecorder& recorder() { return recorder_; }
-    /// Record, export, import, for menus, the palette and the help.
+    /// The actions Record, Export and Import for menus, the command palette and the help.
     QList<QAction*> actions() const { return actions_; }
-    /// Permitted deviation of the recorded positions from the reduced path.
+    /// The maximum deviation of the recorded positions from the reduced path.
     QMenu* toleranceMenu() { return tolerances_; }
     void setState(const SessionState& state);
 

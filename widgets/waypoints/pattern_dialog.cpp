@@ -13,20 +13,20 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/waypoints/pattern_grid.h"
 
 namespace tiller {
 namespace {
 
-constexpr double kLeastSide = 0.001;  ///< minimum distance of two corners [m]
+constexpr double kMinSide = 0.001;  ///< minimum distance of two corners [m]
 
 class CountBox : public QSpinBox {
 public:
     CountBox(const char* name, const QString& spoken, int now) {
         setObjectName(QLatin1String(name));
         setAccessibleName(spoken);
-        setRange(1, project::kMostPatternSteps);
+        setRange(1, project::kMaxPatternSteps);
         setValue(now);
     }
 
@@ -100,7 +100,7 @@ void PatternDialog::build(bool isNew) {
     add(tr("Cells per row"), columns_);
     add(tr("Rows"), rows_);
     add(tr("Layers"), layers_);
-    layerStep_ = new FigureBox;
+    layerStep_ = new DecimalSpinBox;
     layerStep_->setObjectName(QStringLiteral("pattern.layerStep"));
     layerStep_->setAccessibleName(tr("Layer height"));
     layerStep_->setToolTip(tr("Distance between layers, opposite to the tool direction."));
@@ -123,7 +123,7 @@ void PatternDialog::build(bool isNew) {
     feedback_->setMinimumHeight(3 * fontMetrics().height());
     feedback_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Create pattern") : tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("Create pattern") : tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("pattern.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &PatternDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -165,7 +165,7 @@ void PatternDialog::takeCorner(int corner) {
         const QUuid before = pattern_.first.frame;
         pattern_.first = project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames())
                              .value_or(point);
-        pattern_.first.ruling = project::Ruling::Pose;
+        pattern_.first.ruling = project::TargetKind::Pose;
         pattern_.first.history = {};
         pattern_.first.place = {};
         if (before != pattern_.first.frame) {
@@ -195,8 +195,8 @@ QString PatternDialog::problem() const {
         }
     }
     const Eigen::Vector3d& origin = pattern_.first.pose.position;
-    if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kLeastSide) ||
-        (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kLeastSide)) {
+    if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kMinSide) ||
+        (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kMinSide)) {
         return tr("Two corners are identical. Select another waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
@@ -206,10 +206,10 @@ QString PatternDialog::problem() const {
         return tr("Enter a layer height.");
     }
     const qint64 places = qint64(pattern_.columns) * pattern_.rows * pattern_.layers;
-    if (places > project::kMostPatternPlaces) {
+    if (places > project::kMaxPatternPositions) {
         return tr("The pattern has %1 cells; the maximum is %2.")
             .arg(places)
-            .arg(project::kMostPatternPlaces);
+            .arg(project::kMaxPatternPositions);
     }
     return project::placesOf(pattern_).empty() ? tr("All cells are excluded.") : QString();
 }

@@ -16,7 +16,7 @@ class QSpinBox;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 class PatternGrid;
 class ProjectDocument;
 
@@ -24,11 +24,11 @@ class PatternDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// A new pattern.
-    /// corners  waypoints of the first position, the end of the first row, and the start of the last row; missing
-    ///          ones can be selected
+    /// Creates a new pattern.
+    /// corners  waypoints of the first position, the end of the first row, and the start of the last row;
+    /// missing corners can be selected
     PatternDialog(const ProjectDocument& document, const QVector<QUuid>& corners, QWidget* parent = nullptr);
-    /// An existing pattern of the document.
+    /// Edits an existing pattern of the document.
     PatternDialog(const ProjectDocument& document, const project::Pattern& pattern,
                   QWidget* parent = nullptr);
 
@@ -50,7 +50,7 @@ private:
     QSpinBox* columns_ = nullptr;
     QSpinBox* rows_ = nullptr;
     QSpinBox* layers_ = nullptr;
-    FigureBox* layerStep_ = nullptr;
+    DecimalSpinBox* layerStep_ = nullptr;
     ChoiceBox* order_ = nullptr;
     PatternGrid* grid_ = nullptr;
     QLabel* feedback_ = nullptr;

@@ -92,7 +92,7 @@ void PatternGrid::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme& theme = Theme::current();
     const int side = rectOf({0, 0}).width();
-    painter.setFont(figureFont(std::clamp(side / 3, 7, 14)));
+    painter.setFont(numberFont(std::clamp(side / 3, 7, 14)));
     for (int row = 0; row < pattern_.rows; ++row) {
         for (int column = 0; column < pattern_.columns; ++column) {
             const bool out = std::find(pattern_.excluded.begin(), pattern_.excluded.end(),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pattern in top view: a square per position, with its number in execution order. A click, or Space on the
-// current one, skips or includes a position.
+// A pattern in top view: one square per position, with its number in execution order. A click, or Space on
+// the current square, skips or includes a position.
 
 #include <QWidget>
 

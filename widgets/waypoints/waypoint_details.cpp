@@ -45,6 +45,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     setAccessibleName(tr("Selected waypoint"));
     name_->setObjectName(QStringLiteral("waypoint.details.name"));
     name_->setProperty("role", "strong");
+    name_->setTextFormat(Qt::PlainText);  // names may contain < and &
     name_->setFont(textFont(15, QFont::Bold));
     facts_->setObjectName(QStringLiteral("waypoint.details.facts"));
     facts_->setProperty("role", "secondary");
@@ -78,11 +79,11 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     place_->hide();
     // Describes the effect of a press.
     const auto name = [this](bool keysShown) {
-        place_->setText(keysShown ? tr("Values") : tr("Go through"));
-        place_->setToolTip(keysShown ? tr("Shows the values instead of the Go through controls.")
-                                     : tr("Shows the Go through controls instead of the values."));
+        place_->setText(keysShown ? tr("Values") : tr("Run route"));
+        place_->setToolTip(keysShown ? tr("Shows the values instead of the route controls.")
+                                     : tr("Shows the route controls instead of the values."));
     };
-    // The width of its longer text: it keeps its position when pressed.
+    // Measure the longer text, so that the button keeps its size when it is pressed.
     name(true);
     const int valuesWidth = place_->sizeHint().width();
     name(false);
@@ -111,7 +112,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    // Buttons below do not move, independent of the texts.
+    // Buttons below do not move when the texts change.
     for (QWidget* part :
          {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -131,8 +132,8 @@ void WaypointDetails::setLive(const SessionState& state) {
     refresh();
 }
 
-void WaypointDetails::setWayLimit(const QString& text) {
-    wayLimit_ = text;
+void WaypointDetails::setPathLimitText(const QString& text) {
+    pathLimitText_ = text;
     refresh();
 }
 
@@ -149,11 +150,11 @@ bool WaypointDetails::isPlaceWanted() const {
     return place_->isChecked();
 }
 
-void WaypointDetails::setFiguresShown(bool shown) {
-    if (shown == figuresShown_) {
+void WaypointDetails::setValuesVisible(bool shown) {
+    if (shown == valuesVisible_) {
         return;
     }
-    figuresShown_ = shown;
+    valuesVisible_ = shown;
     QSizePolicy policy = pose_->sizePolicy();
     policy.setRetainSizeWhenHidden(shown);
     pose_->setSizePolicy(policy);
@@ -161,11 +162,11 @@ void WaypointDetails::setFiguresShown(bool shown) {
     layout()->activate();  // immediately: otherwise the panel would use the size of the previous content
 }
 
-int WaypointDetails::figuresHeight() const {
+int WaypointDetails::valuesHeight() const {
     return pose_->minimumSizeHint().height() + layout()->spacing();
 }
 
-void WaypointDetails::setFiguresSlot(int height) {
+void WaypointDetails::setValuesSlot(int height) {
     const int inner = height - layout()->spacing();
     pose_->setMinimumHeight(height > 0 ? inner : 0);
     pose_->setMaximumHeight(height > 0 ? inner : QWIDGETSIZE_MAX);
@@ -178,13 +179,13 @@ QString WaypointDetails::headline() const {
 void WaypointDetails::refresh() {
     const bool shown = row_ >= 0 && row_ < model_.rowCount();
     headlines_->setVisible(shown);
-    pose_->setVisible(shown && figuresShown_);
+    pose_->setVisible(shown && valuesVisible_);
     frame_->setVisible(shown);
     if (!shown) {
         return;
     }
     const project::Waypoint& point = document_.waypoints().at(row_);
-    const bool joints = point.ruling == project::Ruling::Joints;
+    const bool joints = point.ruling == project::TargetKind::Joints;
     // With a joint target, the position results from the joints and the current arm, not from the stored pose.
     const std::optional<Pose> place =
         joints ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
@@ -221,10 +222,10 @@ void WaypointDetails::refresh() {
     pose_->setPose(shownPose);
     poseLine_ = format::pose(shownPose);
     const project::Reach& reach = document_.reach(row_);
-    advice_->setText(!reach.ok()           ? QStringLiteral("✕ ") + reachAdvice(reach)
-                     : wayLimit_.isEmpty() ? QString()
-                                           : QStringLiteral("⚠ ") + wayLimit_);
-    headlines_->setCurrentIndex(reach.ok() && wayLimit_.isEmpty() ? 0 : 1);
+    advice_->setText(!reach.ok()                ? QStringLiteral("✕ ") + reachAdvice(reach)
+                     : pathLimitText_.isEmpty() ? QString()
+                                                : QStringLiteral("⚠ ") + pathLimitText_);
+    headlines_->setCurrentIndex(reach.ok() && pathLimitText_.isEmpty() ? 0 : 1);
     setAccessibleDescription(headline() + QStringLiteral(", ") + poseLine());
 }
 

@@ -31,20 +31,20 @@ public:
     /// row  -1 for none
     void setWaypoint(int row);
     void setLive(const SessionState& state);
-    /// The limitation of the path to the waypoint; empty if none.
-    void setWayLimit(const QString& text);
+    /// Shows the limit on the path to the waypoint; empty: none.
+    void setPathLimitText(const QString& text);
     /// Number of program steps that use the waypoint; initially not displayed.
     void setUsedIn(std::optional<int> steps);
     /// Shows a button that switches between the values and other buttons of the tab, if there is not enough space
     /// for both.
     void offerPlace(bool offered);
-    /// True if the user selected the other buttons.
+    /// True if the user switched to the other buttons.
     bool isPlaceWanted() const;
-    void setFiguresShown(bool shown);
-    bool areFiguresShown() const { return figuresShown_; }
-    int figuresHeight() const;  ///< Including the spacing to the headline [px].
+    void setValuesVisible(bool shown);
+    bool areValuesVisible() const { return valuesVisible_; }
+    int valuesHeight() const;  ///< Height of the values, including the spacing to the headline [px].
     /// Fixes the height of the values with their spacing [px]; 0: their natural height.
-    void setFiguresSlot(int height);
+    void setValuesSlot(int height);
 
     QString headline() const;
     /// The pose as text, for screen readers.
@@ -66,15 +66,15 @@ private:
     int row_ = -1;
     std::optional<int> usedIn_;
     SessionState live_;
-    QString wayLimit_;
-    QStackedWidget* headlines_;  ///< name and properties, or the limitation of the path
+    QString pathLimitText_;
+    QStackedWidget* headlines_;  ///< name and properties, or the limit on the path
     QLabel* name_;
     ElidedLabel* facts_;
     QLabel* advice_;
     ChoiceBox* frame_;
     PoseEditor* pose_;
     QPushButton* place_;
-    bool figuresShown_ = true;
+    bool valuesVisible_ = true;
     QString poseLine_;
 };
 

@@ -20,7 +20,7 @@ namespace tiller {
 namespace {
 
 /// Larger files are not lists of waypoints.
-constexpr qint64 kMostImportBytes = 64LL * 1024 * 1024;
+constexpr qint64 kMaxImportBytes = 64LL * 1024 * 1024;
 
 bool isJson(const QString& path) {
     return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ||
@@ -187,7 +187,7 @@ void WaypointDialogs::exportFile() {
 
 void WaypointDialogs::importFrom(const QString& path) {
     const QString name = QFileInfo(path).fileName();
-    const Result<QByteArray> read = readWholeFile(path, kMostImportBytes);
+    const Result<QByteArray> read = readWholeFile(path, kMaxImportBytes);
     if (!read) {
         Q_EMIT refused(tr("Import failed"), read.error().code == ErrorCode::FileCorrupt
                                                 ? tr("%1 is too large for a waypoint file.").arg(name)

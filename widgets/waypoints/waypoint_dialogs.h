@@ -35,7 +35,8 @@ public:
     void history();
     void importFile();
     void exportFile();
-    /// Names ending in .json are JSON, all others CSV. A file with an error is not imported.
+    /// Imports waypoints from a file: JSON if the name ends in .json, otherwise CSV. Nothing is imported if
+    /// the file contains an error.
     void importFrom(const QString& path);
     /// Exports the selected waypoints, or all if none or one is selected.
     void exportTo(const QString& path);
@@ -54,7 +55,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< until data arrive: a typical position
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< a typical position until data arrive
     Pose liveTcp_;
 };
 

@@ -27,7 +27,7 @@ public:
     void remove();
     /// by  -1: one row up, 1: one row down
     void move(int by);
-    /// As a table for spreadsheets.
+    /// Copies the selected waypoints as a table for spreadsheets.
     void copy() const;
     /// Inserts after the current row. A pose without joint positions gets those nearest to the current row, or to
     /// the arm.
@@ -38,7 +38,7 @@ public:
 Q_SIGNALS:
     /// No change was made: a sentence with the reason, and the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
-    /// The row to select; -1 for none.
+    /// This row should be selected; -1: none.
     void rowWanted(int row);
 
 private:
@@ -46,7 +46,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< until data arrive: a typical position
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< a typical position until data arrive
     Pose liveTcp_;
 };
 

@@ -94,10 +94,10 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
     }
     const auto frameText = [&](const project::Waypoint& point) {
         const project::Frame* frame = document.frames().find(point.frame);
-        return point.ruling == project::Ruling::Joints ? tr("joints have priority")
-               : point.frame.isNull()                  ? tr("Base")
-               : frame != nullptr                      ? frame->name
-                                                       : tr("a deleted frame");
+        return point.ruling == project::TargetKind::Joints ? tr("joints have priority")
+               : point.frame.isNull()                      ? tr("Base")
+               : frame != nullptr                          ? frame->name
+                                                           : tr("a deleted frame");
     };
     if (before.ruling != now.ruling || before.frame != now.frame) {
         lines << tr("Frame: %1, now %2").arg(frameText(before), frameText(now));

@@ -22,17 +22,17 @@ namespace tiller {
 namespace {
 
 constexpr char kRowsMime[] = "application/x-tiller-waypoint-rows";
-constexpr double kLeastToolSpeed = 0.001;  ///< [m/s]
-constexpr double kMostToolSpeed = 1.0;     ///< [m/s]
-constexpr double kMostBlend = 1.0;         ///< [m]
+constexpr double kMinTcpSpeed = 0.001;   ///< [m/s]
+constexpr double kMaxTcpSpeed = 1.0;     ///< [m/s]
+constexpr double kMaxBlendRadius = 1.0;  ///< [m]
 
-/// The colours of the curves, which are distinguishable with colour vision deficiencies.
+/// The colours of the curves, which remain distinguishable with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);
 }
 
-/// With additional information: the next waypoint, and the number of actions.
+/// The name with additional information: the next waypoint is marked, and the number of actions is shown.
 QString shownName(const project::Waypoint& point, bool coming) {
     QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
     if (!point.actions.empty()) {
@@ -123,7 +123,7 @@ void WaypointModel::setPathLimit(const QUuid& id, const QString& limit) {
     }
 }
 
-// ---- the table's face ------------------------------------------------------------------------------
+// ---- data and flags for the view -------------------------------------------------------------------
 
 int WaypointModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : document_.waypoints().size();
@@ -142,7 +142,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
-            if (point.ruling == project::Ruling::Joints) {
+            if (point.ruling == project::TargetKind::Joints) {
                 return QStringLiteral("—");
             }
             const project::Frame* frame = document_.frames().find(point.frame);
@@ -184,7 +184,7 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP moves along a straight line");
         case Frame:
-            return point.ruling == project::Ruling::Joints
+            return point.ruling == project::TargetKind::Joints
                        ? tr("Joints have priority: the arm returns to the same configuration")
                        : tr("The pose has priority: the waypoint moves with its frame");
         case ReachColumn:
@@ -205,7 +205,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                              (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
-            // The view displays the row number, because it would change with every insertion above.
+            // The view displays the row number; as model data it would change with every insertion above.
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
@@ -231,7 +231,7 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                 headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString(),
                 display(point, index.row(), index.column()));
         case Qt::FontRole: {
-            QFont font = index.column() == Speed ? figureFont(14) : textFont(15);
+            QFont font = index.column() == Speed ? numberFont(14) : textFont(15);
             font.setBold(unreachable || (index.column() == Name && point.id == coming_));
             return font;
         }
@@ -278,7 +278,7 @@ QVariant WaypointModel::headerData(int section, Qt::Orientation orientation, int
 
 Qt::ItemFlags WaypointModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) {
-        return Qt::ItemIsDropEnabled;  // between rows only
+        return Qt::ItemIsDropEnabled;  // drop between rows only
     }
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     if (index.column() != Number && index.column() != ReachColumn) {
@@ -303,7 +303,7 @@ bool WaypointModel::setData(const QModelIndex& index, const QVariant& value, int
             return setFrame(index.row(), text);
         case Speed:
         case Blend:
-            return setFigure(index.row(), index.column(), text);
+            return setNumber(index.row(), index.column(), text);
         default:
             return false;
     }
@@ -348,7 +348,7 @@ void WaypointModel::setPose(int row, const Pose& pose) {
         return;
     }
     project::Waypoint point = waypointAt(row);
-    const bool joints = point.ruling == project::Ruling::Joints;
+    const bool joints = point.ruling == project::TargetKind::Joints;
     std::optional<Pose> place = pose;
     if (!joints) {
         point.pose = pose;
@@ -385,11 +385,11 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         return true;
     }
     if (text == QStringLiteral("—")) {
-        // The joint positions become those of the current pose.
+        // The joint positions are set to those of the current pose.
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
-        point.ruling = project::Ruling::Joints;
+        point.ruling = project::TargetKind::Joints;
         document_.changeWaypoint(row, point, tr("Use joint positions for “%1”").arg(point.name));
         return true;
     }
@@ -400,10 +400,10 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     }
     // The position is unchanged: only its frame changes.
     const std::optional<Pose> place =
-        point.ruling == project::Ruling::Joints
+        point.ruling == project::TargetKind::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
             : project::poseInBase(point, document_.frames());
-    point.ruling = project::Ruling::Pose;
+    point.ruling = project::TargetKind::Pose;
     point.frame = frame == nullptr ? QUuid() : frame->id;
     if (place) {
         point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames());
@@ -412,10 +412,10 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     return true;
 }
 
-bool WaypointModel::setFigure(int row, int column, const QString& text) {
+bool WaypointModel::setNumber(int row, int column, const QString& text) {
     project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
-        return true;  // keep the digits that are not displayed
+        return true;  // keep the full precision
     }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {
@@ -425,11 +425,11 @@ bool WaypointModel::setFigure(int row, int column, const QString& text) {
     const bool turns = column == Speed && point.move == project::MoveKind::Joint;
     const double unit = turns ? toRadians(1) : format::metresPerUnit();
     const double value = *figure * unit;
-    const double least = column == Blend ? 0 : turns ? toRadians(1) : kLeastToolSpeed;
-    const double most = column == Blend ? kMostBlend
+    const double least = column == Blend ? 0 : turns ? toRadians(1) : kMinTcpSpeed;
+    const double most = column == Blend ? kMaxBlendRadius
                         : turns         ? *std::min_element(document_.robot().maxJointSpeed.begin(),
                                                             document_.robot().maxJointSpeed.end())
-                                        : kMostToolSpeed;
+                                        : kMaxTcpSpeed;
     if (value < least * (1 - 1e-9) || value > most * (1 + 1e-9)) {
         const auto shown = [&](double bound) {
             return turns             ? format::degreesPerSecond(bound)

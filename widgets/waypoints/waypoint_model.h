@@ -20,7 +20,7 @@ public:
     /// document  must outlive the model
     explicit WaypointModel(ProjectDocument& document, QObject* parent = nullptr);
 
-    /// The names a frame column can hold: "—" (the joints rule), "Base" and the taught frames.
+    /// The choices for the frame column: "—" (joint target), "Base" and the taught frames.
     QStringList frameChoices() const;
 
     /// Sets the position of the waypoint: in its frame, or in Base with a joint target. Its joint positions become
@@ -28,9 +28,10 @@ public:
     /// joint target.
     void setPose(int row, const Pose& pose);
 
-    /// Highlights the next waypoint of the route; null for none.
+    /// Highlights the next waypoint of the route; null: none.
     void setComing(const QUuid& id);
-    /// The reason why the arm may not move there from its position, as a sentence; empty: no limitation.
+    /// Sets the reason why the arm may not move from its position to this waypoint, as a sentence; empty: no
+    /// limit.
     void setPathLimit(const QUuid& id, const QString& limit);
     QString pathLimit(int row) const { return pathLimits_.value(waypointAt(row).id); }
 
@@ -58,14 +59,14 @@ private:
     bool setName(int row, const QString& text);
     bool setMove(int row, const QString& text);
     bool setFrame(int row, const QString& text);
-    bool setFigure(int row, int column, const QString& text);
+    bool setNumber(int row, int column, const QString& text);
     void followDocument();
     const project::Waypoint& waypointAt(int row) const { return document_.waypoints().at(row); }
 
     ProjectDocument& document_;
     QUuid coming_;
-    QHash<QUuid, QString> pathLimits_;  ///< only non-empty texts
-    QVector<QUuid> orderBefore_;        ///< for the persistent indexes while the order changes
+    QHash<QUuid, QString> pathLimits_;  ///< non-empty texts only
+    QVector<QUuid> orderBefore_;        ///< used to update persistent indexes while the order changes
 };
 
 }  // namespace tiller

@@ -13,7 +13,7 @@
 #include "robot/core/angles.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 
@@ -35,9 +35,10 @@ QCheckBox* WaypointProperties::addRow(QGridLayout& grid, const QString& name, co
     return tick;
 }
 
-FigureBox* WaypointProperties::addFigure(QGridLayout& grid, const QString& name, const QString& text,
-                                         const QString& unit, double least, double most, QCheckBox*& tick) {
-    auto* box = new FigureBox;
+DecimalSpinBox* WaypointProperties::addValue(QGridLayout& grid, const QString& name, const QString& text,
+                                             const QString& unit, double least, double most,
+                                             QCheckBox*& tick) {
+    auto* box = new DecimalSpinBox;
     box->setDecimals(2);
     box->setRange(least, most);
     box->setSuffix(QLatin1Char(' ') + unit);
@@ -71,14 +72,14 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     move_->addItems({QStringLiteral("MoveJ"), QStringLiteral("MoveL")});
     moveTick_ = addRow(*grid, QStringLiteral("move"), tr("Move"), move_);
     const double perUnit = format::metresPerUnit();
-    jointSpeed_ = addFigure(*grid, QStringLiteral("jointSpeed"), tr("Speed of MoveJ"), QStringLiteral("°/s"),
-                            1, toDegrees(mostJointSpeed), jointSpeedTick_);
-    toolSpeed_ = addFigure(*grid, QStringLiteral("toolSpeed"), tr("Speed of MoveL"), format::speedUnit(),
-                           0.001 / perUnit, 1.0 / perUnit, toolSpeedTick_);
-    blend_ = addFigure(*grid, QStringLiteral("blend"), tr("Blend"), format::lengthUnit(), 0, 1.0 / perUnit,
-                       blendTick_);
+    jointSpeed_ = addValue(*grid, QStringLiteral("jointSpeed"), tr("Speed of MoveJ"), QStringLiteral("°/s"),
+                           1, toDegrees(mostJointSpeed), jointSpeedTick_);
+    toolSpeed_ = addValue(*grid, QStringLiteral("toolSpeed"), tr("Speed of MoveL"), format::speedUnit(),
+                          0.001 / perUnit, 1.0 / perUnit, toolSpeedTick_);
+    blend_ = addValue(*grid, QStringLiteral("blend"), tr("Blend"), format::lengthUnit(), 0, 1.0 / perUnit,
+                      blendTick_);
 
-    // The values of the first one; different values are indicated by the check boxes.
+    // The fields show the values of the first waypoint; the check boxes indicate different values.
     const project::Waypoint& first = waypoints.front();
     group_->setCurrentText(first.group);
     colour_->setCurrentIndex(static_cast<int>(first.colour));
@@ -96,7 +97,7 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     connect(move_, &QComboBox::currentIndexChanged, this, [this] { moveTick_->setChecked(true); });
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
     buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("waypoint.properties.accept"));
     connect(buttons, &QDialogButtonBox::accepted, this, &WaypointProperties::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -110,7 +111,7 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
 }
 
 void WaypointProperties::accept() {
-    for (FigureBox* box : {jointSpeed_, toolSpeed_, blend_}) {
+    for (DecimalSpinBox* box : {jointSpeed_, toolSpeed_, blend_}) {
         if (box->isRefused()) {
             box->setFocus();
             box->explainRefusal();

@@ -17,7 +17,7 @@ class QPlainTextEdit;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 
 class WaypointProperties : public QDialog {
     Q_OBJECT
@@ -38,17 +38,17 @@ public:
 
 private:
     QCheckBox* addRow(QGridLayout& grid, const QString& name, const QString& text, QWidget* editor);
-    FigureBox* addFigure(QGridLayout& grid, const QString& name, const QString& text, const QString& unit,
-                         double least, double most, QCheckBox*& tick);
+    DecimalSpinBox* addValue(QGridLayout& grid, const QString& name, const QString& text, const QString& unit,
+                             double least, double most, QCheckBox*& tick);
 
     std::vector<project::Waypoint> waypoints_;
     QComboBox* group_;
     ChoiceBox* colour_;
     QPlainTextEdit* note_;
     ChoiceBox* move_;
-    FigureBox* jointSpeed_;
-    FigureBox* toolSpeed_;
-    FigureBox* blend_;
+    DecimalSpinBox* jointSpeed_;
+    DecimalSpinBox* toolSpeed_;
+    DecimalSpinBox* blend_;
     QCheckBox* groupTick_;
     QCheckBox* colourTick_;
     QCheckBox* noteTick_;

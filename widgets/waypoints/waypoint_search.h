@@ -26,7 +26,7 @@ public:
     bool matches(int row) const;
 
 Q_SIGNALS:
-    /// A row to select.
+    /// This row should be selected.
     void rowWanted(int row);
 
 protected:

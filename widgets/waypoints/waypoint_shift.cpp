@@ -11,13 +11,13 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 namespace tiller {
 namespace {
 
 enum ShiftKind { kOffset, kTurn, kMirror };
-constexpr int kToolAxes = 1;  ///< in the list of axes, after the base
+constexpr int kToolAxes = 1;  ///< index in the list of axes, after the base
 constexpr int kFirstFrameAxes = 2;
 
 }  // namespace
@@ -30,7 +30,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     , kind_(new ChoiceBox)
     , axes_(new ChoiceBox)
     , axis_(new ChoiceBox)
-    , angle_(new FigureBox)
+    , angle_(new DecimalSpinBox)
     , feedback_(new QLabel) {
     setObjectName(QStringLiteral("waypoint.shift"));
     setWindowTitle(tr("Move %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
@@ -56,7 +56,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     static constexpr const char* kLetters[] = {"x", "y", "z"};
     const double most = 10 / format::metresPerUnit();
     for (int i = 0; i < 3; ++i) {
-        auto* box = new FigureBox;
+        auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("waypoint.shift.") + QLatin1String(kLetters[i]));
         box->setAccessibleName(tr("Offset %1").arg(QLatin1String(kLetters[i]).toString().toUpper()));
         box->setRange(-most, most);
@@ -121,7 +121,7 @@ Result<std::vector<project::Waypoint>> WaypointShift::moved() const {
 
 void WaypointShift::refresh() {
     const int kind = kind_->currentIndex();
-    for (FigureBox* box : offset_) {
+    for (DecimalSpinBox* box : offset_) {
         box->setEnabled(kind == kOffset);
     }
     axis_->setEnabled(kind != kOffset);
@@ -141,13 +141,13 @@ void WaypointShift::refresh() {
     }
     feedback_->setText(far > 0
                            ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
-                       : kind == kMirror ? tr("Mirrored at the plane through the origin perpendicular to the "
-                                              "axis. The tool approaches from the mirrored side.")
+                       : kind == kMirror ? tr("Mirrored across the plane through the origin perpendicular to "
+                                              "the axis. The tool approaches from the mirrored side.")
                                          : tr("All remain within reach."));
 }
 
 void WaypointShift::accept() {
-    for (FigureBox* box : {offset_[0], offset_[1], offset_[2], angle_}) {
+    for (DecimalSpinBox* box : {offset_[0], offset_[1], offset_[2], angle_}) {
         if (box->isRefused()) {
             box->setFocus();
             box->explainRefusal();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog for moving the selected waypoints together: offset, rotation or mirror image, and its frame.
+// Dialog for moving the selected waypoints together: offset, rotation or mirror image in a selectable frame.
 
 #include <QDialog>
 #include <array>
@@ -13,7 +13,7 @@ class QLabel;
 namespace tiller {
 
 class ChoiceBox;
-class FigureBox;
+class DecimalSpinBox;
 class ProjectDocument;
 
 class WaypointShift : public QDialog {
@@ -38,8 +38,8 @@ private:
     ChoiceBox* kind_;
     ChoiceBox* axes_;
     ChoiceBox* axis_;
-    std::array<FigureBox*, 3> offset_{};
-    FigureBox* angle_;
+    std::array<DecimalSpinBox*, 3> offset_{};
+    DecimalSpinBox* angle_;
     QLabel* feedback_;
 };
 

@@ -76,6 +76,8 @@ WaypointTable::WaypointTable(WaypointModel& model, QWidget* parent)
     setDragDropMode(InternalMove);
     setDragDropOverwriteMode(false);
     setDropIndicatorShown(true);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &WaypointTable::fitColumns);
+    connect(&model, &QAbstractItemModel::modelReset, this, &WaypointTable::fitColumns);
 }
 
 QList<int> WaypointTable::selectedRows() const {
@@ -88,6 +90,11 @@ QList<int> WaypointTable::selectedRows() const {
 }
 
 void WaypointTable::resizeEvent(QResizeEvent* event) {
+    fitColumns();
+    RowTable::resizeEvent(event);
+}
+
+void WaypointTable::fitColumns() {
     // Columns have the width of their longest usual text; the name column takes the rest.
     struct Width {
         int column;
@@ -114,10 +121,13 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
         setColumnWidth(width.column,
                        std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
+    // More than nine rows need more than one digit.
+    constexpr int kCellMargins = 20;
+    const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
+    setColumnWidth(WaypointModel::Number, std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));
     // The name needs a minimum width; hidden columns are displayed elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
-    RowTable::resizeEvent(event);
 }
 
 void WaypointTable::dropEvent(QDropEvent* event) {
@@ -132,7 +142,7 @@ void WaypointTable::dropEvent(QDropEvent* event) {
         before = event->position().y() < rect.center().y() ? over.row() : over.row() + 1;
     }
     model_.dropMimeData(event->mimeData(), Qt::MoveAction, before, 0, {});
-    // The model has moved the rows; with MoveAction the view would delete them as well.
+    // The model has already moved the rows; with MoveAction the view would delete them in addition.
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }

@@ -23,6 +23,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void fitColumns();
     WaypointModel& model_;
 };
 

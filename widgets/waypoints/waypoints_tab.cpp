@@ -18,7 +18,7 @@
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
 #include "robot/station/text/reach_words.h"
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/folding_row.h"
@@ -137,8 +137,8 @@ void WaypointsTab::buildLayout(MotionPort port) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    constexpr int kLeastTable = 104;  // [px] the header and two rows
-    pages_->setMinimumHeight(kLeastTable);
+    constexpr int kMinTable = 104;  // [px] the header and two rows
+    pages_->setMinimumHeight(kMinTable);
     details_ = new WaypointDetails(document_, *model_);
 
     auto* layout = new QVBoxLayout(this);
@@ -156,7 +156,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     layout->addWidget(details_);
     notice_ = new NoticeBar;
     notice_->installEventFilter(this);
-    new LowerEdge(*notice_, *this, {pages_});
+    new BottomOverlay(*notice_, *this, {pages_});
 
     connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
 
@@ -173,6 +173,11 @@ void WaypointsTab::buildLayout(MotionPort port) {
         setTouchUpGhost(std::nullopt);
         notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
         Q_EMIT message(Severity::Info, summary);
+    });
+    connect(&paths_->recorder(), &PathRecorder::changed, this, [this] {
+        if (!paths_->recorder().isRecording() && !paths_->recorder().isBusy()) {
+            Q_EMIT pathStored();
+        }
     });
     connect(paths_, &PathControls::exported, this,
             [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
@@ -196,7 +201,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
     connect(dialogs_, &WaypointDialogs::done, this,
             [this](const QString& text) { Q_EMIT message(Severity::Info, text); });
     search_ = new WaypointSearch(document_, *table_);
-    new LowerEdge(*search_, *this, {pages_});
+    new BottomOverlay(*search_, *this, {pages_});
     connect(search_, &WaypointSearch::rowWanted, this, &WaypointsTab::selectRow);
 }
 
@@ -241,7 +246,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointsTab::fitRoutes() {
-    details_->setFiguresSlot(0);
+    details_->setValuesSlot(0);
     routes_->setMinimumHeight(0);
     // In a narrow panel "Record path" is only in the menu.
     paths_->setVisible(true);
@@ -250,7 +255,7 @@ void WaypointsTab::fitRoutes() {
     const bool both = routes_->sizeHint().height() <= spare;
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
-    details_->setFiguresShown(!instead);
+    details_->setValuesVisible(!instead);
     // Below the headline, in place of the values: the pressed button keeps its position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
@@ -258,31 +263,33 @@ void WaypointsTab::fitRoutes() {
         column->removeWidget(routes_);
         column->insertWidget(instead ? column->indexOf(details_) + 1 : column->indexOf(pages_), routes_);
     }
-    const int available = spare + details_->figuresHeight();
+    const int available = spare + details_->valuesHeight();
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
-        // Values and buttons get the same height, so that the headline keeps its position when they are swapped.
-        const int slot = std::max(details_->figuresHeight(), std::min(wanted, available));
-        details_->setFiguresSlot(slot);
+        // Values and buttons have the same height, so that the headline keeps its position when they are
+        // swapped.
+        const int slot = std::max(details_->valuesHeight(), std::min(wanted, available));
+        details_->setValuesSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
     }
 }
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // Even while Go through replaces the values, so that the panel does not change.
-    const bool slotIsKept = details_->areFiguresShown() || routes_->minimumHeight() > 0;
-    least.rheight() += slotIsKept ? 0 : details_->figuresHeight();
+    // This also applies while Run route replaces the values, so that the panel does not change.
+    const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
+    least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {
-        // They appear with the first waypoint; this does not move buttons in a low panel.
+        // The details appear with the first waypoint; this must not move buttons in a panel with little
+        // height.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
     return least;
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // After any answer to the question.
+    // The question was answered.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -320,6 +327,12 @@ int WaypointsTab::currentRow() const {
     return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
 }
 
+bool WaypointsTab::storePath() {
+    PathRecorder& recorder = paths_->recorder();
+    recorder.stop(currentRow());
+    return recorder.isBusy();
+}
+
 void WaypointsTab::selectWaypoint(const QUuid& id) {
     selectRow(document_.waypoints().indexOf(id));
 }
@@ -338,7 +351,7 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    // While the arm moves through the waypoints, the next one.
+    // Show the next waypoint while the arm moves through the waypoints.
     const int row =
         goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
@@ -362,7 +375,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
     for (int row = 0; row < model_->rowCount(); ++row) {
         const project::Waypoint& point = document_.waypoints().at(row);
         std::optional<Pose> pose = project::poseInBase(point, document_.frames());
-        if (point.ruling == project::Ruling::Joints) {
+        if (point.ruling == project::TargetKind::Joints) {
             pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {
@@ -378,7 +391,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        // Places of two arms in one project could not be told apart.
+        // Positions of two different arm models could not be distinguished in one project.
         return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                                           : QString();
     }
@@ -432,8 +445,8 @@ Result<MoveRequest> WaypointsTab::moveTo(int row) const {
     return move ? slowedTo(heldSpeed_(), *move, state_) : move;
 }
 
-void WaypointsTab::setWayLimit(const QString& text) {
-    details_->setWayLimit(text);
+void WaypointsTab::setPathLimitText(const QString& text) {
+    details_->setPathLimitText(text);
 }
 
 void WaypointsTab::setHeldSpeed(std::function<HeldSpeed()> speed) {
@@ -485,7 +498,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // In the whole window: the focus may be on the jog pad while teaching.
+    // Added to the whole window, because the focus may be on the jog pad while teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -554,7 +567,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Through the document, which reports the change.
+        // Undo through the document, which reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -589,7 +602,8 @@ void WaypointsTab::teach() {
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
-        // Neighbouring waypoints usually have the same move type, frame and speed.
+        // Neighbouring waypoints usually have the same move type, frame and speed: use those of the selected
+        // one.
         point = document_.waypoints().at(row);
         point.extra = {};
         point.note.clear();

@@ -45,7 +45,7 @@ class WaypointsTab : public QWidget {
 public:
     /// document  must outlive the tab
     WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent = nullptr);
-    /// For tests: moves go through `port`, states still come from the session.
+    /// For tests: moves use `port`; states still come from the session.
     WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
@@ -59,11 +59,11 @@ public:
     /// Adds actions of the whole project to the menu of the tab, in "Project" at its end.
     void addToMenu(const QList<QAction*>& actions);
 
-    /// The limitation of the path to the selected waypoint, shown next to the button; empty if none.
-    void setWayLimit(const QString& text);
-    /// Returns the speed limit for "Go to", at each press; initially none.
+    /// Shows the limit on the path to the selected waypoint next to the button; empty: none.
+    void setPathLimitText(const QString& text);
+    /// Sets the source of the speed limit for "Go to", evaluated at each press; initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
-    /// The gripper used by "Go through"; initially none.
+    /// Sets the gripper used by "Run route"; initially none.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
@@ -74,7 +74,7 @@ public:
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
-    /// Including the details, whether visible or not.
+    /// Includes the details, whether they are visible or not.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -88,8 +88,10 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// The speed limit for "Go to" has changed.
+    /// Ends a motion of "Run route" and updates the displayed speeds after a change of the speed limit.
     void followSpeed();
+    /// Ends the recording of a path. Returns true if a path is still to be stored: pathStored() follows.
+    bool storePath();
     void showNotice(const Notice& notice);
     /// Removes the notice with this cause.
     void resolveNotice(const QString& cause);
@@ -103,6 +105,8 @@ Q_SIGNALS:
     void marksChanged();
     /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
+    /// A recorded path has become waypoints, or contained no motion.
+    void pathStored();
 
 private:
     void buildActions();
@@ -140,7 +144,7 @@ private:
     GoToButton* goTo_ = nullptr;
     GoThroughBar* goThrough_ = nullptr;
     PathControls* paths_ = nullptr;
-    FoldingRow* routes_ = nullptr;  ///< owned by these two
+    FoldingRow* routes_ = nullptr;  ///< contains goThrough_ and paths_
     QPushButton* more_ = nullptr;
     NoticeBar* notice_ = nullptr;
     QStackedWidget* pages_ = nullptr;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A simulated Universal Robots controller for tests, in a process of its own.
+"""A simulated Universal Robots controller for tests, in a separate process.
 
     from tiller_simulator import Simulator
 
@@ -7,8 +7,8 @@
         client.connect(robot.address)        # any client: the ports are those of a real controller
         robot.fault("protective-stop")
 
-It serves RTDE, dashboard, primary and secondary interfaces, and runs URScript. With pytest the fixture
-`simulated_controller` is one, ready to move.
+It provides the RTDE, dashboard, primary and secondary interfaces, and runs URScript. For pytest, the fixture
+`simulated_controller` is a controller that is ready to move.
 """
 from __future__ import annotations
 
@@ -25,16 +25,17 @@ _numbers = itertools.count(1)
 
 
 def _own_address() -> str:
-    """A loopback address nobody else on this machine has, so that tests run side by side with standard ports."""
+    """A loopback address that is not used on this machine, so that tests with standard ports can run in parallel."""
     pid = os.getpid()
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
 
 
 class Simulator:
-    """Runs until stop(). options: as `tiller-simulate --help` lists them; without --listen it has an address of its own.
+    """Runs until stop().
 
+    options: options of `tiller-simulate`; see its --help. Without --listen, it uses a separate address.
     headless: powered on, brakes released, in remote control.
-    Raises RuntimeError when it does not start, with what it says about it.
+    Raises RuntimeError with the error output if it does not start.
     """
 
     def __init__(self, *options: str, address: str | None = None, headless: bool = True) -> None:
@@ -53,7 +54,7 @@ class Simulator:
             self.ports[name] = int(port)
 
     def fault(self, words: str) -> str:
-        """Makes something go wrong: "protective-stop", "delay 20 5". Raises ValueError for words it does not know."""
+        """Injects a fault: "protective-stop", "delay 20 5". Raises ValueError for an unknown fault."""
         done = subprocess.run([PROGRAM, "fault", f"{self.address}:{self.ports['faults']}", *words.split()],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
@@ -61,7 +62,7 @@ class Simulator:
         return done.stdout.strip()
 
     def stop(self) -> None:
-        """Ends it and every connection to it. Harmless when it has ended."""
+        """Ends the controller and all connections to it. Has no effect if it has already ended."""
         self._process.terminate()
         self._process.communicate()
 

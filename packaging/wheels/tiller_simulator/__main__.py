@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""python -m tiller_simulator [options]: a simulated controller until Ctrl-C, as `tiller-cli simulate`."""
+"""python -m tiller_simulator [options]: runs a simulated controller until Ctrl-C, like `tiller-cli simulate`."""
 import os
 import sys
 
@@ -7,7 +7,7 @@ from . import PROGRAM
 
 
 def main() -> None:
-    # In its place, so that signals and the exit status are its own.
+    # Replaces this process, so that signals and the exit status are those of the program.
     os.execv(PROGRAM, [PROGRAM, "simulate", *sys.argv[1:]])
 
 

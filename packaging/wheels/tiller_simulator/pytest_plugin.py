@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The fixture for pytest, which the wheel registers."""
+"""The pytest fixture registered by the wheel."""
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -11,6 +11,6 @@ from . import Simulator
 
 @pytest.fixture
 def simulated_controller() -> Iterator[Simulator]:
-    """A simulated UR5e, powered on with its brakes released, at an address of its own."""
+    """A simulated UR5e, powered on with its brakes released, at a separate address."""
     with Simulator() as simulator:
         yield simulator

@@ -28,7 +28,7 @@ QString text(const char* literal) {
 
 QString aboveCap(const char* name, double speed, double cap) {
     const QString above = QStringLiteral("%1: %2 is above %3 m/s").arg(text(name)).arg(speed).arg(cap);
-    return cap < kHighestToolSpeed ? above + QStringLiteral(", the cap; setSpeedCap() sets another one")
+    return cap < kHighestToolSpeed ? above + QStringLiteral(", the speed cap; setSpeedCap() changes it")
                                    : above;
 }
 
@@ -101,11 +101,10 @@ ArgumentCheck& ArgumentCheck::jointSpeeds(const char* name, const JointVelocitie
             return *this;
         }
         if (std::abs(qd[joint]) > arm.maxSpeed[i] + kRounding) {
-            refuse(ErrorCode::LimitExceeded,
-                   QStringLiteral("%1: %2 at %3 rad/s; it cannot turn faster than %4 rad/s")
-                       .arg(text(name), text(kJointNames[i]))
-                       .arg(qd[joint])
-                       .arg(arm.maxSpeed[i]));
+            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 at %3 rad/s; its maximum is %4 rad/s")
+                                                 .arg(text(name), text(kJointNames[i]))
+                                                 .arg(qd[joint])
+                                                 .arg(arm.maxSpeed[i]));
             return *this;
         }
     }
@@ -119,7 +118,7 @@ ArgumentCheck& ArgumentCheck::torques(const char* name, const JointTorques& torq
             return *this;
         }
         if (std::abs(torques[joint]) > arm.maxTorque[i] + kRounding) {
-            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 with %3 Nm; it has no more than %4 Nm")
+            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 with %3 Nm; its maximum is %4 Nm")
                                                  .arg(text(name), text(kJointNames[i]))
                                                  .arg(torques[joint])
                                                  .arg(arm.maxTorque[i]));
@@ -170,8 +169,9 @@ ArgumentCheck& ArgumentCheck::offset(const char* name, const Eigen::Vector3d& me
 ArgumentCheck& ArgumentCheck::finite(const char* name, const double* values, int count) {
     for (int i = 0; i < count; ++i) {
         if (!std::isfinite(values[i])) {
-            refuse(ErrorCode::InvalidArgument,
-                   QStringLiteral("%1: number %2 of %3 is none").arg(text(name)).arg(i + 1).arg(count));
+            refuse(
+                ErrorCode::InvalidArgument,
+                QStringLiteral("%1: value %2 of %3 is not a number").arg(text(name)).arg(i + 1).arg(count));
         }
     }
     return *this;

@@ -25,7 +25,7 @@ public:
     ArgumentCheck& pose(const char* name, const Pose& pose);
     ArgumentCheck& jointSpeeds(const char* name, const JointVelocities& qd, const ArmLimits& arm);
     ArgumentCheck& torques(const char* name, const JointTorques& torques, const ArmLimits& arm);
-    /// cap  of the linear part [m/s]
+    /// cap  maximum of the linear part [m/s]
     ArgumentCheck& twist(const char* name, const Twist& twist, double cap);
     /// A position or offset near the robot [m].
     ArgumentCheck& offset(const char* name, const Eigen::Vector3d& metres, double largest);
@@ -35,7 +35,7 @@ public:
     /// Speed of the TCP along a line [m/s]: 0 < speed <= cap; the cap can be changed by setSpeedCap().
     ArgumentCheck& toolSpeed(const char* name, double speed, double cap);
     /// 0 < value <= high
-    /// hint  probable unit of a value that is far too large: "deg/s"
+    /// hint  probable unit of a value that is far too large, e.g. "deg/s"
     ArgumentCheck& positive(const char* name, double value, double high, const char* unit,
                             const char* hint = nullptr);
 

@@ -16,8 +16,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// Maximum interval between two checks of the control thread without data. Real time; whether data are late is
-// decided by the Clock.
+// Maximum interval between two checks of the control thread if no data arrive. Real time; the Clock decides
+// whether data are late.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 // Data found within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
@@ -136,7 +136,8 @@ Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
     const Echo& echo = data->echo;
     if (data->runtimeState != RuntimeState::Playing || echo.sequence <= kBeforeFirstSequence ||
         echo.session <= 0 || echo.epoch <= 0) {
-        return Error{ErrorCode::NotInControl, context, QStringLiteral("no control program of ours runs")};
+        return Error{ErrorCode::NotInControl, context,
+                     QStringLiteral("no control program of this library is running")};
     }
     return echo;
 }
@@ -216,8 +217,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // in vain, since the newest package
-    // A controller that compiles a program may send nothing meanwhile, and nothing moves through this connection then.
+    int looks = 0;  // unsuccessful checks since the newest package
+    // A controller that compiles a program may send no data meanwhile, and no motion runs through this
+    // connection then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // After a delay of this computer, data may still be in transit.

@@ -48,7 +48,7 @@ public:
     /// Starts the thread.
     /// primary  used to stop a program that was paused; must outlive the thread
     void begin(script::PrimaryClient& primary);
-    /// Ends thread and connection. Allowed when there are none.
+    /// Ends the thread and the connection. No effect if there are none.
     void end();
     std::uint16_t localPort() const { return localPort_.load(std::memory_order_acquire); }
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
@@ -81,7 +81,7 @@ private:
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};
     std::atomic<std::uint16_t> localPort_{0};
-    native_socket::Waker waker_;
+    native_socket::EventFd waker_;
     std::atomic<bool> watchdogUsable_{false};
     std::atomic<bool> wrenchUsable_{false};
     std::atomic<bool> kick_{false};

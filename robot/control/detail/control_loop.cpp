@@ -13,9 +13,9 @@ namespace tiller::control {
 namespace {
 
 // Time without an answer after which the program counts as ended.
-constexpr std::int64_t kEchoGoneNs = 500 * kNsPerMs;
+constexpr std::int64_t kEchoLostNs = 500 * kNsPerMs;
 
-/// [mm/s], at least 1, because 0 means no torques yet. No cap becomes a value that is never reached.
+/// Cap in mm/s, at least 1, because 0 means no torques yet. kNoCap becomes a value that is never reached.
 std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
     constexpr double kMillimetresPerMetre = 1000;
@@ -38,7 +38,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     nextSession_.store(0, std::memory_order_release);
     forcePermitted_.exchange(false, std::memory_order_acq_rel);
     mayFinish_ = false;
-    finishHeard_ = false;
+    finishReceived_ = false;
     finishSequence_ = 0;
     request_.publish({});
     data_ = {};
@@ -176,8 +176,8 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     noteEnded(nowNs);
     publish();
     // A slightly late package needs no action; the next tick sends the stop.
-    constexpr std::int64_t kPatienceNs = 10 * kNsPerMs;
-    if (age < kPatienceNs || !owesStop()) {
+    constexpr std::int64_t kAnswerTimeoutNs = 10 * kNsPerMs;
+    if (age < kAnswerTimeoutNs || !isStopPending()) {
         return false;
     }
     out = {};
@@ -216,7 +216,7 @@ bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     return true;
 }
 
-bool ControlLoop::owesStop() const {
+bool ControlLoop::isStopPending() const {
     return sentMotion_ != kNoMotion ? !mailbox_.epoch().isActive(sentMotion_)
                                     : sentForce_ && !forcePermitted_.load(std::memory_order_acquire);
 }
@@ -233,7 +233,7 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
         return false;  // the start depends on the current position of the arm
     }
     // Set points are limited to one per package, stops are not.
-    if (motion != nullptr ? sentEarly_ : !owesStop()) {
+    if (motion != nullptr ? sentEarly_ : !isStopPending()) {
         return false;
     }
     out = {};
@@ -266,7 +266,7 @@ void ControlLoop::publishLoss(ControlLoss loss) {
 
 std::int64_t ControlLoop::dataTimeoutNs() const {
     const bool follows = followed_ != kNoMotion && mailbox_.epoch().isActive(followed_);
-    return follows ? std::max(dataTimeoutNs_, followedSilenceNs_) : dataTimeoutNs_;
+    return follows ? std::max(dataTimeoutNs_, followedTimeoutNs_) : dataTimeoutNs_;
 }
 
 void ControlLoop::followEcho(const Feedback& data) {
@@ -282,11 +282,11 @@ void ControlLoop::followEcho(const Feedback& data) {
     echoed_ = echo.sequence;
     unansweredSinceNs_ = 0;
     if (finishSequence_ != 0 && echo.sequence >= finishSequence_) {
-        finishHeard_.store(true, std::memory_order_release);
+        finishReceived_.store(true, std::memory_order_release);
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // Older than the stored times: at least their whole duration.
+        // The command is older than all stored times, so the round trip is at least their whole duration.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
@@ -339,7 +339,7 @@ void ControlLoop::watch(const Feedback& data) {
         return;
     }
     const std::int64_t unanswered = unansweredSinceNs_ == 0 ? 0 : data.hostNs - unansweredSinceNs_;
-    if (unanswered > std::max(kEchoGoneNs, dataTimeoutNs())) {
+    if (unanswered > std::max(kEchoLostNs, dataTimeoutNs())) {
         leave(ControlLoss::EchoStalled, StopCause::ControlLost, data.hostNs);
         return;
     }
@@ -393,7 +393,7 @@ void ControlLoop::watch(const Feedback& data) {
     constexpr double kSameOffset = 1e-6;
     const bool tcpChanged = (data.tcpOffset.position - followedTcp_.position).norm() > kSameOffset ||
                             (data.tcpOffset.rotation - followedTcp_.rotation).norm() > kSameOffset;
-    if (motion != kNoMotion && motion == followed_ && followedByHand_ && tcpChanged) {
+    if (motion != kNoMotion && motion == followed_ && followedHoldToRun_ && tcpChanged) {
         endActive(StopCause::SelectionChanged, data.hostNs);
     }
 }
@@ -429,11 +429,11 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->id != followed_) {
         noteEnded(data.hostNs);
         followed_ = motion->id;
-        followedByHand_ = motion->kind != MotionCommand::Kind::Program;
+        followedHoldToRun_ = motion->kind != MotionCommand::Kind::Program;
         followedTcp_ = data.tcpOffset;
         followedForce_ = data.tcpForce.value_or(Eigen::Vector3d::Zero());
         pressed_ = 0;
-        followedSilenceNs_ = std::chrono::nanoseconds(motion->silence).count();
+        followedTimeoutNs_ = std::chrono::nanoseconds(motion->silence).count();
         status_.limiter = motion->limiter;
         // The measurement belongs to a motion that was replaced before standstill.
         meter_.cancel();
@@ -533,7 +533,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// The current motion has ended; the epoch knows the cause and the time.
+// Records the end of the current motion, if it has ended; the epoch contains the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {
@@ -576,7 +576,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         sentMotion_ = followed_;
     } else {
         const ScriptCommand kind = moves ? ScriptCommand::Idle : command.kind;
-        const std::uint64_t dead = mailbox_.epoch().deadUpTo();
+        const std::uint64_t dead = mailbox_.epoch().expiredUpTo();
         const Brake brake = mailbox_.brake(dead);
         command = {};
         command.kind = kind;

@@ -102,7 +102,7 @@ public:
     /// ends.
     /// Threads: before the control thread starts
     void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
-    /// The same for the active motion. Threads: the control thread
+    /// As above, for the active motion. Threads: the control thread
     std::int64_t dataTimeoutNs() const;
     /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts
@@ -110,7 +110,7 @@ public:
     /// From the next tick on, a move or path may complete without a client.
     void permitFinish();
     /// Whether the robot has received this permission.
-    bool isFinishPermitted() const { return finishHeard_.load(std::memory_order_acquire); }
+    bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
     /// From the next tick on, only the program with this session is accepted.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
@@ -166,7 +166,7 @@ private:
                         Command& command);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
     /// True if a motion or force mode ended that the robot may still execute.
-    bool owesStop() const;
+    bool isStopPending() const;
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
     void noteEnded(std::int64_t nowNs);
@@ -189,10 +189,10 @@ private:
     std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
     std::atomic<bool> forcePermitted_{false};
     std::atomic<bool> mayFinish_{false};
-    std::atomic<bool> finishHeard_{false};
+    std::atomic<bool> finishReceived_{false};
     std::int32_t finishSequence_ = 0;  ///< of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
-    bool sentEarly_ = false;  ///< set points since the newest package
+    bool sentEarly_ = false;  ///< a set point was sent since the newest package
     std::atomic<std::uint64_t> playing_{0};
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
@@ -204,7 +204,7 @@ private:
     realtime::TripleBuffer<Request> request_;
     realtime::Seqlock<Answer> answer_;
 
-    Feedback data_;  ///< the newest
+    Feedback data_;  ///< newest data
     bool hasData_ = false;
     realtime::ArrivalPace pace_{period_};
     realtime::StreamWatch stream_;
@@ -222,8 +222,8 @@ private:
     MotionId sentMotion_ = kNoMotion;                          ///< last motion sent to the robot
     bool sentForce_ = false;                                   ///< force mode permission sent with it
     MotionId followed_ = kNoMotion;                            ///< the motion of the last command
-    bool followedByHand_ = false;                              ///< a jog or a move of the user interface
-    std::int64_t followedSilenceNs_ = 0;                       ///< its timeout, see MotionCommand
+    bool followedHoldToRun_ = false;                           ///< a jog or a move started by the operator
+    std::int64_t followedTimeoutNs_ = 0;                       ///< heartbeat timeout of its MotionCommand
     Pose followedTcp_;                                         ///< TCP offset at its start
     Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at its start
     int pressed_ = 0;  ///< consecutive packages with a force above the limit of the jog

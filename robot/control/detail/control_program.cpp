@@ -142,7 +142,8 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         own_ = {};
     }
     session_ = session;
-    // Connected until the program responds: a controller can drop a program whose sender disconnects immediately.
+    // Stays connected until the program responds: a controller can drop a program whose sender disconnects
+    // immediately.
     std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {
@@ -189,7 +190,7 @@ Result<void> ControlProgram::end(ControlLoss loss, const Deadline& deadline) {
     });
     if (!ended) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                     QStringLiteral("it goes on")};
+                     QStringLiteral("it is still running")};
     }
     return link_.isRunning() ? Result<void>() : Error{ErrorCode::LinkLost, context, {}};
 }
@@ -212,19 +213,19 @@ Result<void> ControlProgram::restart(const QString& section, const QString& name
     return upload(next, section, deadline);
 }
 
-Result<void> ControlProgram::sendAnew(const Deadline& deadline) {
+Result<void> ControlProgram::resend(const Deadline& deadline) {
     requests_.forget();
     const std::int32_t next = newSession();
     loop_.expectSession(next);
     return upload(next, {}, deadline);
 }
 
-void ControlProgram::giveWayTo(const script::SupervisedProgram& program) {
+void ControlProgram::yieldTo(const script::SupervisedProgram& program) {
     complaint({});  // discard earlier errors
     const std::lock_guard lock(guard_);
     own_ = program;
     sectionName_ = QString();
-    scriptHeard_ = {program.name, false, false};
+    scriptFeedback_ = {program.name, false, false};
 }
 
 Error ControlProgram::complaint(const QString& context) {
@@ -234,10 +235,12 @@ Error ControlProgram::complaint(const QString& context) {
         return {};
     }
     for (const auto& message : primary_->takeMessages()) {
-        if (message.kind == script::MessageKind::Key && !scriptHeard_.name.isEmpty() &&
-            message.text == scriptHeard_.name) {
-            scriptHeard_.started = scriptHeard_.started || message.title.endsWith(QLatin1String("STARTED"));
-            scriptHeard_.stopped = scriptHeard_.stopped || message.title.endsWith(QLatin1String("STOPPED"));
+        if (message.kind == script::MessageKind::Key && !scriptFeedback_.name.isEmpty() &&
+            message.text == scriptFeedback_.name) {
+            scriptFeedback_.started =
+                scriptFeedback_.started || message.title.endsWith(QLatin1String("STARTED"));
+            scriptFeedback_.stopped =
+                scriptFeedback_.stopped || message.title.endsWith(QLatin1String("STOPPED"));
         }
         if (message.kind == script::MessageKind::RuntimeException) {
             const QString place = message.line > 0 ? placeOf(message.line, message.column) + ": " : "";
@@ -268,14 +271,14 @@ QString ControlProgram::placeOf(int line, int column) const {
     return inOwn > 0 ? QStringLiteral("line %1").arg(inOwn) : QStringLiteral("watchdog thread");
 }
 
-std::uint64_t ControlProgram::statesHeard() const {
+std::uint64_t ControlProgram::statesReceived() const {
     const std::lock_guard lock(guard_);
     return primary_ ? primary_->state().packages : 0;
 }
 
-ControlProgram::ScriptHeard ControlProgram::scriptHeard() const {
+ControlProgram::ScriptFeedback ControlProgram::scriptFeedback() const {
     const std::lock_guard lock(guard_);
-    return scriptHeard_;
+    return scriptFeedback_;
 }
 
 }  // namespace tiller::control

@@ -22,7 +22,7 @@ namespace tiller::control {
 class ControlProgram {
 public:
     /// Messages of the controller about a user script.
-    struct ScriptHeard {
+    struct ScriptFeedback {
         QString name;
         bool started = false;
         bool stopped = false;
@@ -52,7 +52,7 @@ public:
 
     // ---- sending -------------------------------------------------------------------------------------------
 
-    /// Of the program sent or joined last; 0: none.
+    /// Session of the program sent or joined last; 0: none.
     std::int32_t session() const { return session_; }
     void setSession(std::int32_t session) { session_ = session; }
     int primaryPort() const {
@@ -68,17 +68,17 @@ public:
     /// name  of the section in messages
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
     /// Sends the program without a section after another program has ended.
-    Result<void> sendAnew(const Deadline& deadline);
+    Result<void> resend(const Deadline& deadline);
 
     // ---- messages ---------------------------------------------------------------------------------------------
 
     /// Attributes later errors to a user script that replaces the control program.
-    void giveWayTo(const script::SupervisedProgram& program);
+    void yieldTo(const script::SupervisedProgram& program);
     /// The error reported by the controller since the last upload; code None if there is none.
     Error complaint(const QString& context);
     /// Number of robot states received on the message connection; each arrives after the messages of its time.
-    std::uint64_t statesHeard() const;
-    ScriptHeard scriptHeard() const;
+    std::uint64_t statesReceived() const;
+    ScriptFeedback scriptFeedback() const;
 
 private:
     QString placeOf(int line, int column) const;
@@ -99,7 +99,7 @@ private:
     script::SupervisedProgram own_;
     QString sectionName_;  ///< name of its section in messages
     QStringList refused_;  ///< functions that this controller does not have and the program avoids
-    ScriptHeard scriptHeard_;
+    ScriptFeedback scriptFeedback_;
 };
 
 }  // namespace tiller::control

@@ -13,7 +13,7 @@
 
 namespace tiller::control {
 
-/// control.script, control_requests.script and control_cycle.script, concatenated.
+/// The texts of control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
 
 struct ControlScript {

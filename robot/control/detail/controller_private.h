@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Internals of Controller: when a motion may start, and when control may be taken or released. For the sources of
-// this folder only.
+// Internals of Controller: the conditions for starting a motion and for taking and releasing control. For the
+// sources of this folder only.
 
 #include <array>
 #include <atomic>
@@ -37,7 +37,7 @@ struct Controller::Private {
     CancelToken underWay;  ///< protected by `tokenMutex`: token of the call that holds `taking`
     int ending = 0;        ///< protected by `tokenMutex`: release() calls that wait for `taking`
 
-    /// When the pulse of each output is over [ns, by `options.clock`]; in the past: no pulse.
+    /// End of the pulse of each output [ns, on `options.clock`]; in the past: no pulse.
     std::array<std::atomic<std::int64_t>, kPulseOutputs> pulseEndsNs{};
 
     std::int64_t now() const { return options.clock->nowNs(); }
@@ -54,18 +54,18 @@ struct Controller::Private {
     bool isInControl() const { return link.isRunning() && loop.isInControl(); }
     /// Connects and sends the control program, or joins the running one; cleans up on failure. Needs `taking`.
     Result<void> take(const Deadline& deadline, bool join);
-    /// Cancels a call that is taking control, then has `whenRunning` prepare the end of the control thread.
+    /// Cancels a call that is taking control, then calls `whenRunning` before the control thread ends.
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
-    /// Waits until no output pulses: another control program would cut pulses short. Returns early after a stop, for
-    /// the caller to notice.
-    /// Errors   Timeout naming an output that still pulses, Cancelled
+    /// Waits until no output pulses, because another control program would cut pulses short. Returns early
+    /// after a stop; the caller has to check for it.
+    /// Errors   Timeout with the name of an output that is still pulsing, Cancelled
     Result<void> awaitPulses(std::uint64_t stops, const Deadline& deadline, const QString& context) const;
-    /// Starts a motion, unless a stop came since there were so many or control has ended.
+    /// Starts a motion, unless a stop occurred since this number of stops or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
     /// Sends the program with this section, unless a stop occurred since this number of stops.
-    /// Returns  the empty epoch in which it can be started
+    /// Returns  the empty epoch in which the section can be started
     Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
                                       const Deadline& deadline, const QString& context);
     /// Starts the section that was sent last, unless a stop or another motion occurred since this epoch.

@@ -102,7 +102,7 @@ MotionId Epoch::activeMotion() const {
     return isOccupied(w) ? epochOf(w) : kNoMotion;
 }
 
-std::uint64_t Epoch::deadUpTo() const {
+std::uint64_t Epoch::expiredUpTo() const {
     const Word w = word_.load(std::memory_order_acquire);
     return isOccupied(w) ? epochOf(w) - 1 : epochOf(w);
 }

@@ -37,7 +37,7 @@ public:
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
     /// The newest epoch in which no motion is possible any more: the current one if it is empty, else the previous
     /// one.
-    std::uint64_t deadUpTo() const;
+    std::uint64_t expiredUpTo() const;
     MotionState state(MotionId motion) const;
     /// Time at which the end of this motion was requested, on the caller's clock. Valid only for recent motions.
     std::int64_t endedNs(MotionId motion) const;

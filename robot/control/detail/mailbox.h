@@ -24,17 +24,17 @@ struct MotionCommand {
     MotionId id = kNoMotion;
     Kind kind = Kind::None;
     bool held = true;
-    JogTarget jog;             ///< Jog
-    std::int32_t program = 0;  ///< Program: a ScriptCommand
-    std::int32_t choice = 0;   ///< Program: see control.script
+    JogTarget jog;             ///< only for Jog
+    std::int32_t program = 0;  ///< only for Program: a ScriptCommand
+    std::int32_t choice = 0;   ///< only for Program: see control.script
     /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script
     std::array<double, 6> target{};
     double speed = 0;
     double acceleration = 0;
     double rotationAcceleration = 0;
-    std::array<double, 3> rotation{};  ///< Program: rotation vector of a custom frame
+    std::array<double, 3> rotation{};  ///< only for Program: rotation vector of a custom frame
     Limiter limiter;                   ///< of a move: the limit that reduces the requested speed
-    /// Of a free move or path: maximum time without a heartbeat; 0: default.
+    /// Maximum time without a heartbeat, for a free move or path; 0: default.
     std::chrono::milliseconds silence{0};
 };
 

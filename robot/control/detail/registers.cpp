@@ -102,7 +102,7 @@ Result<FeedbackLayout> FeedbackLayout::of(const rtde::Recipe& outputs, RegisterR
             find(rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + i));
     }
     if (!missing.isEmpty()) {
-        return Error{ErrorCode::FieldUnknown, QStringLiteral("set up the data the control needs"),
+        return Error{ErrorCode::FieldUnknown, QStringLiteral("set up the data for control"),
                      missing.join(QStringLiteral(", "))};
     }
     return layout;

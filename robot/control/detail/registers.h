@@ -62,7 +62,7 @@ enum class ScriptState : std::int32_t {
 /// Queries and settings. Source: serve() in control.script
 enum class RequestKind : std::int32_t {
     None = 0,
-    Store = 1,  ///< six additional numbers for later requests: `whole` 0 or 6 of twelve
+    Store = 1,  ///< six more numbers for later requests; `whole`: 0 or 6 of twelve
     SetPayload = 2,
     SetTargetPayload = 3,
     SetTcp = 4,
@@ -129,7 +129,7 @@ struct Command {
     double rotationAcceleration = 0;   ///< [rad/s2]
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
     Request request;
-    bool forcePermitted = false;  ///< force mode is permitted
+    bool forcePermitted = false;  ///< force mode may be active
     double speedFraction = 1;     ///< of the speed slider
     bool mayFinish = false;       ///< a move or path may complete without a heartbeat
     std::int32_t silenceMs = 0;   ///< maximum time of a move or path without a heartbeat; 0: default

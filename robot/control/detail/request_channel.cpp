@@ -45,7 +45,7 @@ Result<Answer> RequestChannel::exchange(const Request& request, const QString& c
         case Outcome::NoSolution:
             return Error{ErrorCode::NoSolution, context, {}};
         case Outcome::NotPermitted:
-            return Error{ErrorCode::Stopped, context, QStringLiteral("a stop came first")};
+            return Error{ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
         case Outcome::Unknown:
             break;
     }

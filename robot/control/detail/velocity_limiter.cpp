@@ -46,8 +46,9 @@ constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
 constexpr SingularityZone kShoulderZone{0.10,
                                         0.02};  // [m] between the wrist and the cylinder around the base axis
 
-/// Below this part of SingularityZone::end no linear motion is possible, not even away: the joint speeds it would
-/// need change faster than a robot can follow, which then makes a protective stop.
+/// Below this fraction of SingularityZone::end no linear motion is possible, not even away from the
+/// singularity: the joint speeds would have to change faster than a robot can follow, which would cause a
+/// protective stop.
 constexpr double kDeepPart = 1.0 / 3;
 
 constexpr int kBase = 0;
@@ -307,7 +308,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
                          tcpPose.rotation.allFinite() && situation.qd.values.allFinite() &&
                          twist.allFinite() && qd.allFinite();
     if (!isKnown) {
-        // Comparisons with such numbers would find no limit anywhere.
+        // Comparisons with values that are not finite would not detect any limit.
         limiter.scale = 0;
         return limiter;
     }
@@ -340,7 +341,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     }
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (cartesian && fastest > 0) {
-        // Joint jogs may pass: only Cartesian motion causes high joint speeds at a singularity.
+        // Joint jogs are not limited: only Cartesian motion causes high joint speeds at a singularity.
         const auto here = kinematics::singularityMeasure(arm_.dh, q);
         // A path may approach the singularity at first and lead away from it in the end, or the other way round.
         for (const double lookAhead : {1e-5, 0.005}) {  // [rad] of the fastest joint
@@ -357,7 +358,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     if (limiter.scale < kSmallestScale * wanted) {
         limiter.scale = 0;
         if (limiter.kind == LimiterKind::JointSpeed) {
-            limiter.kind = LimiterKind::Singularity;  // only there would a joint have to be this fast
+            limiter.kind = LimiterKind::Singularity;  // only a singularity requires such a joint speed
         }
     }
     return limiter;

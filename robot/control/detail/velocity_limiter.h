@@ -27,9 +27,9 @@ struct ArmLimits {
     static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& reported);
 };
 
-/// Slows down so that joints stop before their limits, and the arm before singularities and at the safety distance
-/// from itself and its surroundings; motion away from them is free. Limits the speeds of TCP, elbow, rotation and
-/// joints.
+/// Slows down so that joints stop before their limits, and the arm before singularities and at the safety
+/// distance from itself and its surroundings. Motion away from them is not limited. Also limits the speeds of
+/// TCP, elbow, rotation and joints.
 /// Threads  one. Real-time: yes (no allocation; some ten microseconds)
 class VelocityLimiter {
 public:
@@ -40,10 +40,10 @@ public:
         JointVelocities qd = {};                           ///< current velocity of the arm [rad/s]
         const collision::CollisionCheck* check = nullptr;  ///< null: no check
     };
-    /// q, tcpPose  where the arm is (base frame)
-    /// A jog that looks for contact (contactForce) may touch the surroundings with the tool and wrist 3.
-    /// Returns     Limiter::scale to multiply the target with, 0 when it may not move that way at all, or when a
-    ///             number is not finite
+    /// q, tcpPose  current position of the arm (base frame)
+    /// A jog with contact detection (contactForce) may touch the surroundings with the tool and wrist 3.
+    /// Returns     the factor for the target in Limiter::scale: 0 if motion in this direction is not permitted, or
+    ///             if a number is not finite
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {

@@ -99,7 +99,7 @@ Result<void> FoxgloveServer::listen(const QString& address, std::uint16_t port) 
     QHostAddress host;
     if (!host.setAddress(address)) {
         return Error{ErrorCode::AddressInvalid, QStringLiteral("listen on %1").arg(address),
-                     QStringLiteral("that is not an address, such as 127.0.0.1")};
+                     QStringLiteral("this is not an IP address, such as 127.0.0.1")};
     }
     if (!listener_.listen(host, port)) {
         return Error{ErrorCode::Rejected, QStringLiteral("listen on %1 port %2").arg(address).arg(port),
@@ -233,7 +233,7 @@ void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
 // Answers and pongs are written to the socket directly.
 void FoxgloveServer::closeIfUnread(QWebSocket* socket) {
     if (socket->bytesToWrite() > kMaxUnreadAnswers) {
-        disconnectLater(socket, QStringLiteral("the answers are not read"));
+        disconnectLater(socket, QStringLiteral("the viewer does not read the responses"));
     }
 }
 
@@ -335,7 +335,7 @@ void FoxgloveServer::closeStalledClients() {
         if (client.key()->bytesToWrite() == 0 && client->queue.empty()) {
             client->waitingSince = now;
         } else if (now - client->waitingSince > limits_.stallTimeout) {
-            disconnectLater(client.key(), QStringLiteral("the messages are not read"));
+            disconnectLater(client.key(), QStringLiteral("the viewer does not read the messages"));
         }
     }
 }

@@ -35,7 +35,7 @@ QString isNoneOf(const QString& text, std::initializer_list<const char*> words) 
     }
     return quoted.size() == 2
                ? QStringLiteral("\"%1\" is neither %2 nor %3").arg(text, quoted[0], quoted[1])
-               : QStringLiteral("\"%1\" is none of %2").arg(text, quoted.join(QLatin1String(", ")));
+               : QStringLiteral("\"%1\" is not one of %2").arg(text, quoted.join(QLatin1String(", ")));
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ Eigen::Vector3d FieldReader::point(const QString& where, const QJsonObject& obje
 Pose FieldReader::pose(const QString& where, const QJsonObject& object, const char* key) {
     std::array<double, 6> result = six(where, object, key);
     for (int i = 0; i < 6; ++i) {
-        const double most = i < 3 ? kMostLength : 4 * std::numbers::pi;
+        const double most = i < 3 ? kMaxCoordinate : 4 * std::numbers::pi;
         double& component = result[static_cast<std::size_t>(i)];
         component = number(fieldAt(fieldAt(where, key), i), component, -most, most, i < 3 ? "m" : "rad");
     }
@@ -215,11 +215,11 @@ Pose FieldReader::pose(const QString& where, const QJsonObject& object, const ch
 
 JointPositions FieldReader::joints(const QString& where, const QJsonValue& value) {
     // Twice the joint range: larger values are probably in degrees.
-    constexpr double kMost = 4 * std::numbers::pi + 0.2;
+    constexpr double kMaxValue = 4 * std::numbers::pi + 0.2;
     const QVector<double> read = numbers(where, value, kJointCount);
     JointPositions q;
     for (int i = 0; i < kJointCount; ++i) {
-        q[i] = number(fieldAt(where, i), read[i], -kMost, kMost, "rad");
+        q[i] = number(fieldAt(where, i), read[i], -kMaxValue, kMaxValue, "rad");
     }
     return q;
 }

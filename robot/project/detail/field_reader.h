@@ -55,7 +55,7 @@ public:
              std::initializer_list<const char*> words);
     std::array<double, 6> six(const QString& where, const QJsonObject& object, const char* key);
     Eigen::Vector3d point(const QString& where, const QJsonObject& object, const char* key,
-                          double most = kMostLength);
+                          double most = kMaxCoordinate);
     Pose pose(const QString& where, const QJsonObject& object, const char* key);
     JointPositions joints(const QString& where, const QJsonValue& value);
     QJsonArray list(const QString& where, const QJsonObject& object,
@@ -64,7 +64,7 @@ public:
                             const char* key);  ///< Empty if missing.
 
     /// Larger lengths [m] are probably in millimetres.
-    static constexpr double kMostLength = 50;
+    static constexpr double kMaxCoordinate = 50;
 
 private:
     QVector<double> numbers(const QString& where, const QJsonValue& value, int count);

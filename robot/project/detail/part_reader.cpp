@@ -60,8 +60,8 @@ NamedPosition PartReader::position(const QString& where, const QJsonObject& obje
 SafeHeight PartReader::safeHeight(const QString& where, const QJsonObject& object) {
     SafeHeight result;
     result.frame = fields_.frame(where, object, frames_);
-    result.height =
-        fields_.number(where, object, "height", -FieldReader::kMostLength, FieldReader::kMostLength, "m");
+    result.height = fields_.number(where, object, "height", -FieldReader::kMaxCoordinate,
+                                   FieldReader::kMaxCoordinate, "m");
     return result;
 }
 
@@ -73,30 +73,31 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
                         .read(fieldAt(where, "first"), object.value(QLatin1String("first")).toObject());
     pattern.columnEnd = fields_.point(where, object, "columnEnd");
     pattern.rowEnd = fields_.point(where, object, "rowEnd");
-    pattern.columns = fields_.whole(where, object, "columns", 1, kMostPatternSteps);
-    pattern.rows = fields_.whole(where, object, "rows", 1, kMostPatternSteps);
-    pattern.layers = fields_.whole(where, object, "layers", 1, kMostPatternSteps);
+    pattern.columns = fields_.whole(where, object, "columns", 1, kMaxPatternSteps);
+    pattern.rows = fields_.whole(where, object, "rows", 1, kMaxPatternSteps);
+    pattern.layers = fields_.whole(where, object, "layers", 1, kMaxPatternSteps);
     if (const qint64 places = qint64(pattern.columns) * pattern.rows * pattern.layers;
-        places > kMostPatternPlaces) {
-        fields_.addProblem(where,
-                           QStringLiteral("has %1 places, more than %2").arg(places).arg(kMostPatternPlaces));
+        places > kMaxPatternPositions) {
+        fields_.addProblem(
+            where, QStringLiteral("has %1 cells, more than %2").arg(places).arg(kMaxPatternPositions));
     }
-    pattern.layerStep =
-        fields_.number(where, object, "layerStep", -FieldReader::kMostLength, FieldReader::kMostLength, "m");
+    pattern.layerStep = fields_.number(where, object, "layerStep", -FieldReader::kMaxCoordinate,
+                                       FieldReader::kMaxCoordinate, "m");
     pattern.order = static_cast<PatternOrder>(fields_.word(where, object, "order", {"rows", "meander"}));
     const QJsonArray excluded = fields_.optionalList(where, object, "excluded");
     for (int i = 0; i < excluded.size(); ++i) {
         const QString at = fieldAt(fieldAt(where, "excluded"), i);
         const QJsonObject cell = excluded[i].toObject();
-        pattern.excluded.push_back({fields_.whole(at, cell, "column", 0, kMostPatternSteps),
-                                    fields_.whole(at, cell, "row", 0, kMostPatternSteps)});
+        pattern.excluded.push_back({fields_.whole(at, cell, "column", 0, kMaxPatternSteps),
+                                    fields_.whole(at, cell, "row", 0, kMaxPatternSteps)});
     }
     const QJsonArray corners = fields_.optionalList(where, object, "corners");
     for (int i = 0; i < corners.size(); ++i) {
         const QUuid corner(corners[i].toString());
         if (i >= 3 || (corner.isNull() && !corners[i].isNull())) {
-            fields_.addProblem(fieldAt(fieldAt(where, "corners"), i),
-                               i >= 3 ? QStringLiteral("is one too many") : QStringLiteral("is not an id"));
+            fields_.addProblem(
+                fieldAt(fieldAt(where, "corners"), i),
+                i >= 3 ? QStringLiteral("is a surplus corner") : QStringLiteral("is not an id"));
             break;
         }
         pattern.corners[static_cast<std::size_t>(i)] = corner;
@@ -114,12 +115,12 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
     // Kept without its frame: a dropped object would not be avoided. See collision::CellSurroundings::unplaced.
     box.frame = fields_.frameId(where, object);
     box.pose = fields_.pose(where, object, "pose");
-    box.size = fields_.point(where, object, "size", 2 * FieldReader::kMostLength);
+    box.size = fields_.point(where, object, "size", 2 * FieldReader::kMaxCoordinate);
     for (int i = 0; i < 3; ++i) {
-        if (!(box.size[i] >= kLeastBoxEdge)) {
+        if (!(box.size[i] >= kMinBoxEdge)) {
             fields_.addProblem(
                 fieldAt(fieldAt(where, "size"), i),
-                QStringLiteral("is %1 m, a box needs at least %2 m").arg(box.size[i]).arg(kLeastBoxEdge));
+                QStringLiteral("is %1 m, a box needs at least %2 m").arg(box.size[i]).arg(kMinBoxEdge));
         }
     }
     box.enabled = !object.contains(QLatin1String("enabled")) || fields_.flag(where, object, "enabled");
@@ -145,17 +146,17 @@ RecordedPath PartReader::path(const QString& where, const QJsonObject& object) {
     path.tcpOffset = fields_.pose(where, object, "tcpOffset");
     path.tolerance = fields_.number(where, object, "tolerance", 0, 1, "m");
     const QJsonArray points = fields_.list(where, object, "points");
-    if (points.size() > kMostPathPoints) {
+    if (points.size() > kMaxPathPoints) {
         fields_.addProblem(
             fieldAt(where, "points"),
-            QStringLiteral("has %1 entries, more than %2").arg(points.size()).arg(kMostPathPoints));
+            QStringLiteral("has %1 entries, more than %2").arg(points.size()).arg(kMaxPathPoints));
     }
     double last = 0;
     for (int i = 0; i < points.size(); ++i) {
         const QString at = fieldAt(fieldAt(where, "points"), i);
         const QJsonObject entry = points[i].toObject();
         PathPoint point;
-        point.time = fields_.number(at, entry, "t", last, kLongestPath, "s");
+        point.time = fields_.number(at, entry, "t", last, kMaxPathDuration, "s");
         point.q = fields_.joints(fieldAt(at, "q"), entry.value(QLatin1String("q")));
         last = std::max(last, point.time);
         path.points.push_back(point);

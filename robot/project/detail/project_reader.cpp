@@ -98,7 +98,7 @@ void ProjectReader::readRobot(const QJsonValue& value) {
     result_.document.robot = robotModelByName(value.toString());
     if (!result_.document.robot) {
         addProblem(QStringLiteral("robot"),
-                   QStringLiteral("\"%1\" is not a robot this program knows").arg(value.toString()));
+                   QStringLiteral("\"%1\" is not a known robot model").arg(value.toString()));
     }
 }
 
@@ -187,8 +187,8 @@ void ProjectReader::readCell(const QJsonValue& value) {
     CellGeometry& cell = result_.document.cell;
     if (object.contains(QLatin1String("floor"))) {
         const qsizetype before = fields_.problemCount();
-        const double floor =
-            fields_.number(where, object, "floor", -FieldReader::kMostLength, FieldReader::kMostLength, "m");
+        const double floor = fields_.number(where, object, "floor", -FieldReader::kMaxCoordinate,
+                                            FieldReader::kMaxCoordinate, "m");
         if (fields_.problemCount() == before) {
             cell.floor = floor;
         }

@@ -84,7 +84,7 @@ QJsonObject factsOf(const Waypoint& point) {
     QJsonObject object = point.extra;
     object["name"] = point.name;
     object["move"] = QLatin1String(point.move == MoveKind::Joint ? "J" : "L");
-    object["rules"] = QLatin1String(point.ruling == Ruling::Joints ? "joints" : "pose");
+    object["rules"] = QLatin1String(point.ruling == TargetKind::Joints ? "joints" : "pose");
     object["frame"] = idOrNull(point.frame);
     object["tcpOffset"] = arrayOf(point.tcpOffset.array());
     object["joints"] = arrayOf(point.joints.array());

@@ -18,7 +18,7 @@ Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, 
     Waypoint point;
     point.name = fields_.text(where, object, "name");
     point.move = static_cast<MoveKind>(fields_.word(where, object, "move", {"J", "L"}));
-    point.ruling = static_cast<Ruling>(fields_.word(where, object, "rules", {"joints", "pose"}));
+    point.ruling = static_cast<TargetKind>(fields_.word(where, object, "rules", {"joints", "pose"}));
     point.frame = frames == Frames::MustBeHere ? fields_.frame(where, object, frames_)
                                                : fields_.optionalId(where, object, "frame");
     point.tcpOffset = fields_.pose(where, object, "tcpOffset");
@@ -37,9 +37,9 @@ Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, 
         const QString at = fieldAt(where, "place");
         const QJsonObject cell = place.toObject();
         point.place.pattern = fields_.id(at, cell, "pattern");
-        point.place.column = fields_.whole(at, cell, "column", 0, kMostPatternSteps);
-        point.place.row = fields_.whole(at, cell, "row", 0, kMostPatternSteps);
-        point.place.layer = fields_.whole(at, cell, "layer", 0, kMostPatternSteps);
+        point.place.column = fields_.whole(at, cell, "column", 0, kMaxPatternSteps);
+        point.place.row = fields_.whole(at, cell, "row", 0, kMaxPatternSteps);
+        point.place.layer = fields_.whole(at, cell, "layer", 0, kMaxPatternSteps);
     } else if (!place.isUndefined()) {
         fields_.addProblem(fieldAt(where, "place"), isNot(place, QStringLiteral("an object")));
     }
@@ -70,7 +70,7 @@ WaypointAction WaypointReader::action(const QString& where, const QJsonObject& o
         action.value = fields_.flag(where, object, "value");
     }
     if (action.usesTime()) {
-        action.seconds = fields_.number(where, object, "seconds", 0, kLongestAction, "s");
+        action.seconds = fields_.number(where, object, "seconds", 0, kMaxActionTime, "s");
     }
     action.extra = without(object, {"do", "group", "pin", "value", "seconds"});
     return action;
@@ -79,10 +79,10 @@ WaypointAction WaypointReader::action(const QString& where, const QJsonObject& o
 WaypointHistory WaypointReader::history(const QString& where, const QJsonObject& object, const QUuid& id) {
     WaypointHistory result;
     const QJsonArray revisions = fields_.optionalList(where, object, "history");
-    if (revisions.size() > WaypointHistory::kMostRevisions) {
+    if (revisions.size() > WaypointHistory::kMaxRevisions) {
         fields_.addProblem(fieldAt(where, "history"), QStringLiteral("has %1 entries, more than %2")
                                                           .arg(revisions.size())
-                                                          .arg(WaypointHistory::kMostRevisions));
+                                                          .arg(WaypointHistory::kMaxRevisions));
     }
     for (int i = 0; i < revisions.size(); ++i) {
         const QString at = fieldAt(fieldAt(where, "history"), i);
@@ -94,8 +94,8 @@ WaypointHistory WaypointReader::history(const QString& where, const QJsonObject&
         }
         revision.who = fields_.optionalText(at, entry, "who");
         revision.what = fields_.optionalText(at, entry, "what");
-        revision.before =
-            facts(fieldAt(at, "before"), entry.value(QLatin1String("before")).toObject(), Frames::MayBeGone);
+        revision.before = facts(fieldAt(at, "before"), entry.value(QLatin1String("before")).toObject(),
+                                Frames::MayBeDeleted);
         revision.before.id = id;
         revision.extra = without(entry, {"at", "who", "what", "before"});
         result.add(revision);

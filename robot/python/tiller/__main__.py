@@ -13,7 +13,7 @@ def main() -> None:
     own = pathlib.Path(__file__).parent / "bin" / "tiller-cli"
     program = str(own) if own.exists() else shutil.which("tiller-cli")
     if program is None:
-        sys.exit("tiller: there is no tiller-cli. Install the wheel, or the package tiller-cli of the distribution.")
+        sys.exit("tiller: tiller-cli was not found. Install the wheel, or the package tiller-cli of the distribution.")
     os.execv(program, ["tiller-cli", *sys.argv[1:]])
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Type errors in the words of this package instead of those of the binding."""
+"""Readable type errors instead of those of the C++ binding."""
 from __future__ import annotations
 
 import functools
@@ -55,7 +55,7 @@ def _explained(function: Callable[..., Any], args: tuple[Any, ...], options: dic
 
 
 def _is_of_binding(error: TypeError) -> bool:
-    """Raised by a call of this package into the binding, not by a callback of the user's."""
+    """True if the error was raised by a call into the C++ binding, not by a callback of the user."""
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next
@@ -64,7 +64,7 @@ def _is_of_binding(error: TypeError) -> bool:
 
 
 def checked_call(function: _Call) -> _Call:
-    """A function whose TypeError names the argument, what it must be, and the value."""
+    """Returns a function whose TypeError names the argument, the expected type, and the value."""
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
         try:
@@ -79,7 +79,7 @@ def checked_call(function: _Call) -> _Call:
 
 
 def checked(cls: _Class) -> _Class:
-    """Makes checked_call() of every public method, the constructor and the setters of a class."""
+    """Applies checked_call() to every public method, the constructor and the setters of a class."""
     for name, member in list(vars(cls).items()):
         if name.startswith("_") and name != "__init__":
             continue

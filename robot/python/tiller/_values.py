@@ -28,7 +28,7 @@ def floats(values: Floats, name: str, count: int = 6) -> list[float]:
     if array.shape != (count,):
         raise InvalidArgument(name, f"{count} numbers are needed, not {array.size}")
     if not np.isfinite(array).all():
-        raise InvalidArgument(name, "not a number: is it from a sample that was not there?")
+        raise InvalidArgument(name, "contains NaN: is it from a sample without data?")
     return [float(value) for value in array]
 
 
@@ -79,7 +79,7 @@ def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
     """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the call for poses."""
     if isinstance(values, Pose):
         hint = f"; {other} takes a pose" if other else ""
-        raise InvalidArgument(name, "a Pose is given, joint positions are needed" + hint)
+        raise InvalidArgument(name, "expected joint positions, got a Pose" + hint)
     return floats(values, name)
 
 
@@ -88,7 +88,7 @@ def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
     positions."""
     if isinstance(values, Joints):
         hint = f"; {other} takes joint positions" if other else ""
-        raise InvalidArgument(name, "Joints are given, a pose is needed" + hint)
+        raise InvalidArgument(name, "expected a pose, got Joints" + hint)
     return floats(values, name)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Offline kinematics with the nominal dimensions of each model.
 
-A real arm differs by its calibration, up to some millimetres; Robot.inverse_kinematics() takes this into account.
+A real arm differs by its calibration, up to a few millimetres; Robot.inverse_kinematics() takes this into account.
 """
 from __future__ import annotations
 

@@ -33,9 +33,9 @@ DIGITAL_PINS = range(18)
 class Sample:
     """All values of one data packet. Values that the robot does not send are NaN.
 
-    sample["actual_q"] gives any field by its RTDE name: an array of its numbers, a float where it has one; Joints and
-    Pose for joint positions and TCP poses. The names of modes are unknown in a sample that Robot.state returned while the
-    link was lost.
+    sample["actual_q"] returns any field by its RTDE name: an array of its numbers, or a float if it has only one; Joints
+    and Pose for joint positions and TCP poses. The modes are unknown in a sample that Robot.state returned while the link
+    was lost.
     """
 
     __slots__ = ("sequence", "host_time", "connection", "lost_before", "values", "_layout", "_connected")
@@ -52,7 +52,7 @@ class Sample:
     def __getitem__(self, field: str) -> Any:
         place = self._layout.get(field)
         if place is None:
-            raise KeyError(f"{field} is not followed: name it in Robot(..., fields=[...])")
+            raise KeyError(f"{field} is not received: name it in Robot(..., fields=[...])")
         first, count = place
         if count == 1:
             return float(self.values[first])

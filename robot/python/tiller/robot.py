@@ -25,7 +25,7 @@ from .motions import ForceMode, Jog, Move, PathMove, Stream
 from .receive import Layout, Recording, Sample, Samples
 from .simulator import Simulator
 
-# What the robot reports of its outputs: followed in addition to the fields that were asked for.
+# Reported states of the outputs, received in addition to the requested fields.
 _CONFIRMING = ("actual_digital_output_bits", "target_speed_fraction", "analog_io_types", "standard_analog_output0",
                "standard_analog_output1")
 JOG_FRAMES = ("base", "tool", "custom", "joints")
@@ -54,7 +54,7 @@ def _in_forked_child() -> None:
     _native.forget_parent()
     for robot in list(_open):
         robot._links = None
-        robot._why_closed = "this Robot was made before fork(): make another one in the child process"
+        robot._why_closed = "this Robot was created before fork(): create another one in the child process"
     _open.clear()
     _recordings.clear()
     simulators.forget_all()
@@ -126,15 +126,14 @@ class Robot:
             robot.take_control()
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
-    Data come at once; control is taken by take_control(). A connection that is refused is not tried again. address: of the controller. fields: RTDE outputs to follow,
-    None: what most programs want. frequency: packets a second [Hz]; 0: as many as the controller gives. speed_cap: no
-    command makes TCP or elbow faster than this [m/s]; it binds moves too. timeout: for the first packet [s].
-    upper_registers: talk through registers 24-47 rather than 0-23. priority: of the threads that receive and control, 0
-    for none.
-    Every method may be called from any thread and lets other Python threads run while it waits; Ctrl-C ends every wait.
-    Only in a callback of packet_loop() calls that wait are refused. An exception that nothing catches stops the arm.
-    A Robot that neither a name nor a handle refers to ends like a closed one. One made before fork() is closed in the
-    child process.
+    Data are received immediately; take_control() takes control. A refused connection is not retried.
+    address: of the controller. fields: RTDE outputs to receive; None: a default selection. frequency: packets per second
+    [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, moves included [m/s].
+    timeout: for the first packet [s]. upper_registers: use registers 24-47 instead of 0-23. priority: of the threads for
+    receiving and control; 0: normal.
+    All methods may be called from any thread and let other Python threads run while they wait; Ctrl-C ends every wait.
+    Methods that wait are refused only in a callback of packet_loop(). An uncaught exception stops the arm.
+    A Robot is closed when neither a variable nor a handle refers to it. After fork() it is closed in the child process.
     Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
     """
 
@@ -144,7 +143,7 @@ class Robot:
         self.address = address
         self._port_offset = port_offset
         self._upper_registers = upper_registers
-        self._why_closed = "the robot was closed: make another Robot"
+        self._why_closed = "the robot was closed: create another Robot"
         # Not a bound method: a reference cycle would keep connection and registers alive.
         self._waiting: Callable[[], AbstractContextManager[Any]] = contextlib.nullcontext
         if simulator is not None:
@@ -310,7 +309,7 @@ class Robot:
                                                                            other._upper_registers)
 
     def release(self) -> None:
-        """Brakes what moves and gives control back; data go on coming."""
+        """Stops the arm and releases control; data are still received."""
         with self._waiting():
             self._controller.release()
 
@@ -322,10 +321,10 @@ class Robot:
 
     @property
     def status(self) -> Mapping[str, Any]:
-        """What control knows, a dict: "in_control", "loss" (why not), "fresh" (False: no data for 100 ms, so the modes are
-        unknown and the rest describes the past), "moving", "executing", "limiter" (what holds the speed
-        down), "last_cause" (why the last motion ended, as Move.cause), "last_stop_ms" and "last_stop_mm", "round_trip_ms",
-        "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
+        """The state of control as a dict: "in_control", "loss" (why not in control), "fresh" (False: no data for 100 ms,
+        so the modes are unknown and the other values are outdated), "moving", "executing", "limiter" (the limit that
+        reduces the speed), "last_cause" (of the end of the last motion, as Move.cause), "last_stop_ms" and
+        "last_stop_mm", "round_trip_ms", "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
         return self._controller.status()
 
     @property

@@ -23,13 +23,13 @@ _simulators: weakref.WeakSet[Simulator] = weakref.WeakSet()
 
 
 def stop_all() -> None:
-    """For the end of the process, when no other thread runs Python code any more."""
+    """Called at the end of the process, when no other thread runs Python code any more."""
     for simulator in list(_simulators):
         simulator.stop()
 
 
 def forget_all() -> None:
-    """For a forked child: the simulators run in the parent process."""
+    """Called in a forked child, because the simulators run in the parent process."""
     _simulators.clear()
 
 
@@ -70,7 +70,7 @@ class Simulator:
         return self
 
     def stop(self) -> None:
-        """Ends the simulator and every connection. Harmless when it does not run."""
+        """Ends the simulator and every connection. No effect if it is not running."""
         self._native.stop()
 
     @property
@@ -87,7 +87,7 @@ class Simulator:
     def step(self, seconds: float) -> None:
         """Advances virtual time [s] by whole control periods; all clients of robot() process each of them."""
         if not self.virtual:
-            raise ValueError("step() is for Simulator(virtual=True): here time goes on by itself")
+            raise ValueError("step() requires Simulator(virtual=True): this simulator runs in real time")
         self._native.step(seconds)
 
     @contextlib.contextmanager

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recordings of every format: opening a file, and the format that a new file is written in.
+// Recordings of all formats: opens a file, and selects the format for a new file.
 
 #include <memory>
 
@@ -16,8 +16,8 @@ namespace tiller::recording {
 /// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
 
-/// The format for RecorderOptions::format by the end of the path, in capital or small letters: .csv or .mcap.
-/// Errors   InvalidArgument for another end, naming both
+/// The format for RecorderOptions::format, from the end of the path, ignoring case: .csv or .mcap.
+/// Errors   InvalidArgument for other paths; the message contains both formats
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 

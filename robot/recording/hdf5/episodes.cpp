@@ -229,9 +229,9 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
             }
         }
         if (report.episodes == 0) {
-            return Error{
-                ErrorCode::InvalidArgument, QStringLiteral("write episodes to %1").arg(path),
-                QStringLiteral("there is none in these recordings (%1 were too short)").arg(report.tooShort)};
+            return Error{ErrorCode::InvalidArgument, QStringLiteral("write episodes to %1").arg(path),
+                         QStringLiteral("these recordings contain no episode (%1 were too short)")
+                             .arg(report.tooShort)};
         }
         const QJsonObject environment{
             {"env_name", "universal-robots"}, {"type", 1}, {"env_kwargs", QJsonObject()}};

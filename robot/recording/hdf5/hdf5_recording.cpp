@@ -17,9 +17,9 @@ namespace {
 
 using namespace hdf5;
 
-constexpr std::size_t kMostColumns = 20'000;
-constexpr std::uint64_t kMostRows = 4'000'000'000;
-constexpr std::uint64_t kMostAtOnce = 64u << 20;  // limit of numbers in memory
+constexpr std::size_t kMaxColumns = 20'000;
+constexpr std::uint64_t kMaxRows = 4'000'000'000;
+constexpr std::uint64_t kMaxPerRequest = 64u << 20;  // limit of numbers in memory
 
 struct DataSet {
     std::string name;
@@ -32,7 +32,7 @@ struct DataSet {
 
 herr_t collectName(hid_t, const char* name, const H5L_info_t*, void* names) {
     static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-    return static_cast<std::vector<std::string>*>(names)->size() < kMostColumns ? 0 : 1;
+    return static_cast<std::vector<std::string>*>(names)->size() < kMaxColumns ? 0 : 1;
 }
 
 std::optional<DataSet> openSet(hid_t file, const std::string& name) {
@@ -54,7 +54,7 @@ std::optional<DataSet> openSet(hid_t file, const std::string& name) {
     }
     std::array<hsize_t, 2> extent{0, 1};
     H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr);
-    if (extent[0] > kMostRows || extent[1] > kMostColumns || extent[1] == 0) {
+    if (extent[0] > kMaxRows || extent[1] > kMaxColumns || extent[1] == 0) {
         return std::nullopt;
     }
     out.rows = extent[0];
@@ -79,7 +79,7 @@ public:
         file_ = Handle(H5Fopen(QFile::encodeName(path_).constData(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
         if (!file_) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
-                         QStringLiteral("this is not a whole HDF5 file")};
+                         QStringLiteral("this is not a complete HDF5 file")};
         }
         std::vector<std::string> names;
         H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName, &names);
@@ -88,13 +88,14 @@ public:
             if (auto set = openSet(file_.get(), name)) {
                 sets.push_back(std::move(*set));
             } else {
-                problems_ << QStringLiteral("\"%1\" is left out: it is no table of numbers.").arg(Text(name));
+                problems_
+                    << QStringLiteral("\"%1\" is skipped: it is not a table of numbers.").arg(Text(name));
             }
         }
         chooseSets(std::move(sets));
         if (columns_.empty()) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
-                         QStringLiteral("there are no tables of numbers at its top")};
+                         QStringLiteral("its top level contains no tables of numbers")};
         }
         readAttributes();
         return readAxis();
@@ -185,7 +186,7 @@ private:
             if (set.name == "gaps" && set.numbers == 3) {
                 readGaps(set);
             } else if (set.rows != rows_) {
-                problems_ << QStringLiteral("\"%1\" is left out: it has %2 rows, the others %3.")
+                problems_ << QStringLiteral("\"%1\" is skipped: it has %2 rows, the others have %3.")
                                  .arg(Text(set.name))
                                  .arg(set.rows)
                                  .arg(rows_);
@@ -199,7 +200,7 @@ private:
 
     void addColumns(DataSet set) {
         const std::string unit = takeText(set.set.get(), "unit").value_or("");
-        for (std::size_t i = 0; i < set.numbers && columns_.size() < kMostColumns; ++i) {
+        for (std::size_t i = 0; i < set.numbers && columns_.size() < kMaxColumns; ++i) {
             RecordedColumn column;
             column.name = set.numbers > 1 ? set.name + '_' + std::to_string(i) : set.name;
             column.whole = set.whole;
@@ -214,8 +215,8 @@ private:
     }
 
     void readGaps(const DataSet& set) {
-        constexpr std::uint64_t kMostGaps = 1'000'000;
-        const RowRange all{0, std::min(set.rows, kMostGaps)};
+        constexpr std::uint64_t kMaxGaps = 1'000'000;
+        const RowRange all{0, std::min(set.rows, kMaxGaps)};
         const auto rows = numbers(set, 0, all);
         const auto packets = numbers(set, 1, all);
         const auto seconds = numbers(set, 2, all);

@@ -32,9 +32,9 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kLookEvery{100};
 constexpr double kShortest = 1;
-constexpr double kLongestBefore = 600;
-constexpr double kLongestAfter = 60;
-constexpr std::size_t kMostNotes = 10'000;
+constexpr double kMaxTimeBefore = 600;
+constexpr double kMaxTimeAfter = 60;
+constexpr std::size_t kMaxNotes = 10'000;
 
 /// Name of this type of stop in file names; null if the mode is not a stop.
 const char* reasonOf(SafetyMode mode) {
@@ -101,9 +101,9 @@ struct BlackBox::Worker {
 
     void run() {
         realtime::nameThread("tiller-box");
-        constexpr double kMostHz = 500;
+        constexpr double kMaxRateHz = 500;
         const double seconds = options.before + options.after + 2;
-        store.emplace(static_cast<std::size_t>(seconds * kMostHz), layout);
+        store.emplace(static_cast<std::size_t>(seconds * kMaxRateHz), layout);
         for (bool last = false; !last;) {
             std::optional<std::string> raised;
             {
@@ -193,7 +193,7 @@ struct BlackBox::Worker {
         if (!QDir().mkpath(options.folder)) {
             return Error{ErrorCode::FileNotWritable,
                          QStringLiteral("write an incident to %1").arg(options.folder),
-                         QStringLiteral("the folder cannot be made")};
+                         QStringLiteral("the folder cannot be created")};
         }
         incident.path = freePath(incident);
         McapFormatOptions format;
@@ -282,12 +282,12 @@ Result<void> BlackBox::start(const BlackBoxOptions& options, const receive::Rece
     stop();
     if (options.folder.isEmpty()) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("start the black box"),
-                     QStringLiteral("no folder is given")};
+                     QStringLiteral("no folder is specified")};
     }
     auto next = std::make_shared<Worker>();
     next->options = options;
-    next->options.before = std::clamp(options.before, kShortest, kLongestBefore);
-    next->options.after = std::clamp(options.after, 0.0, kLongestAfter);
+    next->options.before = std::clamp(options.before, kShortest, kMaxTimeBefore);
+    next->options.after = std::clamp(options.after, 0.0, kMaxTimeAfter);
     next->options.keep = std::max(options.keep, 1);
     next->layout = receiver.layout();
     next->subscription = receiver.subscribe();
@@ -321,7 +321,7 @@ void BlackBox::note(const RecordedNote& note) {
     if (const auto box = worker()) {
         const std::lock_guard lock(box->mutex);
         box->notes.push_back(note);
-        if (box->notes.size() > kMostNotes) {
+        if (box->notes.size() > kMaxNotes) {
             box->notes.pop_front();
         }
     }

@@ -22,10 +22,10 @@ namespace tiller::recording {
 struct Incident {
     Text path = {};  ///< path of the file; empty on failure
     std::string
-        reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or the reason of an alarm
+        reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or the reason for an alarm
     std::int64_t utcNs = 0;    ///< of the stop [ns since 1970]
     double secondsBefore = 0;  ///< from the first row of the file to the stop
-    Error error = {};          ///< the reason of a failure; otherwise code None
+    Error error = {};          ///< the reason for a failure; otherwise code None
 };
 
 struct BlackBoxOptions {
@@ -51,7 +51,8 @@ public:
     /// Calls stop() if running, and starts again.
     /// Errors   InvalidArgument (no folder)
     Result<void> start(const BlackBoxOptions& options, const receive::Receiver& receiver);
-    /// Writes a current incident with the data received so far. Blocks: until the file is written
+    /// Ends the thread. An incident in progress is written with the data received so far. Blocks: until the
+    /// file is written
     void stop();
 
     /// Adds a line of the log; the lines of the last minute are written to the file.

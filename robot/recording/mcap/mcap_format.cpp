@@ -23,7 +23,7 @@ using std::chrono::steady_clock;
 
 constexpr std::size_t kCloseAt = 4u << 20;
 constexpr std::size_t kCloseSummaryAt = 1u << 20;
-constexpr std::size_t kMostSummaries =
+constexpr std::size_t kMaxSummaries =
     300;  // messages per chunk: after a crash, lost ones are recomputed from the rows
 
 class McapEncoder : public RecordingEncoder {
@@ -169,7 +169,7 @@ private:
         }
         // Each level has separate chunks, so that an overview of hours only unpacks the coarse levels.
         put(summaries_[level], record, summaryChannels_[level]);
-        if (summaries_[level].size() >= kCloseSummaryAt || summaries_[level].count() >= kMostSummaries) {
+        if (summaries_[level].size() >= kCloseSummaryAt || summaries_[level].count() >= kMaxSummaries) {
             writer_.add(summaries_[level]);
         }
     }

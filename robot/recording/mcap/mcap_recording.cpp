@@ -24,9 +24,9 @@ namespace {
 
 using namespace mcap;
 
-constexpr std::size_t kMostStateChannels = 64;
-constexpr std::size_t kMostColumns = 20'000;
-constexpr int kMostProblems = 20;
+constexpr std::size_t kMaxStateChannels = 64;
+constexpr std::size_t kMaxColumns = 20'000;
+constexpr int kMaxProblems = 20;
 constexpr double kAbsent = receive::kAbsent;
 constexpr std::size_t kChunksKept = 24;  // same number as in a block of the history
 
@@ -70,7 +70,7 @@ public:
         findChannels();
         if (states_.empty()) {
             return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path()),
-                         QStringLiteral("there are no robot states in it: it was not recorded by Tiller")};
+                         QStringLiteral("it contains no robot states: it was not recorded by Tiller")};
         }
         findRows();
         findTimes();
@@ -228,7 +228,7 @@ private:
     }
 
     void problem(const QString& sentence) const {
-        if (problems_.size() < kMostProblems && !problems_.contains(sentence)) {
+        if (problems_.size() < kMaxProblems && !problems_.contains(sentence)) {
             problems_ << sentence;
         }
     }
@@ -256,7 +256,7 @@ private:
             const auto schema = reader_->schemas().find(channel.schema);
             if (channel.topic != kStateTopic || schema == reader_->schemas().end() ||
                 schema->second.encoding != "ros2msg" || channel.encoding != "cdr" ||
-                states_.size() >= kMostStateChannels) {
+                states_.size() >= kMaxStateChannels) {
                 continue;
             }
             const auto names = channel.metadata.find(kStateFields);
@@ -264,7 +264,7 @@ private:
                 RobotStateLayout(schema->second.data, names == channel.metadata.end() ? "" : names->second),
                 {}};
             const auto& places = state.layout.places();
-            for (std::size_t i = 0; i < places.size() && columns_.size() < kMostColumns; ++i) {
+            for (std::size_t i = 0; i < places.size() && columns_.size() < kMaxColumns; ++i) {
                 const auto [column, isNew] = known.emplace(places[i].column.name, columns_.size());
                 if (isNew) {
                     columns_.push_back(places[i].column);
@@ -291,11 +291,11 @@ private:
         }
         for (const auto& [number, named] : counts) {
             // Minimum size of a message, so that a damaged index cannot simulate an unlimited number of rows.
-            constexpr std::uint64_t kLeastMessage = 31;
-            const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kLeastMessage;
+            constexpr std::uint64_t kMinMessageSize = 31;
+            const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kMinMessageSize;
             const std::uint64_t count = std::min(named, most);
-            constexpr std::uint64_t kMostInChunk = 10'000'000;
-            if (count > 0 && count < kMostInChunk) {
+            constexpr std::uint64_t kMaxInChunk = 10'000'000;
+            if (count > 0 && count < kMaxInChunk) {
                 rowChunks_.push_back({number, rows_, count});
                 rows_ += count;
             }

@@ -106,7 +106,7 @@ Result<void> Reader::readHeader() {
     profile_ = in.text();
     library_ = in.text();
     if (!in.ok()) {
-        return corrupt(QStringLiteral("the header of the MCAP file is broken"));
+        return corrupt(QStringLiteral("the header of the MCAP file is damaged"));
     }
     dataStart_ = begin.size() + length;
     return {};
@@ -134,13 +134,13 @@ bool Reader::readSummary() {
     }
     const std::string summary = bytesAt(summaryStart, size_ - kMagic.size() - 4 - summaryStart);
     if (checksum != 0 && crcOf(summary) != checksum) {
-        problems_ << QStringLiteral("The summary is broken: the file was gone through instead.");
+        problems_ << QStringLiteral("The summary is damaged: the whole file was read instead.");
         return false;
     }
     ByteReader records(
         std::string_view(summary).substr(0, static_cast<std::size_t>(summaryEnd - summaryStart)));
-    constexpr std::size_t kLeastChunkIndex = 90;
-    chunks_.reserve(summary.size() / kLeastChunkIndex);
+    constexpr std::size_t kMinChunkIndex = 90;
+    chunks_.reserve(summary.size() / kMinChunkIndex);
     while (records.ok() && !records.atEnd()) {
         const auto opcode = records.number<std::uint8_t>();
         const std::string_view content = records.bytes(records.number<std::uint64_t>());
@@ -265,7 +265,7 @@ void Reader::scan() {
         }
         if (!sound) {
             problems_ << QStringLiteral(
-                             "The file is broken at byte %1: the %2 bytes from there could not be read.")
+                             "The file is damaged at byte %1: the %2 bytes from there could not be read.")
                              .arg(at)
                              .arg(size_ - at);
             return;
@@ -276,8 +276,8 @@ void Reader::scan() {
 
 bool Reader::takeChunk(std::uint64_t offset, std::uint64_t length) {
     constexpr std::uint64_t kHead = 8 + 8 + 8 + 4;
-    constexpr std::uint64_t kLongestHead = kHead + 4 + 16 + 8;
-    const std::string begin = bytesAt(offset + kRecordHead, std::min(length, kLongestHead));
+    constexpr std::uint64_t kMaxHead = kHead + 4 + 16 + 8;
+    const std::string begin = bytesAt(offset + kRecordHead, std::min(length, kMaxHead));
     ByteReader in(begin);
     ChunkIndex chunk;
     chunk.offset = offset;
@@ -318,11 +318,11 @@ std::optional<std::uint64_t> Reader::messagesIn(const ChunkIndex& chunk, std::ui
 
 Result<std::string> Reader::records(const ChunkIndex& chunk) const {
     if (chunk.length > kLargestChunk || chunk.length < kRecordHead) {
-        return corrupt(QStringLiteral("a part of the file has no sound length"));
+        return corrupt(QStringLiteral("a part of the file has an invalid length"));
     }
     const std::string record = bytesAt(chunk.offset, chunk.length);
     if (record.empty() || record.front() != static_cast<char>(Opcode::Chunk)) {
-        return corrupt(QStringLiteral("a part of the file is not where the summary says"));
+        return corrupt(QStringLiteral("a part of the file is not at the position stated in the summary"));
     }
     ByteReader in(std::string_view(record).substr(kRecordHead));
     in.number<std::uint64_t>();
@@ -332,7 +332,7 @@ Result<std::string> Reader::records(const ChunkIndex& chunk) const {
     const std::string_view compression = in.text();
     const std::string_view stored = in.bytes(in.number<std::uint64_t>());
     if (!in.ok() || size > kLargestChunk) {
-        return corrupt(QStringLiteral("a part of the file is broken"));
+        return corrupt(QStringLiteral("a part of the file is damaged"));
     }
     std::string records;
     if (compression.empty()) {
@@ -341,12 +341,12 @@ Result<std::string> Reader::records(const ChunkIndex& chunk) const {
         records.resize(static_cast<std::size_t>(size));
         const std::size_t got = ZSTD_decompress(records.data(), records.size(), stored.data(), stored.size());
         if (ZSTD_isError(got) != 0) {
-            return corrupt(QStringLiteral("a part of the file cannot be unpacked: %1")
+            return corrupt(QStringLiteral("a part of the file cannot be decompressed: %1")
                                .arg(QLatin1String(ZSTD_getErrorName(got))));
         }
         records.resize(got);
     } else {
-        return corrupt(QStringLiteral("a part of the file is packed by \"%1\", which is not known here")
+        return corrupt(QStringLiteral("a part of the file uses the unknown compression \"%1\"")
                            .arg(QString::fromUtf8(compression.data(), qsizetype(compression.size()))));
     }
     if (records.size() != size || (checksum != 0 && crcOf(records) != checksum)) {
@@ -357,7 +357,7 @@ Result<std::string> Reader::records(const ChunkIndex& chunk) const {
 
 Result<Facts> Reader::facts(const MetadataIndex& metadata) const {
     if (metadata.length > kLargestSmallRecord) {
-        return corrupt(QStringLiteral("the facts about the recording are broken"));
+        return corrupt(QStringLiteral("the metadata of the recording are damaged"));
     }
     const std::string record = bytesAt(metadata.offset, metadata.length);
     ByteReader in(record);
@@ -366,13 +366,13 @@ Result<Facts> Reader::facts(const MetadataIndex& metadata) const {
     in.text();
     Facts facts = in.facts();
     if (!in.ok() || opcode != Opcode::Metadata) {
-        return corrupt(QStringLiteral("the facts about the recording are broken"));
+        return corrupt(QStringLiteral("the metadata of the recording are damaged"));
     }
     return facts;
 }
 
 Result<std::string> Reader::attachment(const AttachmentIndex& attachment) const {
-    const QString what = QStringLiteral("the file \"%1\" inside is broken").arg(Text(attachment.name));
+    const QString what = QStringLiteral("the attached file \"%1\" is damaged").arg(Text(attachment.name));
     if (attachment.length > kLargestAttachment || attachment.length < kRecordHead + 4) {
         return corrupt(what);
     }

@@ -16,7 +16,7 @@ namespace tiller::recording::mcap {
 namespace {
 
 constexpr std::size_t kEncapsulation = 4;
-constexpr std::size_t kMostNumbers = 100'000;
+constexpr std::size_t kMaxNumbers = 100'000;
 
 struct NumberType {
     std::string_view name;
@@ -163,7 +163,7 @@ RobotStateLayout::RobotStateLayout(std::string_view definition, std::string_view
         const auto known =
             std::find_if(kNumbers.begin(), kNumbers.end(), [&](const auto& n) { return n.name == type; });
         if (known == kNumbers.end() || line.empty() || line.find_first_of(" =") != std::string_view::npos ||
-            count > kMostNumbers || places_.size() + count > kMostNumbers) {
+            count > kMaxNumbers || places_.size() + count > kMaxNumbers) {
             return;
         }
         const std::string_view original = nextPart(fieldNames, ',');

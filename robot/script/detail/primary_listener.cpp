@@ -44,7 +44,7 @@ Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::mi
 }
 
 Error PrimaryReader::notUnderstood(const QString& context) {
-    return {ErrorCode::ProtocolError, context, QStringLiteral("a package length that makes no sense")};
+    return {ErrorCode::ProtocolError, context, QStringLiteral("an invalid package length")};
 }
 
 }  // namespace tiller::script

@@ -36,7 +36,8 @@ inline constexpr std::string_view kStopProgram = "stop program\n";
 
 native_socket::Transfer sendStopProgram(native_socket::Descriptor descriptor);
 
-/// The thread of a client, which names it. It ends by the token and by `changed`, on which the client waits.
+/// The thread of a client, with a name chosen by the client. To end it, the token is cancelled and `changed`, on
+/// which the thread waits, is notified.
 /// Threads  one for begin() and end()
 class ListenerThread {
 public:

@@ -236,7 +236,7 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             version.major = in.u8();
             version.minor = in.u8();
             version.bugfix = in.u32();
-            // Before 3.12 there was one number less, and the text begins here.
+            // Before 3.12 the message has no build number, and the text starts here.
             version.build = in.remaining() >= 4 ? in.u32() : 0;
             message.text = in.rest();
             if (in.ok()) {

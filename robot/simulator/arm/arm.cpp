@@ -16,7 +16,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kHistory = 10.0;       // s
-constexpr double kContactFound = 5.0;   // N against the direction
+constexpr double kContactFound = 5.0;   // N opposite to the direction
 constexpr double kContactBegan = 1.0;   // N
 constexpr double kContactMemory = 2.0;  // s
 
@@ -136,12 +136,12 @@ struct Arm::Parts {
     Environment environment;
     ArmState state;
     DriveState drive = DriveState::Off;
-    JointTarget superposed;  ///< as commanded while something is laid over the path
+    JointTarget superposed;  ///< last command during a superposition
     std::optional<Wrench> externalForce;
     Payload payloadFrom;
     Payload payloadTo;
     double payloadTime = 0;
-    double payloadLeft = 0;  ///< [s] of a transition
+    double payloadLeft = 0;  ///< [s] remaining of a transition
     std::vector<Vector6> joints;
     std::vector<Eigen::Vector3d> forces;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The simulated arm: give it motion commands, step it once a control period, read its state.
+// The simulated arm: it accepts motion commands, is stepped once per control period, and provides its state.
 // Deterministic (seeded noise), no threads, no sockets, no URScript; nothing allocates in step().
 //
 //     Arm arm(robotModel(RobotModelId::UR5e));
@@ -48,22 +48,22 @@ public:
 
     Motion& motion();          ///< moves, servo, speed, stops
     Compliance& compliance();  ///< force mode, freedrive
-    /// Path offset and conveyor tracking. To be begun only while neither force mode nor freedrive is active.
+    /// Path offset and conveyor tracking. Start only while neither force mode nor freedrive is active.
     Superposition& superposition();
     Environment& environment();  ///< the actual surroundings: load, hand, planes
 
     // power and program time
-    /// Leaving Running stops the motion at once (brakes) and drops every command.
+    /// Leaving Running stops the motion immediately (brakes) and discards every command.
     void setDriveState(DriveState state);
     DriveState driveState() const;
-    /// Speed slider, 0..1 (clamped). Ramped inside, so that it may jump.
+    /// Speed slider, 0..1 (clamped). Ramped internally, so sudden changes are allowed.
     void setSpeedFraction(double fraction);
     /// Pause: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
     void resume();
     bool isHeld() const;
     void setReadings(const Readings& readings);
-    /// Ends everything: drops all commands, force mode and freedrive, stops in joint space with
+    /// Ends all motion: discards all commands, ends force mode and freedrive, and stops in joint space with
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
     void abort(double deceleration = 10.0);
 
@@ -71,12 +71,12 @@ public:
     /// axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
-    /// Highest TCP speed [m/s] of programmed motion, as in reduced mode; nothing: no limit but the joints'.
+    /// Maximum TCP speed [m/s] of programmed motion, as in reduced mode; nothing: limited by the joints only.
     void setToolSpeedLimit(const std::optional<double>& limit);
-    /// Stops as if the arm had found `reason` itself.
+    /// Stops as if the arm had detected `reason` itself.
     void raiseProtectiveStop(StopReason reason);
 
-    /// The stop that the arm has triggered, until it is cleared.
+    /// The stop triggered by the arm, until it is cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
     /// Returns each warning once; nothing if there is none.
@@ -85,29 +85,30 @@ public:
     // tool and mounting
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
-    /// Payload as configured. The arm carries exactly this payload unless environment().setLoad() set another one.
+    /// The configured payload. The arm carries exactly this payload unless environment().setLoad() has set
+    /// another one.
     /// transition [s]  time in which the configured payload changes linearly to the new one
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// Reading of an external sensor (base axes at the TCP), which force mode uses; nothing: uses the internal
-    /// sensor.
+    /// Reading of an external sensor (base axes at the TCP) for force mode; nothing: the internal sensor is
+    /// used.
     void setExternalForce(const std::optional<Wrench>& wrench);
-    /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
+    /// Force on the tool not expected by the controller [N]: hand, contact, unknown weight.
     double unexplainedForce() const;
-    /// zero_ftsensor(): the present reading becomes zero.
+    /// zero_ftsensor(): the current reading becomes zero.
     void zeroForceSensor();
-    /// set_pos(): places the arm at rest; drops every command.
+    /// set_pos(): places the arm at rest and discards every command.
     void setJointPositions(const JointPositions& q);
 
     // history and model
-    /// Joints `steps` control periods ago (0 = now); nothing beyond the last 10 s.
+    /// Joint positions `steps` control periods ago (0 = now); nothing beyond the last 10 s.
     std::optional<JointPositions> jointHistory(int steps) const;
     /// tool_contact(): control periods since contact began, 0 = none. Direction in base axes, zero = any.
     int toolContact(const Eigen::Vector3d& direction) const;
-    /// rotors  with the inertia of the motors, as the joints feel it
+    /// rotors  include the inertia of the motors, as seen by the joints
     Matrix6 massMatrix(const JointPositions& q, bool rotors = false) const;
     JointTorques coriolisTorques(const JointPositions& q, const JointVelocities& qd) const;
 

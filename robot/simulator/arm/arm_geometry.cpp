@@ -77,7 +77,7 @@ void ArmGeometry::evaluate(const Vector6& q, Posture& posture) const {
     posture.T_base_tcp = posture.frames[6] * T_flange_tcp_;
     const Eigen::Vector3d p = posture.T_base_tcp.translation();
     for (int i = 0; i < kJointCount; ++i) {
-        // Joint i+1 turns about the z axis of frame i.
+        // Joint i+1 rotates about the z axis of frame i.
         const Eigen::Isometry3d& T = posture.frames[static_cast<std::size_t>(i)];
         const Eigen::Vector3d z = T.linear().col(2);
         posture.jacobian.col(i).head<3>() = z.cross(p - T.translation());
@@ -135,11 +135,11 @@ bool ArmGeometry::jointRates(const Posture& posture, const Vector6& twist, Vecto
 }
 
 double ArmGeometry::singularityMargin(const Vector6& q, const Posture& posture) const {
-    // Each of the three as a fraction of the distance at which it begins to matter.
+    // Each of the three distances as a fraction of the distance at which it becomes relevant.
     const double wrist = std::abs(std::sin(q[4]));
     const double elbow = std::abs(std::sin(q[2]));
     const Eigen::Vector3d centre = posture.frames[5].translation();
-    // Distance of the wrist centre from the line on which it touches the cylinder of radius d4 around axis 1.
+    // Distance of the wrist centre from the cylinder of radius d4 around axis 1, measured along the tangent.
     const double d4 = model_.dh.d[3];
     const double shoulder = std::sqrt(std::max(0.0, centre.head<2>().squaredNorm() - d4 * d4));
     return std::min({wrist / 0.3, elbow / 0.4, shoulder / 0.15});

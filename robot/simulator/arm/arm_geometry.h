@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The arm as seen by the motion generator: where tool and links are, how they move with the joints, and the
-// joints that follow a tool pose on the branch the arm is on.
+// Geometry for the motion generator: poses of tool and links, their velocities, and the inverse kinematics on
+// the current branch.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace tiller::simulator::arm {
 
-/// Everything that follows from one set of joint positions.
+/// All quantities that follow from one set of joint positions.
 struct Posture {
     std::array<Eigen::Isometry3d, 7> frames;  ///< T_base_i, 0 = base ... 6 = flange
     Eigen::Isometry3d T_base_tcp;
@@ -32,37 +32,37 @@ public:
     void evaluate(const Vector6& q, Posture& posture) const;
     Eigen::Isometry3d tcpPose(const Vector6& q) const;
 
-    /// Newton steps from q to the joints whose TCP pose is T. Stays on the branch of q.
-    /// Returns   false if there is no such position near q; q is then the nearest found
+    /// Newton iteration from q to the joint positions whose TCP pose is T. Stays on the branch of q.
+    /// Returns   false if there is no solution near q; q is then the closest position found
     bool follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const;
 
-    /// Whether any position of the joints has this TCP pose.
+    /// Returns whether any joint positions reach this TCP pose.
     bool isReachable(const Eigen::Isometry3d& T) const;
 
-    /// Joint velocities for a TCP twist; damped where the Jacobian is close to losing rank.
+    /// Joint velocities for a TCP twist; damped near singularities.
     /// Returns   false if the twist cannot be produced to 1 %
     bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;
 
-    /// 0 in a singular position; 1 and more where it does not matter.
+    /// 0 in a singular position; 1 and more where singularities have no effect.
     double singularityMargin(const Vector6& q, const Posture& posture) const;
 
     Vector6 maxSpeed() const;
 
 private:
     Vector6 solve(const Posture& posture, const Vector6& twist) const;
-    /// As kinematics::linkFrames(), without asking for the same sines in each control period.
+    /// As kinematics::linkFrames(), but with precomputed sines of constant angles.
     void placeLinks(const Vector6& q, std::array<Eigen::Isometry3d, 7>& frames) const;
 
     const RobotModel& model_;
     Vector6 sinAlpha_;
     Vector6 cosAlpha_;
-    std::array<Eigen::Matrix3d, 6> turned_;  ///< by beta
+    std::array<Eigen::Matrix3d, 6> turned_;  ///< rotations about y by the angles beta
     Pose tcp_;
     Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
     double determinantScale_ = 1;
 };
 
-/// exp of a rotation vector as quaternion, and its inverse; cheap for small angles.
+/// exp of a rotation vector as quaternion, and its inverse; optimized for small angles.
 Eigen::Quaterniond quaternionFromVector(const Eigen::Vector3d& rotation);
 Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q);
 

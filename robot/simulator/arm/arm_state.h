@@ -85,21 +85,22 @@ struct ArmState {
     double toolTemperature{};  ///< tool_temperature [degC]
     double energyConsumed{};   ///< actual_robot_energy_consumed [J]
     double energyBraked{};     ///< actual_robot_braking_energy_dissipated [J]
-    /// collision_detection_ratio: contact force by the force that stops the arm; 1 is a protective stop.
+    /// collision_detection_ratio: contact force relative to the force that stops the arm; 1 is a protective
+    /// stop.
     double collisionRatio{};
 
     // motion
-    /// Factor by which the trajectory limiter, a pause or a resume slows the motion now, 0..1
-    /// (speed_scaling). The speed slider is not part of it.
+    /// Current slow-down factor of the motion by the trajectory limiter, a pause or a resume, 0..1
+    /// (speed_scaling). Does not include the speed slider.
     double speedScaling = 1;
     TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< cause of a scale below 1 (time_scale_source)
     double speedFraction = 1;     ///< the speed slider as set (target_speed_fraction), 0..1
-    double standstillTime{};      ///< for how long the target velocity has been zero [s]
+    double standstillTime{};      ///< time since the target velocity became zero [s]
     std::uint64_t controlStep{};  ///< control periods since construction
 
     /// is_steady(): at rest for 0.5 s.
     bool isSteady() const { return standstillTime >= 0.5; }
-    /// The target does not move now.
+    /// True while the target does not move.
     bool isStandstill() const { return standstillTime > 0; }
 };
 

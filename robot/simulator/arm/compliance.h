@@ -18,15 +18,15 @@ public:
     /// Starts force mode or changes it while active; may be called every period.
     /// Errors    InvalidArgument, NotOperational
     MotionError startForceMode(const ForceModeParameters& parameters);
-    /// Back to position control; harmless when not active.
+    /// Returns to position control; no effect when not active.
     void endForceMode();
     bool isForceMode() const;
     void setDamping(double damping);      ///< 0..1 (clamped), kept until changed
-    double damping() const;               ///< 0.005 at the start
+    double damping() const;               ///< initially 0.005
     void setGainScaling(double scaling);  ///< 0..2 (clamped), kept until changed
     double gainScaling() const;
 
-    /// The hand moves the arm; motion commands return but do not move it. May be repeated.
+    /// The arm can be moved by hand; motion commands return but do not move it. May be repeated.
     MotionError startFreedrive(const FreedriveParameters& parameters = {});
     void endFreedrive();
     bool isFreedrive() const;

@@ -7,8 +7,8 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// The virtual body a force moves: chosen so that 10 N at half gain and little damping give a few cm/s, as the
-// published force-mode run of a UR5e shows, and contact with a stiff surface is well damped.
+// The virtual mass moved by a force. Chosen so that 10 N at half gain and little damping result in a few
+// cm/s, as in the published force-mode run of a UR5e, and that contact with a stiff surface is well damped.
 constexpr double kMass = 10;            // kg
 constexpr double kInertia = 0.4;        // kg m2
 constexpr double kDampingLinear = 150;  // N s/m
@@ -17,14 +17,14 @@ constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
 constexpr double kPathStiffness = 10;  // 1/s: how non-compliant axes return to the path
 // Below these limits, force mode would end because of the residual error of the arm's own control.
-constexpr double kLeastDeviation = 2e-3;  // m
-constexpr double kLeastTurn = 0.02;       // rad
+constexpr double kMinDeviation = 2e-3;  // m
+constexpr double kMinTurn = 0.02;       // rad
 
 // Freedrive.
 const Vector6 kJointInertia = (Vector6() << 2.0, 2.0, 1.2, 0.3, 0.3, 0.3).finished();  // kg m2
 constexpr double kJointDampingRate = 4;                                                // 1/s
-constexpr double kHandForce = 3;                                                       // N not felt
-constexpr double kHandTorque = 0.3;                                                    // Nm not felt
+constexpr double kHandForce = 3;                                                       // N, dead band
+constexpr double kHandTorque = 0.3;                                                    // Nm, dead band
 constexpr double kNearSingular = 0.4;
 constexpr double kTooCloseToSingular = 0.15;
 
@@ -74,7 +74,8 @@ void ComplianceController::endForceMode() {
         return;
     }
     forceMode_ = false;
-    // Brakes the speed caused by the force; the program continues from the present position of the arm.
+    // Decelerate from the speed caused by the force; the program continues from the current position of the
+    // arm.
     generator_.relocate(command_);
 }
 
@@ -179,7 +180,7 @@ Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
 // `way`: distance of the axes from the target of the program, force frame.
 bool ComplianceController::deviates(const Vector6& way) const {
     for (int i = 0; i < 6; ++i) {
-        const double least = i < 3 ? kLeastDeviation : kLeastTurn;
+        const double least = i < 3 ? kMinDeviation : kMinTurn;
         if (!force_.compliant[static_cast<std::size_t>(i)] &&
             std::abs(way[i]) > std::max(force_.limits[i], least)) {
             return true;
@@ -296,7 +297,7 @@ void ComplianceController::comeToRest() {
     generator_.rebase(command_);
 }
 
-// Moves the command on by a TCP twist, within the joint limits. False where the arm cannot.
+// Advances the command by a TCP twist, within the joint limits. False if that is impossible.
 bool ComplianceController::takeTwist(const Vector6& twist) {
     const JointLimits& limits = generator_.limits();
     Vector6 qd = Vector6::Zero();
@@ -308,7 +309,8 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     factor *= limits.rangeFactor(command_.q, qd * factor, period_, joint);
     qd *= factor;
     if (!limits.cutToAcceleration(command_.qd, qd, period_) && factor >= 1) {
-        // On the requested line: the tool pose determines the position, so that the other axes do not drift.
+        // Follow the requested line: the position is computed from the tool pose, so that the other axes do
+        // not drift.
         const ToolPoint now(posture_.T_base_tcp);
         const Vector6 mean = 0.5 * (posture_.jacobian * command_.qd + twist) * period_;
         const ToolPoint next(now.p + mean.head<3>(), quaternionFromVector(mean.tail<3>()) * now.R);
@@ -326,7 +328,7 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     return true;
 }
 
-// Compliance: the public face.
+// Compliance: the public interface.
 
 MotionError Compliance::startForceMode(const ForceModeParameters& parameters) {
     return controller_.startForceMode(parameters);

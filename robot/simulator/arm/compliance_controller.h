@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Behind Compliance: an admittance laid over the programmed motion. In force mode the compliant axes of the
-// force frame move as a damped mass pushed by the difference of wanted and measured force; the other axes
-// follow the program. In freedrive the joints move as damped inertias pushed by the hand.
+// Implementation of Compliance: an admittance superposed on the programmed motion. In force mode the
+// compliant axes of the force frame move like a damped mass driven by the difference of requested and
+// measured force; the other axes follow the program. In freedrive the joints move like damped inertias driven
+// by the hand.
 
 #include "robot/simulator/arm/arm_geometry.h"
 #include "robot/simulator/arm/compliance.h"
@@ -26,11 +27,11 @@ public:
     double damping = 0.005;    ///< 0..1
     double gainScaling = 1.0;  ///< 0..2
 
-    /// Ends both without a stop of its own.
+    /// Ends force mode and freedrive without a stop of their own.
     void drop();
-    /// Changes the requested target `program` to the commanded one. `measured`: TCP force as measured by the
-    /// controller; `external`: actual external force at the TCP, without load and noise; both in base axes about
-    /// the TCP.
+    /// Converts the requested target `program` to the commanded one. `measured`: TCP force as measured by the
+    /// controller; `external`: actual external force at the TCP, without load and noise; both in base axes
+    /// about the TCP.
     const JointTarget& apply(const JointTarget& program, const Wrench& measured, const Wrench& external,
                              bool operational);
     const JointTarget& target() const { return command_; }

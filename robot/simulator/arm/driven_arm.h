@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drives and sensors of the simulated arm without its motion generator: the caller sets one target per control
-// period, for example from a recording. Deterministic, without noise; no threads, no allocation in step().
+// Drives and sensors of the simulated arm without its motion generator: the caller sets one target per
+// control period, for example from a recording. Deterministic, without noise; no threads, no allocation in
+// step().
 //
 //     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);
 //     arm.place(q);
@@ -19,7 +20,7 @@ namespace tiller::simulator::arm {
 
 class DrivenArm {
 public:
-    /// period  of the control [s], above 0
+    /// period  control period [s], above 0
     DrivenArm(const RobotModel& model, double period);
     ~DrivenArm();
     DrivenArm(const DrivenArm&) = delete;
@@ -28,13 +29,13 @@ public:
     double period() const;  ///< [s]
     const RobotModel& model() const;
 
-    /// As the controller knows it; the arm carries exactly this.
+    /// The payload known to the controller; the arm carries exactly this payload.
     void setPayload(const Payload& payload);
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity);
-    /// The next target finds the arm where it is itself, without lag, however far that is from here.
+    /// The arm takes the position of the next target without lag, at any distance from the current one.
     void place(const JointPositions& q);
-    /// One control period with this target.
+    /// Runs one control period with this target.
     void step(const JointPositions& q, const JointVelocities& qd);
     /// Measured state after the last step, without contact.
     const ArmState& state() const;

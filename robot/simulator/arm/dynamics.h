@@ -25,12 +25,12 @@ public:
 
     /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
     Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange = {});
-    /// rotors  the motors' too, as the joints feel them through their gears
+    /// rotors  include the inertia of the motors, as seen by the joints through their gears
     Matrix6 massMatrix(const Vector6& q, bool rotors = false);
     Vector6 coriolis(const Vector6& q, const Vector6& qd);
     Vector6 gravityTorques(const Vector6& q);
 
-    /// Of all links and the payload, base frame.
+    /// Momentum of all links and the payload, base frame.
     struct Momentum {
         Eigen::Vector3d linear = Eigen::Vector3d::Zero();       ///< [kg m/s]
         Eigen::Vector3d angular = Eigen::Vector3d::Zero();      ///< about the base's origin [kg m2/s]

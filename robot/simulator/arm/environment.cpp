@@ -16,9 +16,9 @@ bool makesSense(const ContactMaterial& m) {
 // Force of a surface with this outward normal on a point at depth `depth`.
 Eigen::Vector3d push(const ContactMaterial& material, const Eigen::Vector3d& normal, double depth,
                      const Eigen::Vector3d& velocity) {
-    constexpr double kStickSpeed = 0.005;  // m/s: friction grows to its full value over this
+    constexpr double kStickSpeed = 0.005;  // m/s: friction increases to its full value over this range
     const double approach = -normal.dot(velocity);
-    // A surface pushes, it does not pull.
+    // A surface can push but not pull.
     const double force = std::max(0.0, material.stiffness * depth + material.damping * approach);
     const Eigen::Vector3d sliding = velocity + normal * approach;
     return normal * force - sliding * (material.friction * force / std::max(sliding.norm(), kStickSpeed));

@@ -13,14 +13,14 @@
 
 namespace tiller::simulator::arm {
 
-/// How a surface answers the tool.
+/// Contact properties of a surface.
 struct ContactMaterial {
     double stiffness = 20000;  ///< [N/m]
     double damping = 200;      ///< [N s/m]
-    double friction = 0.2;     ///< of the normal force, against sliding
+    double friction = 0.2;     ///< friction coefficient, relative to the normal force
 };
 
-/// A flat surface; the TCP cannot go behind it without being pushed back along the normal.
+/// A flat surface; a TCP behind it is pushed back along the normal.
 struct ContactPlane {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< [m], base frame
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outwards; normalised when added
@@ -29,28 +29,28 @@ struct ContactPlane {
 
 /// A solid box; the TCP is pushed out of it through the nearest face.
 struct ContactBox {
-    Pose T_base_box;                                        ///< its centre and axes
-    Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< whole edges along its axes [m]
+    Pose T_base_box;                                        ///< centre and axes of the box
+    Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< full edge lengths along its axes [m]
     ContactMaterial material = {};
 };
 
 class Environment {
 public:
-    /// The load really carried; nothing = exactly the configured payload.
+    /// The actual load; nothing: exactly the configured payload.
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
-    const std::optional<Payload>& load() const { return load_; }  ///< Really carried.
+    const std::optional<Payload>& load() const { return load_; }  ///< The actual load.
 
     /// Force and torque of a hand at the TCP, base axes [N, Nm]; constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
     const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 
-    /// Adds a surface; false when kMaxPlanes exist or the plane makes no sense.
+    /// Adds a surface; false when kMaxPlanes exist or the plane is invalid.
     bool addPlane(const ContactPlane& plane);
-    /// Adds a box; false when kMaxBoxes exist or the box makes no sense.
+    /// Adds a box; false when kMaxBoxes exist or the box is invalid.
     bool addBox(const ContactBox& box);
-    void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Planes and boxes go.
+    void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Removes planes and boxes.
 
-    /// Moves a conveyor: ticks that its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
+    /// Moves a conveyor: rate at which its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 

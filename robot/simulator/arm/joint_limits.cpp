@@ -7,8 +7,8 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// 1/s: close to the end the speed falls with the distance. Joints stop together, so this leaves time enough
-// for the fastest joint of any model to stop from full speed.
+// 1/s: near the end of the range the speed is limited in proportion to the distance. Because joints stop
+// together, the value leaves enough time for the fastest joint of any model to stop from full speed.
 constexpr double kCreepRate = 12;
 }  // namespace
 

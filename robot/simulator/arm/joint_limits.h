@@ -8,10 +8,10 @@
 
 namespace tiller::simulator::arm {
 
-/// Kept to the end of the joint range [rad].
+/// Distance kept to the end of the joint range [rad].
 constexpr double kRangeReserve = 0.002;
 
-/// Joint state asked of the drives.
+/// Joint state requested from the drives.
 struct JointTarget {
     Vector6 q = Vector6::Zero();   ///< [rad]
     Vector6 qd = Vector6::Zero();  ///< [rad/s]
@@ -22,20 +22,20 @@ struct JointLimits {
     double acceleration = kJointAccelerationLimit;  ///< [rad/s2]
     double position = kJointPositionLimit;          ///< [rad]
 
-    /// Part of the acceleration that planned motion uses, so that corrections have the rest.
+    /// Fraction of the acceleration used by planned motion, so that the rest is available for corrections.
     double plannedAcceleration() const { return 0.9 * acceleration; }
-    /// Deceleration with which a joint is kept from the end of its range.
+    /// Deceleration for stopping a joint before the end of its range.
     double brakingAcceleration() const { return 0.5 * acceleration; }
 
-    /// Factor 0..1 that brings all of qd within the speed limits.
+    /// Factor 0..1 that brings all elements of qd within the speed limits.
     double speedFactor(const Vector6& qd) const;
-    /// Factor 0..1 for qd so that every joint can still stop before the end of its range; `joint` is set to
-    /// the one that limits.
+    /// Factor 0..1 for qd with which every joint can still stop before the end of its range; `joint` is set
+    /// to the limiting one.
     double rangeFactor(const Vector6& q, const Vector6& qd, double period, int& joint) const;
     /// Limits the change of velocity to the permitted acceleration within `period`, with the same factor for all
     /// joints. Returns true if it was limited.
     bool cutToAcceleration(const Vector6& from, Vector6& to, double period) const;
-    /// The positions move as the velocities say; false means a jump, to another branch for instance.
+    /// True if the positions change according to the velocities; false for a jump, e.g. to another branch.
     bool continuous(const JointTarget& from, const JointTarget& to, double period) const;
 };
 

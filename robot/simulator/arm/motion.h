@@ -28,21 +28,22 @@ class Motion {
 public:
     explicit Motion(MotionGenerator& generator) : generator_(generator) {}
 
-    /// Joint move; a pose is solved for the solution nearest to the present joints.
+    /// Joint move; for a pose, the solution nearest to the current joints is used.
     /// Returns   a handle; Returned at the target, or where the blend zone begins if r > 0
     /// Errors    InvalidArgument, JointTargetOutOfRange, NoInverseKinematics, NotOperational, Busy
     /// Source    URScript movej
     MotionStart moveJ(const MoveTarget& target, const MoveParameters& parameters);
 
-    /// Straight TCP line; orientation turns in step. A target out of reach is a ProtectiveStop, not an error.
+    /// Straight TCP line; the orientation changes in proportion. A target out of reach is a ProtectiveStop,
+    /// not an error.
     /// Source    URScript movel
     MotionStart moveL(const MoveTarget& target, const MoveParameters& parameters);
 
-    /// Straight lines at constant tool speed, corners rounded by circles (t is not used).
+    /// Straight lines at constant tool speed, with corners rounded by circles (t is not used).
     /// Source    URScript movep
     MotionStart moveP(const MoveTarget& target, const MoveParameters& parameters);
 
-    /// Circular arc from the present pose by way of `via` (its position counts) to `target`.
+    /// Circular arc from the current pose through `via` (only its position is used) to `target`.
     /// Source    URScript movec
     MotionStart moveC(const MoveTarget& via, const MoveTarget& target, const MoveParameters& parameters,
                       ArcOrientation orientation = ArcOrientation::Interpolated);
@@ -52,13 +53,13 @@ public:
     /// Source    URScript servoj
     MotionStart servoJ(const JointPositions& q, double t, double lookaheadTime = 0.1, double gain = 300);
 
-    /// Pursues a pose at tool speed v; Returned within r of it.
+    /// Follows a pose at tool speed v; Returned within r of it.
     /// Source    URScript servoc
     MotionStart servoC(const Pose& target, double a, double v, double r);
 
     /// Joint speeds, reached with acceleration a [rad/s2] of the leading axis. Returned after t [s] of
-    /// program time, or without t when the speed is reached, in both cases after one period at the earliest.
-    /// The speed is kept for kSpeedHold after that; without a further command the arm then decelerates with a.
+    /// program time or, without t, when the speed is reached, in both cases after one period at the earliest.
+    /// The speed is then kept for kSpeedHold; without a further command the arm then decelerates with a.
     /// Source    URScript speedj
     MotionStart speedJ(const JointVelocities& qd, double a, std::optional<double> t = std::nullopt);
 
@@ -67,15 +68,15 @@ public:
     MotionStart speedL(const Twist& twist, double a, std::optional<double> t = std::nullopt,
                        std::optional<double> aRot = std::nullopt);
 
-    /// Decelerate to standstill, all joints together; a [rad/s2] of the leading axis, real time.
+    /// Decelerates to standstill, all joints together; a [rad/s2] of the leading axis, real time.
     /// Source    URScript stopj
     MotionStart stopJ(double a);
 
-    /// Decelerate along the present tool direction; a [m/s2], aRot [rad/s2] (a if absent), real time.
+    /// Decelerates along the current tool direction; a [m/s2], aRot [rad/s2] (a if absent), real time.
     /// Source    URScript stopl
     MotionStart stopL(double a, std::optional<double> aRot = std::nullopt);
 
-    /// Joint torques without gravity for one control period; position control again when not repeated.
+    /// Joint torques without gravity for one control period; returns to position control when not repeated.
     /// Source    URScript direct_torque
     MotionStart directTorque(const JointTorques& torques, const Vector6& viscousScale,
                              const Vector6& coulombScale);
@@ -86,7 +87,7 @@ public:
     /// move can take over, then decelerates.
     void abandon();
 
-    /// get_target_waypoint(): target of the active move, else the target TCP pose.
+    /// get_target_waypoint(): target of the active move, otherwise the target TCP pose.
     Pose targetWaypoint() const;
 
     /// True while a motion command (stops included) drives the arm.

@@ -10,7 +10,7 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kRampAcceleration = 12;       // rad/s2 of the fastest joint while program time changes pace
+constexpr double kRampAcceleration = 12;       // rad/s2 of the fastest joint while program time is ramped
 constexpr double kFastestRamp = 10;            // 1/s
 constexpr double kEmergencyDeceleration = 25;  // rad/s2
 constexpr double kAbandonedDeceleration = 4;   // rad/s2
@@ -111,7 +111,7 @@ std::optional<MotionWarning> MotionDrive::takeWarning() {
 
 void MotionDrive::setOperational(bool operational) {
     if (operational_ && !operational) {
-        // The brakes take over: no position control, no velocity.
+        // The brakes engage: no position control, no velocity.
         supersede();
         path_.drop();
         velocity_.drop();
@@ -174,9 +174,9 @@ void MotionDrive::raiseFrom(const JointTarget& state, StopReason reason) {
     stepStop();
 }
 
-// The rest of the present velocity, braked in joint space: all joints together.
+// Decelerates from the current velocity in joint space, all joints together.
 bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace) const {
-    const Vector6 qd = state_.qd / pace;  // by the time the stop is measured in, as all below
+    const Vector6 qd = state_.qd / pace;  // in the time base of the stop, as all following values
     const double hardest = limits_.acceleration / (pace * pace);
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (fastest <= 1e-9) {
@@ -226,7 +226,8 @@ void MotionDrive::startStop(double deceleration, MotionId id, bool scaled) {
 void MotionDrive::startVelocity(MotionId id, std::optional<double> t) {
     supersede();
     path_.drop();
-    // The period is not an integer fraction of a stretched time; the excess of each command must not accumulate.
+    // With stretched time the period is not an integer fraction of t; the excess of each command must not
+    // accumulate.
     const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
     const double spent = follows && t ? overrun_ : 0.0;
     overrun_ = 0;
@@ -271,7 +272,7 @@ void MotionDrive::step() {
     }
 }
 
-// Program time changes pace gently enough for the joints, at once when nothing moves.
+// The rate of program time changes slowly enough for the joints, and immediately when nothing moves.
 void MotionDrive::stepScale() {
     const double wanted = held_ ? 0 : slider_;
     const double going = held_ ? 0 : 1;
@@ -286,7 +287,7 @@ void MotionDrive::stepScale() {
     pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
 }
 
-// Remaining fraction of the joint velocities with which the tool respects its limit, 0..1.
+// Factor 0..1 for the joint velocities with which the tool keeps its speed limit.
 double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     if (!std::isfinite(toolSpeedLimit_)) {
         return 1;
@@ -305,7 +306,8 @@ void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
                                       : TimeScaleSource::NotScaled;
 }
 
-// Finds a pace for this step at which every joint stays within speed and acceleration.
+// Determines a rate of program time for this step at which every joint keeps its speed and acceleration
+// limits.
 std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, PathCandidate& candidate,
                                                   int& joint) {
     const double possible = limits_.acceleration * period_;
@@ -338,7 +340,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
     scale = next;
     const Vector6 qd = candidate.rateProgram * scale + candidate.rateReal;
     const double slack = 1 + kAccelerationTolerance;
-    // Joints stop together: the fastest decides how long it takes.
+    // Joints stop together, so the fastest one determines the duration.
     const double stopTime = period_ + qd.cwiseAbs().maxCoeff() / (2 * limits_.acceleration);
     if (!limits_.continuous(state_, {candidate.q, qd}, period_)) {
         return StopReason::Singularity;
@@ -349,8 +351,8 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
             joint = j;
             return StopReason::JointSpeedLimit;
         }
-        // A joint must always be able to stop within its range. A move between two joint positions is, as
-        // both are in it.
+        // A joint must always be able to stop within its range. A move between two joint positions satisfies
+        // this, because both are within the range.
         const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
         const double stopping = outward > 0 ? outward * stopTime : 0.0;
         if (!path_.withinItsEnds() && std::abs(candidate.q[j]) + stopping > limits_.position) {
@@ -363,7 +365,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
 
 void MotionDrive::pathFailed(StopReason reason, int joint) {
     if (path_.current().kind == Segment::Kind::Stop) {
-        // A stop along the tool direction that cannot be followed becomes one in joint space.
+        // A stop along the tool direction that cannot be followed is replaced by one in joint space.
         const MotionId id = activeId_;
         startStop(kEmergencyDeceleration, id);
         return;
@@ -371,7 +373,7 @@ void MotionDrive::pathFailed(StopReason reason, int joint) {
     raise(reason, joint);
 }
 
-// The first step of a joint-space stop that began within this period.
+// First step of a joint-space stop that has begun within this period.
 void MotionDrive::stepStop() {
     if (mode_ != Mode::Path) {
         return;
@@ -474,7 +476,7 @@ void MotionDrive::stepVelocity() {
 
 void MotionDrive::stepTorque() {
     if (!blocking_) {
-        // Not repeated within a period: back to position control.
+        // Not repeated within a period, so return to position control.
         startStop(kTorqueEndDeceleration, 0);
         stepStop();
         return;

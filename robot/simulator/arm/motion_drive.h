@@ -30,8 +30,8 @@ public:
     bool isActive() const { return mode_ != Mode::Rest; }
     bool followsPath() const { return mode_ == Mode::Path; }
     bool followsTorque() const { return mode_ == Mode::Torque; }
-    /// Highest TCP speed of the program [m/s]; infinity where nothing limits it. Slows the motion down on its
-    /// path, which shows in speedScaling().
+    /// Maximum TCP speed of the program [m/s]; infinity without limit. Slows the motion down along its path,
+    /// which is reported in speedScaling().
     void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
     TimeScaleSource scaledBy() const { return scaledBy_; }
 
@@ -48,20 +48,22 @@ public:
     bool isHeld() const { return held_; }
     /// Slow-down by limits, pause and resume; without the slider.
     double speedScaling() const { return scaling_; }
-    /// Drops every command and stops in joint space.
+    /// Discards every command and stops in joint space.
     void abort(double deceleration);
-    /// Puts the arm elsewhere: at rest (`state.qd` zero), or with a velocity that is then braked.
+    /// Relocates the arm: at rest (`state.qd` zero), or with a velocity that is then reduced to zero.
     void relocate(const JointTarget& state);
     /// Force mode or freedrive moves the target; speed commands continue from there.
     void rebase(const JointTarget& state);
-    /// Speed commands turn about the new TCP at once; a tool path under way is finished with the old one.
+    /// Speed commands rotate about the new TCP immediately; a current tool path is completed with the old
+    /// TCP.
     void setTcp(const Pose& T_flange_tcp);
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
     /// Freedrive: commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
 
     void raise(StopReason reason, int joint);
-    /// The same from within a step: the arm is in `state`, and the first period of the stop is taken at once.
+    /// As above, but from within a step: the arm is in `state`, and the first period of the stop is executed
+    /// immediately.
     void raiseFrom(const JointTarget& state, StopReason reason);
     const std::optional<ProtectiveStop>& protectiveStop() const { return protectiveStop_; }
     void clearProtectiveStop() { protectiveStop_.reset(); }
@@ -84,12 +86,12 @@ protected:
     void supersede();
 
     void adoptTcp();
-    /// pace  of program time by which the stop is measured; 1: real time
+    /// pace  rate of program time used as time base of the stop; 1: real time
     bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
     void startStop(double deceleration, MotionId id, bool scaled = false);
-    /// For a stop that begins now.
+    /// Time base of a stop that begins now.
     double stopPace(bool scaled) const;
-    /// Of speed and servo commands.
+    /// Rate of time for speed and servo commands.
     double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }
     bool moving() const { return state_.qd.cwiseAbs().maxCoeff() > 1e-9; }
 
@@ -104,7 +106,7 @@ protected:
     void pathFailed(StopReason reason, int joint);
     void startVelocity(MotionId id, std::optional<double> t);
 
-    ArmGeometry geometry_;  // own: with the TCP of the motion under way
+    ArmGeometry geometry_;  // separate copy with the TCP of the current motion
     std::optional<Pose> tcpToCome_;
     double period_;
     JointLimits limits_;
@@ -131,12 +133,12 @@ protected:
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
     double programRate_ = 0;   // fastest joint, in program time
-    double velocityPace_ = 1;  // program time as the last velocity step took it
+    double velocityPace_ = 1;  // rate of program time in the last velocity step
     double toolSpeedLimit_ = std::numeric_limits<double>::infinity();
 
     MotionId lastId_ = 0;
     MotionId activeId_ = 0;
-    MotionId goalId_ = 0;  // of a move that waits to be blended in
+    MotionId goalId_ = 0;  // of a move waiting to be blended in
     std::array<Record, kRecords> records_{};
     double blockingLeft_ = 0;
     bool blocksUntilSpeed_ = false;
@@ -147,7 +149,7 @@ protected:
     std::optional<ProtectiveStop> protectiveStop_;
     std::array<MotionWarning, kMaxWarnings> warnings_{};
     int warningCount_ = 0;
-    // Program time by which the last timed speed or servo command overran: the next one is shorter by it.
+    // Program time by which the last timed speed or servo command overran; the next one is shortened by it.
     double overrun_ = 0;
 };
 

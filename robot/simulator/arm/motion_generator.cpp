@@ -98,7 +98,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     if (ignoring_) {
         return ignored();
     }
-    // With another TCP the old path has no corner in common with the new one.
+    // With another TCP the old and the new path have no common corner.
     const bool sameTool = !tcpToCome_;
     if (mode_ == Mode::Path && path_.nextWaiting() && sameTool) {
         return refuse(MotionError::Busy);
@@ -107,7 +107,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
         progress(activeId_) == MotionProgress::Returned) {
         return queueMove(kind, target, parameters, via, orientation);
     }
-    // From rest, or from whatever else moves the arm: that runs out while the move sets in.
+    // From rest, or from any other motion, which decelerates while the move starts.
     adoptTcp();
     const double least = kind == Segment::Kind::Joint ? std::max(p.a, kRunOutLeast) : kRunOutLeast;
     const bool runsOut = jointRunOut(least, runOut_);
@@ -152,7 +152,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     return start;
 }
 
-// The move that runs has reached its blend zone: this one takes over there.
+// The current move has reached its blend zone, where this move takes over.
 MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
                                        const MoveTarget* via, ArcOrientation orientation) {
     const Segment& before = path_.current();
@@ -170,7 +170,7 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
         planner_.pointAt(segment, segment.inToolSpace ? segment.path.length()
                                                       : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
     if (p.r > 0 && (to.p - before.endPoint.p).norm() < before.r + p.r) {
-        // The zones overlap: this waypoint is left out, the next one follows directly.
+        // The blend zones overlap: this waypoint is skipped, and the next one follows directly.
         if (warningCount_ < kMaxWarnings) {
             warnings_[static_cast<std::size_t>(warningCount_++)] = MotionWarning::OverlappingBlends;
         }
@@ -255,7 +255,8 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
 
 namespace {
 
-/// An acceleration worked out by a program as a difference over a vanishing time: as much as there is.
+/// For an infinite acceleration, computed by a program as a difference over a vanishing time, returns the
+/// maximum.
 double finiteAcceleration(double a) {
     return std::isfinite(a) ? a : kJointAccelerationLimit;
 }
@@ -267,7 +268,7 @@ MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::op
     if (const auto error = refusal()) {
         return refuse(*error);
     }
-    // Acceleration 0 is harmless when the speed does not change or the time is given.
+    // Acceleration 0 is valid if the speed does not change or the time is given.
     if (!qd.allFinite() || !notNegative(a) || (t && !notNegative(*t)) ||
         (a == 0 && !t && (qd.values - state_.qd).norm() > kBranchTolerance)) {
         return refuse(MotionError::InvalidArgument);
@@ -336,7 +337,7 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
         (rates - qd).norm() > kBranchTolerance) {
-        // Nothing to follow, or not a motion the tool could describe.
+        // There is no motion, or the tool velocity does not determine the joint velocities.
         startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
         return start;
     }

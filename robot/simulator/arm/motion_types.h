@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The words in which motion is ordered and answered: targets, parameters, handles, refusals, stops.
+// Types for motion commands and their results: targets, parameters, handles, errors, stops.
 
 #include <array>
 #include <cstdint>
@@ -26,47 +26,47 @@ struct MoveParameters {
 
 /// movec mode.
 enum class ArcOrientation : std::uint8_t {
-    Interpolated,  ///< mode 0: from the start orientation to the target's
-    FixedToArc,    ///< mode 1: turns with the arc; the target's orientation is ignored
+    Interpolated,  ///< mode 0: from the start orientation to that of the target
+    FixedToArc,    ///< mode 1: rotates with the arc; the orientation of the target is ignored
 };
 
 /// Identifies a motion command. 0 is invalid; numbers only increase.
 using MotionId = std::uint64_t;
 
-/// Why a command was refused. The script that gave it ends with a runtime error.
+/// The reason why a command was refused. The calling script ends with a runtime error.
 enum class MotionError : std::uint8_t {
     None,
     InvalidArgument,        ///< not a number, acceleration or speed not above zero, lookahead out of range...
     JointTargetOutOfRange,  ///< a joint beyond its range
-    NoInverseKinematics,    ///< moveJ to a pose the arm cannot take
-    NotOperational,         ///< drives not running, or a protective stop not yet cleared
+    NoInverseKinematics,    ///< moveJ to an unreachable pose
+    NotOperational,         ///< drives not running, or a protective stop that has not been cleared
     Busy,                   ///< a blend is already waiting for its second move
 };
 
-/// Result of a motion command: a handle, or the reason of the refusal.
+/// Result of a motion command: a handle, or the reason for the refusal.
 struct MotionStart {
     MotionId id = 0;
     MotionError error = MotionError::None;
-    int joint = -1;  ///< the joint at fault, or -1
+    int joint = -1;  ///< the joint that caused the error, or -1
     bool ok() const { return error == MotionError::None; }
 };
 
 /// Progress of a command. A blocking caller continues when it is no longer Running.
 enum class MotionProgress : std::uint8_t {
-    Running,     ///< the calling thread is held
-    Returned,    ///< done: target reached, blend zone reached, time over, or standstill
+    Running,     ///< the calling thread waits
+    Returned,    ///< done: target reached, blend zone reached, time elapsed, or standstill
     Superseded,  ///< replaced by another command, or abandoned
-    Failed,      ///< a protective stop ended it
+    Failed,      ///< ended by a protective stop
 };
 
-/// Reasons for a stop by the arm. It decelerates, then refuses motion until the stop is cleared.
+/// Causes of a stop by the arm. It decelerates and then refuses motion until the stop is cleared.
 enum class StopReason : std::uint8_t {
     Singularity,         ///< Cartesian motion into or through a singular position
     PoseUnreachable,     ///< a Cartesian target or a point of its path outside the workspace
-    JointPositionLimit,  ///< a joint was driven to the end of its range
+    JointPositionLimit,  ///< a joint reached the end of its range
     JointSpeedLimit,     ///< the path cannot be followed within the joint limits
     TcpForceLimit,       ///< contact with the environment above the limit
-    PathDeviation,       ///< force mode: an axis that is not compliant left its path
+    PathDeviation,       ///< force mode: a non-compliant axis left its path
     Overload,            ///< the joints cannot hold the load
     WrongPayload,        ///< freedrive with a load unknown to the controller, or pushed at the start
 };
@@ -90,8 +90,8 @@ struct ForceModeParameters {
     Pose T_base_task;                 ///< force frame in the base frame
     std::array<bool, 6> compliant{};  ///< axes x y z rx ry rz of the force frame
     Wrench wrench;                    ///< to be exerted along compliant axes, force frame [N, Nm]
-    int type = 2;                     ///< 1, 2 or 3: how the frame is turned
-    /// Compliant axes: highest TCP speed [m/s, rad/s]; others: largest deviation from the path [m, rad].
+    int type = 2;                     ///< 1, 2 or 3: how the frame is transformed
+    /// Compliant axes: maximum TCP speed [m/s, rad/s]; others: maximum deviation from the path [m, rad].
     Vector6 limits = Vector6::Constant(0.1);
     bool followTool = false;  ///< the axes are always those of the tool; T_base_task is not used
 };
@@ -100,15 +100,15 @@ struct ForceModeParameters {
 struct FreedriveParameters {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};  ///< x y z rx ry rz of the feature
     Pose T_base_feature;      ///< feature in the base frame; not used with `followTool`
-    bool followTool = false;  ///< feature "tool": the axes turn with the tool
+    bool followTool = false;  ///< feature "tool": the axes rotate with the tool
 };
 
 /// Unknown properties of a real arm; see assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
-    bool programStopsScaled = false;  ///< so do protective stops and abort()
-    bool speedCommandsScaled = true;  ///< so do speedj, speedl, servoj and servoc
-    bool compliesInPause = false;     ///< force mode and freedrive go on while the program is held
+    bool programStopsScaled = false;  ///< protective stops and abort() run in program time
+    bool speedCommandsScaled = true;  ///< speedj, speedl, servoj and servoc run in program time
+    bool compliesInPause = false;     ///< force mode and freedrive continue while the program is paused
 };
 
 }  // namespace tiller::simulator::arm

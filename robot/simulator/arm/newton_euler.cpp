@@ -19,7 +19,7 @@ Matrix3d steiner(const Vector3d& arm) {
     return arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose();
 }
 
-/// From a frame to the one before it: Rz(theta) Rx(alpha), by sines and cosines.
+/// From a frame to the previous one: Rz(theta) Rx(alpha), from sines and cosines.
 struct Turn {
     double st, ct, sa, ca;
 
@@ -71,8 +71,8 @@ void NewtonEuler::setPayload(const Payload& payload) {
 Vector6 NewtonEuler::torques(const Vector6& q, const Vector6& qd, const Vector6& qdd,
                              const Wrench& onFlange) const {
     std::array<Turn, kJointCount> turns;
-    std::array<Vector3d, kJointCount> forces;   // of all that moves the link, at its centre
-    std::array<Vector3d, kJointCount> moments;  // and about it
+    std::array<Vector3d, kJointCount> forces;   // total inertial force on the link, at its centre
+    std::array<Vector3d, kJointCount> moments;  // moment about the centre
     Vector3d w = Vector3d::Zero();
     Vector3d dw = Vector3d::Zero();
     Vector3d a = gravity_;
@@ -81,7 +81,7 @@ Vector6 NewtonEuler::torques(const Vector6& q, const Vector6& qd, const Vector6&
         const auto j = static_cast<int>(i);
         const double theta = q[j] + link.theta;
         const Turn& turn = turns[i] = {std::sin(theta), std::cos(theta), link.sinAlpha, link.cosAlpha};
-        // The joint turns about the z axis of the frame before.
+        // The joint rotates about the z axis of the previous frame.
         dw = turn.outward({dw.x() + w.y() * qd[j], dw.y() - w.x() * qd[j], dw.z() + qdd[j]});
         w = turn.outward({w.x(), w.y(), w.z() + qd[j]});
         a = turn.outward(a) + dw.cross(link.arm) + w.cross(w.cross(link.arm));

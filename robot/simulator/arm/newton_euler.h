@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The torques of a motion by recursive Newton-Euler, each link in its own frame: outward velocities and accelerations,
-// inward forces. Written out for six revolute joints by Denavit-Hartenberg parameters, because the simulated
-// controller asks twice in each control period.
+// Joint torques of a motion by recursive Newton-Euler, each link in its own frame: outward velocities and
+// accelerations, inward forces. Optimized for six revolute joints with Denavit-Hartenberg parameters, because
+// the simulated controller needs it twice in each control period.
 
 #include <array>
 
@@ -14,12 +14,12 @@
 
 namespace tiller::simulator::arm {
 
-/// Nothing allocates.
+/// No function allocates memory.
 class NewtonEuler {
 public:
     explicit NewtonEuler(const RobotModel& model);
 
-    /// Carried by the flange, and part of the last link.
+    /// Payload at the flange, included in the last link.
     void setPayload(const Payload& payload);
     /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
     void setGravity(const Eigen::Vector3d& gravity) { gravity_ = gravity; }
@@ -37,7 +37,7 @@ private:
         double theta = 0;  ///< added to the joint position [rad]
         double sinAlpha = 0;
         double cosAlpha = 1;
-        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the frame before, own frame [m]
+        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the previous frame, in the own frame [m]
         Body body;
     };
     static Body joined(const Body& one, const Body& other);

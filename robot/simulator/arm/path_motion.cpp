@@ -52,7 +52,7 @@ void PathMotion::prepare(double dtProgramMax) {
     tailActive_ = true;
     tailIsRunOut_ = false;
     current_ = next_;
-    // Negative: it sets in within the step.
+    // A negative time means that it starts within the step.
     current_.time = std::min(0.0, tail_.time - switchTime_);
     nextWaiting_ = false;
 }
@@ -108,7 +108,7 @@ void PathMotion::evaluate(double dt, double dtProgram, PathCandidate& candidate)
     }
     const double tailTime = tail_.time + (tail_.realTime ? dt : dtProgram);
     if (!tailIsRunOut_ && current_.path.isRounded() && current_.inToolSpace) {
-        // The rounded path begins on the old line: one after the other, not both at once.
+        // The rounded path begins on the old line, so the two are executed in sequence, not simultaneously.
         const bool on = time >= 0;
         candidate.reached = evaluateSegment(on ? current_ : tail_, on ? time : tailTime, candidate.q, rate);
         candidate.currentQ = candidate.tailQ = candidate.q;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs planned moves: in sequence, blended, or started while an earlier motion still runs out. In all cases the
-// result is the sum of two motions: the rest of the old one (which alone would come to rest at the corner) and the
-// new one (which alone would start there). Position and velocity are continuous by construction, and the sum stays
-// inside the blend zone.
+// Executes planned moves: in sequence, blended, or started while an earlier motion decelerates. The result is
+// always the sum of two motions: the rest of the old one (which alone would end at rest at the corner) and
+// the new one (which alone would start there). Position and velocity are continuous by construction, and the
+// sum stays inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
 namespace tiller::simulator::arm {
 
-/// Where the arm would be after a step, before that step is taken.
+/// State of the arm after a step that has not been committed yet.
 struct PathCandidate {
     Vector6 q = Vector6::Zero();
     Vector6 rateProgram = Vector6::Zero();  ///< dq by program time
     Vector6 rateReal = Vector6::Zero();  ///< dq by real time: the part that decays regardless of program time
     bool reached = true;                 ///< false: the tool path cannot be followed here
-    Vector6 currentQ = Vector6::Zero();  ///< of each of the two summands
+    Vector6 currentQ = Vector6::Zero();  ///< of each of the two motions
     Vector6 tailQ = Vector6::Zero();
 };
 
@@ -27,26 +27,25 @@ public:
     bool active() const { return active_; }
     void drop() { active_ = tailActive_ = nextWaiting_ = false; }
 
-    /// Starts from rest. With `runOut` the arm is still moving: it comes to rest along it, at the start of
-    /// `segment`.
+    /// Starts from rest. With `runOut` the arm is still moving: it decelerates along it and stops at the
+    /// start of `segment`.
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 
-    /// A move can be blended to the one that runs.
+    /// True if a move can be blended into the current one.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
-    /// `segment` starts where the running one ends. `switchTime`: time of the running one at which it sets
-    /// in.
+    /// `segment` starts where the current one ends. `switchTime`: time of the current one at which it starts.
     void setNext(const Segment& segment, double switchTime);
 
-    /// The step from now on by `dt` [s] of real and `dtProgram` of program time.
+    /// Computes the step for `dt` [s] of real and `dtProgram` of program time.
     void evaluate(double dt, double dtProgram, PathCandidate& candidate);
-    /// Takes that step.
+    /// Executes that step.
     void commit(double dt, double dtProgram, const PathCandidate& candidate);
 
     const Segment& current() const { return current_; }
     const Segment& goal() const { return nextWaiting_ ? next_ : current_; }
-    /// The command that ordered `current` may go on: its blend zone begins within the coming period or two.
+    /// True if the command of `current` may return: its blend zone begins within the next one or two periods.
     bool currentReturned(double timeScale) const;
     bool finished() const;
     bool followsTool() const {
@@ -56,7 +55,7 @@ public:
     /// Returns true for a single joint move or stop: every joint stays between its start and its target.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
-    /// To be called before a step: lets the next move set in when its time has come.
+    /// To be called before each step: starts the next move at its switch time.
     void prepare(double dtProgramMax);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One move, planned: where it goes, how fast, and where a blend into the next may begin.
+// One planned move: its geometry, its speed profile, and the beginning of its blend zone.
 
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@ struct Segment {
     Kind kind = Kind::Joint;
     bool inToolSpace = false;
     bool realTime = false;  ///< not slowed by the speed slider, not frozen by a pause
-    double r = 0;           ///< blend radius asked for [m]; 0 ends at rest
+    double r = 0;           ///< requested blend radius [m]; 0 ends at rest
 
     Vector6 from = Vector6::Zero();       ///< joint space: q = from + direction * s
     Vector6 direction = Vector6::Zero();  ///< largest component 1: s is the angle of the leading axis
@@ -31,19 +31,19 @@ struct Segment {
 
     Vector6 endQ = Vector6::Zero();
     ToolPoint endPoint;
-    std::optional<StopReason> endFault;  ///< the path cannot be followed further than this
+    std::optional<StopReason> endFault;  ///< the end is where the path cannot be followed any further
     int endFaultJoint = -1;
 
-    double time = 0;              ///< how far it has gone [s of its own time]
+    double time = 0;              ///< elapsed time [s in its own time base]
     Vector6 q = Vector6::Zero();  ///< joints at `time`
 
     bool finished() const { return time >= profile.duration() - 1e-12; }
     double zoneLength() const { return profile.length() - profile.sample(profile.zoneTime()).s; }
 };
 
-/// Puts a speed profile on a segment's geometry such that the joints stay within their limits. A tool path is
-/// sampled first: where the joints would have to turn too fast it is slowed, and where it cannot be followed
-/// at all it ends, with `endFault` saying why.
+/// Creates a speed profile for the geometry of a segment that respects the joint limits. A tool path is first
+/// sampled: it is slowed down where joint speeds would be too high, and ends where it cannot be followed at
+/// all, with the reason in `endFault`.
 class PathPlanner {
 public:
     PathPlanner(const ArmGeometry& geometry, const JointLimits& limits)
@@ -58,10 +58,11 @@ public:
         double blendInRadius = 0;  ///< [m] TCP distance covered while blending in
     };
 
-    /// `segment` has kind, r and geometry; endQ of a tool path is found here.
+    /// `segment` contains kind, r and geometry; endQ of a tool path is determined here.
     void plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing);
 
-    /// Path parameter at which the TCP is `radius` from the path's end (or its start), at most half the path.
+    /// Path parameter at which the TCP is at distance `radius` from the path's end (or its start), at most
+    /// half the path.
     double lengthWithin(const Segment& segment, double radius, bool fromEnd) const;
 
     ToolPoint pointAt(const Segment& segment, double s) const;

@@ -22,14 +22,14 @@ constexpr double kWarmUp = 1500.0;            // s
 constexpr double kHeatPerSquareAmpere = 1.1;  // K/A2
 constexpr double kHeatOfElectronics = 6.0;    // K
 constexpr double kSupplyVoltage = 48.0;       // V
-constexpr double kIdlePower = 40.0;           // W of the joints' electronics
-constexpr double kResistance = 1.4;           // ohm, by joint current
-constexpr double kRounding = 1e-9;            // of an acceleration, and rad/s2
+constexpr double kIdlePower = 40.0;           // W, electronics of the joints
+constexpr double kResistance = 1.4;           // ohm, relative to joint current
+constexpr double kRounding = 1e-9;            // relative to an acceleration, and absolute in rad/s2
 // Start values as recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
-/// The acceleration as a difference of velocities, without their rounding error: a constant acceleration gives
-/// constant readings, as in the plan. Clients evaluate the sign of its changes.
+/// The acceleration as a difference of velocities, without rounding error: a constant acceleration results in
+/// constant readings. Clients evaluate the sign of its changes.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
@@ -74,7 +74,7 @@ void Sensors::setGravity(const Eigen::Vector3d& gravity) {
 
 void Sensors::setPayload(const Payload& payload) {
     if (loadHangs_) {
-        // Zeroing directly after it uses the new payload, not the previous one.
+        // Zeroing the sensor directly afterwards must use the new payload.
         const Wrench before = loadOnFlange(payload_);
         const Wrench now = loadOnFlange(payload);
         compensated_ = {compensated_.force + before.force - now.force,
@@ -131,7 +131,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.actualQd.values = qd_;
     if (!ideal_) {
         for (int j = 0; j < kJointCount; ++j) {
-            // A joint at standstill gives identical readings.
+            // At standstill a joint returns identical readings.
             if (std::abs(qd_[j]) > kEncoderRest) {
                 state.actualQ[j] += noise_(kEncoderNoise);
             }
@@ -190,7 +190,7 @@ Eigen::Vector3d Sensors::accelerationOf(const Eigen::Vector3d& point) const {
     return tcpAcceleration_ + tcpTurning_.cross(arm) + w.cross(w.cross(arm));
 }
 
-// Weight and inertia of a load as the flange feels them, flange frame about its origin.
+// Weight and inertia of a load as seen by the flange, flange frame about its origin.
 Wrench Sensors::loadOnFlange(const Payload& load) const {
     if (load.mass <= 0) {
         return {};
@@ -248,7 +248,7 @@ void Sensors::updateForces(const Environment& environment, DriveState drive, Arm
 
 void Sensors::updateDrives(DriveState drive, ArmState& state) {
     if (drive != DriveState::Running) {
-        // The brakes carry the arm.
+        // The brakes hold the arm.
         needed_.setZero();
         state.targetMoment = state.actualMoment = state.externalTorque = JointTorques();
         state.targetCurrent.setZero();
@@ -289,7 +289,7 @@ int Sensors::overloadedJoint() {
     if ((needed_.cwiseAbs().array() <= most.array()).all()) {
         return -1;
     }
-    // Hard braking may briefly require as much; only the static load counts.
+    // Hard braking may briefly exceed the limits; only the static load is checked.
     const Vector6 holding = real_.torques(q_, Vector6::Zero(), Vector6::Zero(), external_);
     Eigen::Index joint = 0;
     return (holding.cwiseAbs().array() - most.array()).maxCoeff(&joint) > 0 ? static_cast<int>(joint) : -1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Response of the drives and sensors of the arm to a target: encoders with a small lag and noise, motor currents,
-// the force/torque sensor at the flange, temperatures, supply.
+// Response of the drives and sensors of the arm to a target: encoders with a small lag and noise, motor
+// currents, the force/torque sensor at the flange, temperatures, power supply.
 
 #include <cstdint>
 
@@ -14,7 +14,8 @@
 
 namespace tiller::simulator::arm {
 
-/// Small, fast, seeded noise: bounded, mean 0, standard deviation as asked (sum of four uniform values).
+/// Small, fast, seeded noise: bounded, mean 0, with the given standard deviation (sum of four uniform
+/// values).
 class Noise {
 public:
     explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x1234567ull) {}
@@ -38,21 +39,21 @@ public:
     const Eigen::Vector3d& gravity() const { return gravity_; }
     void setPayload(const Payload& payload);
     const Payload& payload() const { return payload_; }
-    /// The present force reading becomes zero.
+    /// The current force reading becomes zero.
     void zeroForce();
-    /// The arm is at q, at rest.
+    /// Places the arm at q, at rest.
     void place(const Vector6& q);
 
-    /// Everything in `state` that follows from the new target.
+    /// Updates everything in `state` that depends on the new target.
     void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
 
     Dynamics& dynamics() { return model_; }
-    /// Force on the TCP that the controller does not expect: hand, contact, unknown weight.
+    /// Force on the TCP not expected by the controller: hand, contact, unknown weight.
     const Wrench& unexplained() const { return unexplained_; }
     double contactForce() const { return contact_; }
-    /// The same by joint [Nm].
+    /// The corresponding joint torques [Nm].
     Vector6 unexplainedTorques() const;
-    /// Index of a joint that cannot hold its load even at standstill, or -1.
+    /// Index of a joint that cannot hold its load even at standstill; -1: none.
     int overloadedJoint();
 
 private:
@@ -68,17 +69,17 @@ private:
     double period_;
     bool ideal_;
     Noise noise_;
-    Dynamics model_;  // with the payload as configured
-    Dynamics real_;   // with the load really carried
+    Dynamics model_;  // with the configured payload
+    Dynamics real_;   // with the actual load
     Payload payload_;
     Payload load_;
-    bool loadHangs_ = false;  // the arm carries a load that differs from the payload of the controller
+    bool loadHangs_ = false;  // the actual load differs from the payload set on the controller
     Eigen::Vector3d gravity_{0, 0, 9.82};
 
-    Vector6 q_ = Vector6::Zero();  // where the joints really are
+    Vector6 q_ = Vector6::Zero();  // actual joint positions
     Vector6 qd_ = Vector6::Zero();
     Vector6 qdd_ = Vector6::Zero();
-    Vector6 needed_ = Vector6::Zero();  // torque of the joints
+    Vector6 needed_ = Vector6::Zero();  // torques of the joints
     Posture target_;
     Posture actual_;
     Twist targetTwist_;

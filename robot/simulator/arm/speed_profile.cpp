@@ -34,7 +34,7 @@ void SpeedProfile::append(double acceleration, double duration) {
     ++count_;
 }
 
-// From the present speed to vEnd over `distance`, at most v in between.
+// From the current speed to vEnd over `distance`, with at most v in between.
 void SpeedProfile::appendRamp(double distance, double v, double vEnd, double a) {
     const double v0 = end().v;
     if (distance <= kNoDistance) {
@@ -75,7 +75,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         const double T = request.blendInTime;
         double a = std::min(request.a, 2 * request.blendInLength / square(T));
         a = std::min(a, request.v / T);
-        // The remaining path must be long enough to come to rest.
+        // The remaining path must be long enough to stop.
         const double feasible = L / (0.5 * square(T) * (1 + a / request.a));
         a = std::min(a, feasible);
         profile.append(a, T);
@@ -89,7 +89,8 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
-    // Too fast for the remaining path: carry more speed into the zone, or brake harder than requested at the end.
+    // Too fast for the remaining path: keep a higher speed into the zone, or brake harder than requested at
+    // the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
     if (zone <= kNoDistance && vEnd > 1e-9) {
         profile.append(-square(v0) / (2 * rest), 2 * rest / v0);

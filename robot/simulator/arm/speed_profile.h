@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distance along a path over time, as pieces of constant acceleration: trapezoids, their blends and their
+// Distance along a path over time, as segments of constant acceleration: trapezoids, their blends and their
 // slowed-down variants. Fixed capacity, no allocation.
 
 #include <array>
@@ -18,13 +18,13 @@ struct ProfileSample {
 /// Request for a profile. Lengths in the unit of the path (m or rad).
 struct ProfileRequest {
     double length = 0;
-    double v = 0;  ///< cruising speed, > 0
+    double v = 0;  ///< cruise speed, > 0
     double a = 0;  ///< acceleration and deceleration, > 0
     double startSpeed = 0;
-    double blendInTime = 0;    ///< the first acceleration is kept low for this long, and covers ...
-    double blendInLength = 0;  ///< ... at most this much
+    double blendInTime = 0;    ///< the first acceleration is limited for this time, which covers ...
+    double blendInLength = 0;  ///< ... at most this length
     double zone = 0;           ///< length before the end where a blend into the next move may begin
-    double zoneSpeed = 0;      ///< highest speed at the beginning of the zone
+    double zoneSpeed = 0;      ///< maximum speed at the beginning of the zone
 };
 
 class SpeedProfile {
@@ -34,8 +34,8 @@ public:
     static SpeedProfile plan(const ProfileRequest& request);
     /// From speed v to rest in `duration`.
     static SpeedProfile stop(double v, double duration);
-    /// Through points of given speed at path parameters s (ascending, at least two), acceleration constant
-    /// between them. `zoneStart` is the path parameter where the blend zone begins.
+    /// Passes through points with given speeds at path parameters s (ascending, at least two), with constant
+    /// acceleration in between. `zoneStart` is the path parameter where the blend zone begins.
     static SpeedProfile through(std::span<const double> s, std::span<const double> v, double zoneStart);
 
     ProfileSample sample(double t) const;
@@ -46,7 +46,7 @@ public:
     double timeAtLength(double s) const;           ///< when the path parameter is s
     double peakSpeed() const;
     double peakAcceleration() const;
-    /// Stretches time; speeds fall by the factor, accelerations by its square.
+    /// Stretches time: speeds decrease by the factor, accelerations by its square.
     void stretch(double factor);
     bool full() const { return count_ >= kMaxPhases; }
 

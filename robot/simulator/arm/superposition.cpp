@@ -7,11 +7,11 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kCatchUpRate = 15;          // 1/s
-constexpr double kCatchUpSpeed = 0.6;        // rad/s above the speed of the goal
-constexpr double kCatchUpAcceleration = 10;  // rad/s2
-constexpr double kCaughtUp = 1e-4;           // rad/s and rad
-constexpr double kStands = 1e-4;             // m/s: below this a path has no tangent
+constexpr double kCatchUpRate = 15;            // 1/s
+constexpr double kCatchUpSpeed = 0.6;          // rad/s above the speed of the goal
+constexpr double kCatchUpAcceleration = 10;    // rad/s2
+constexpr double kCaughtUp = 1e-4;             // rad/s and rad
+constexpr double kStandstillTolerance = 1e-4;  // m/s: below this speed a path has no tangent
 
 Eigen::Isometry3d toTransform(const Vector6& v) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -128,7 +128,7 @@ Eigen::Matrix3d Superposition::axes(OffsetFrame frame) const {
     return Eigen::Matrix3d::Identity();
 }
 
-Eigen::Isometry3d Superposition::laidOver(const Eigen::Isometry3d& T) const {
+Eigen::Isometry3d Superposition::appliedTo(const Eigen::Isometry3d& T) const {
     Eigen::Isometry3d out = T;
     if (offsetOn_) {
         const Eigen::Isometry3d offset = toTransform(turned(axes(frame_), applied_));
@@ -151,7 +151,7 @@ Eigen::Isometry3d Superposition::laidOver(const Eigen::Isometry3d& T) const {
 std::optional<StopReason> Superposition::step(const JointTarget& program, bool frozen, JointTarget& state) {
     geometry_.evaluate(program.q, program_);
     const Eigen::Vector3d along = (program_.jacobian * program.qd).head<3>();
-    if (along.norm() > kStands) {
+    if (along.norm() > kStandstillTolerance) {
         const Eigen::Vector3d x = along.normalized();
         const Eigen::Vector3d y = x.cross(program_.T_base_tcp.linear().col(2));
         if (y.norm() > 1e-3) {
@@ -171,12 +171,12 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
         applied_ += alpha_ * (wanted_ - applied_);
         carried_ = travel_ - zero_;
     }
-    const Eigen::Isometry3d pose = laidOver(program_.T_base_tcp);
+    const Eigen::Isometry3d pose = appliedTo(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // A goal at standstill gives a velocity of exactly zero, so that standstill is detected.
+    // A goal at standstill results in a velocity of exactly zero, so that standstill is detected.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
-        // The offset applies at the joints: the goal may jump, but the motion to it must be smooth.
+        // The offset is applied in joint space: the goal may jump, but the motion to it must be smooth.
         if (!geometry_.follow(pose, goal, posture_)) {
             return StopReason::PoseUnreachable;
         }
@@ -192,7 +192,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     return std::nullopt;
 }
 
-// Exactly to the goal where that is smooth, else towards it.
+// Moves exactly to the goal if that is smooth, otherwise towards it.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
     // Jumps of the goal do not count as its speed.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The program is
-// not affected; the tool moves to the sum of program, offset and conveyor. Jumps of either are caught up smoothly
-// and never delay the path.
-// Source: URScript path_offset_*, track_conveyor_*.
+// Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The
+// program is not affected; the tool moves to the sum of program, offset and conveyor. Jumps of either are
+// followed smoothly and never delay the path. Source: URScript path_offset_*, track_conveyor_*.
 
 #include "robot/core/spatial.h"
 #include "robot/simulator/arm/arm_geometry.h"
@@ -18,7 +17,7 @@ enum class OffsetFrame : std::uint8_t {
     Base = 1,
     Tool = 2,
     Motion = 3,  ///< x along the tangent of the path, y normal to it and to the tool's z
-    World = 4,   ///< taken as the base: the controller's mounting is not known here (unconfirmed)
+    World = 4,   ///< treated as the base, because the controller's mounting is not known here (unconfirmed)
 };
 
 class Superposition {
@@ -28,32 +27,34 @@ public:
 
     // the offset
     void enableOffset();
-    /// offset  position [m] and rotation vector [rad] in the axes of `frame`; held to the limits
+    /// offset  position [m] and rotation vector [rad] in the axes of `frame`; clamped to the limits
     void setOffset(const Pose& offset, OffsetFrame frame);
-    /// The present offset, in the axes of `frame`.
+    /// The current offset, in the axes of `frame`.
     Pose offset(OffsetFrame frame) const;
-    /// Per control period the applied offset goes this part of the way (0..1) to the one set.
+    /// Filter coefficient (0..1): fraction of the remaining difference that the applied offset covers per
+    /// control period.
     void setFilter(double alpha);
-    /// translation [m], rotation [rad]; 0.1 and 0.52 at the start
+    /// translation [m], rotation [rad]; initially 0.1 and 0.52
     void setLimits(double translation, double rotation);
 
     // the conveyor
-    /// perTick  what one tick of the encoder moves [m], base axes
+    /// perTick  displacement per tick of the encoder [m], base axes
     void trackLinear(const Eigen::Vector3d& perTick);
-    /// centre  turns about its z axis by `perTick` [rad]; the tool turns along or keeps its orientation
+    /// centre  frame about whose z axis the conveyor rotates, by `perTick` [rad]; the tool rotates with it or
+    /// keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
-    /// Count of the encoder; its value at the start of tracking does not matter.
+    /// Encoder count; its value at the start of tracking is the reference.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 
     bool active() const { return offsetOn_ || tracksConveyor(); }
-    /// The present offset becomes part of the program, which continues from the position of the arm.
+    /// Adds the current offset to the program, which continues from the position of the arm.
     void endOffset();
     void endTracking();
     void drop();
 
-    /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`: neither
-    /// offset nor conveyor moves (the program is paused).
+    /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`:
+    /// neither offset nor conveyor moves (the program is paused).
     /// Returns  the reason if it is impossible; `state` is then the state to command
     std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
 
@@ -63,7 +64,7 @@ private:
     void begin();
     void rebase();
     Eigen::Matrix3d axes(OffsetFrame frame) const;
-    Eigen::Isometry3d laidOver(const Eigen::Isometry3d& T) const;
+    Eigen::Isometry3d appliedTo(const Eigen::Isometry3d& T) const;
     void settle(const Vector6& rate, const Vector6& goal, JointTarget& state);
 
     const ArmGeometry& geometry_;
@@ -72,8 +73,8 @@ private:
 
     bool offsetOn_ = false;
     OffsetFrame frame_ = OffsetFrame::Base;
-    Vector6 wanted_ = Vector6::Zero();   // in the axes of frame_
-    Vector6 applied_ = Vector6::Zero();  // same
+    Vector6 wanted_ = Vector6::Zero();   // requested offset, in the axes of frame_
+    Vector6 applied_ = Vector6::Zero();  // applied offset, in the axes of frame_
     double alpha_ = 1;
     double mostTranslation_ = 0.1;
     double mostRotation_ = 0.52;
@@ -85,7 +86,7 @@ private:
     bool turnTool_ = false;
     double travel_ = 0;
     double zero_ = 0;     // of the travel
-    double carried_ = 0;  // the travel that is applied, from zero_ on
+    double carried_ = 0;  // the applied travel, relative to zero_
 
     bool started_ = false;
     Posture program_;
@@ -94,7 +95,7 @@ private:
     Eigen::Isometry3d goalPose_ = Eigen::Isometry3d::Identity();
     Vector6 goal_ = Vector6::Zero();
     Vector6 rate_ = Vector6::Zero();
-    Vector6 slip_ = Vector6::Zero();  // velocity of the arm less that of the goal
+    Vector6 slip_ = Vector6::Zero();  // velocity of the arm minus that of the goal
 };
 
 }  // namespace tiller::simulator::arm

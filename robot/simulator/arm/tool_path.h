@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Position of the TCP by path parameter: straight lines, arcs, rounded corners, and the run-out of a stop.
-// Orientation changes in proportion to the position.
+// Position of the TCP by path parameter: straight lines, arcs, rounded corners, and the deceleration path of
+// a stop. Orientation changes in proportion to the position.
 
 #include <Eigen/Geometry>
 #include <cstdint>
 
 namespace tiller::simulator::arm {
 
-/// A turn of this radius counts as tool path, so that pure rotations have a length [m].
-/// Source: eq_radius of the controller's configuration data.
+/// Rotations are converted to tool path with this radius, so that pure rotations have a length [m]. Source:
+/// eq_radius of the controller's configuration data.
 inline constexpr double kEquivalentRadius = 0.25;
 
 /// Position and orientation in the base frame.
@@ -25,7 +25,7 @@ struct ToolPoint {
     Eigen::Isometry3d transform() const;
 };
 
-/// A point of a path with its derivatives by the path parameter, base axes.
+/// A point of a path with its derivatives with respect to the path parameter, base axes.
 struct ToolPathPoint {
     ToolPoint at;
     Eigen::Vector3d dp = Eigen::Vector3d::Zero();
@@ -35,14 +35,14 @@ struct ToolPathPoint {
 class ToolPath {
 public:
     static ToolPath line(const ToolPoint& from, const ToolPoint& to);
-    /// Through `via`; a line if the three points are on one.
+    /// Through `via`; a line if the three points are collinear.
     static ToolPath arc(const ToolPoint& from, const Eigen::Vector3d& via, const ToolPoint& to,
                         bool orientationFixedToArc);
-    /// On with the given velocity: parameter in seconds, up to `duration`.
+    /// Continues with the given velocity: parameter in seconds, up to `duration`.
     static ToolPath runOut(const ToolPoint& from, const Eigen::Vector3d& v, const Eigen::Vector3d& w,
                            double duration);
-    /// From the beginning of the zone of `first` (a distance `radius` before its end) by a circle on to
-    /// `second`. Only where canRound().
+    /// From the beginning of the zone of `first` (a distance `radius` before its end) along a circle to
+    /// `second`. Only if canRound().
     static ToolPath rounded(const ToolPath& first, const ToolPath& second, double radius);
     static bool canRound(const ToolPath& first, const ToolPath& second);
 
@@ -50,9 +50,9 @@ public:
     ToolPathPoint at(double s) const;
     const ToolPoint& start() const { return from_; }
     ToolPoint finish() const { return at(length_).at; }
-    /// Distance in space covered per unit of the parameter where the path is straight.
+    /// Distance per unit of the parameter where the path is straight.
     double travel() const { return direction_.norm(); }
-    /// Length of the straight part at the end; the whole of a path without a rounded corner.
+    /// Length of the straight part at the end; the whole length without a rounded corner.
     double straightEnd() const { return length_ - arcLength_; }
     bool isRounded() const { return kind_ == Kind::Rounded; }
 
@@ -66,7 +66,7 @@ private:
     double length_ = 0;
     ToolPoint from_;
     Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();  // line: dp/ds
-    Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();       // rotation vector by ds, base axes
+    Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();       // rotation vector per ds, base axes
     // arc
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d radial_ = Eigen::Vector3d::Zero();  // centre to start

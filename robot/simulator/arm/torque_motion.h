@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// direct_torque: the joints move as the commanded torques and the arm's inertia make them. Gravity is always
-// compensated, friction in part.
+// direct_torque: the joints move according to the commanded torques and the inertia of the arm. Gravity is
+// always compensated, friction in part.
 
 #include <optional>
 
@@ -16,20 +16,20 @@ class TorqueMotion {
 public:
     explicit TorqueMotion(Dynamics& dynamics) : dynamics_(dynamics) {}
 
-    /// torques [Nm] without gravity; scales 0..1: how much of the friction is compensated.
+    /// torques [Nm] without gravity; scales 0..1: compensated fraction of the friction.
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
     /// Torques on the joints in addition to the command [Nm]: hands, contact, unknown load.
     void setExternal(const Vector6& torques) { external_ = torques; }
-    /// Runs one control period. Returns the reason if it cannot continue: a joint would become too fast or has
-    /// reached the end of its range, given by `joint`.
+    /// Runs one control period. Returns the reason if it cannot continue: a joint is too fast or has reached
+    /// the end of its range; `joint` is then set to it.
     std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:
     Dynamics& dynamics_;
     Vector6 torques_ = Vector6::Zero();
     Vector6 external_ = Vector6::Zero();
-    Vector6 viscous_ = Vector6::Zero();  // Nm s/rad that remain
-    Vector6 coulomb_ = Vector6::Zero();  // Nm that remain
+    Vector6 viscous_ = Vector6::Zero();  // Nm s/rad, remaining
+    Vector6 coulomb_ = Vector6::Zero();  // Nm, remaining
 };
 
 }  // namespace tiller::simulator::arm

@@ -7,10 +7,10 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kNoScale = 1e-3;     // program time slower than this counts as standing
+constexpr double kNoScale = 1e-3;     // slower program time counts as stopped
 constexpr double kSingular = 0.06;    // margin at which Cartesian motion ends
-constexpr double kCreeping = 1e-3;    // rad/s or a part of the wanted speed: as good as standing
-constexpr double kExpiryJoint = 2.0;  // rad/s2, at least, when a speed command is not repeated
+constexpr double kCreeping = 1e-3;    // rad/s, or fraction of the requested speed: counts as standstill
+constexpr double kExpiryJoint = 2.0;  // rad/s2, minimum, when a speed command is not repeated
 constexpr double kExpiryTool = 0.5;   // m/s2
 }  // namespace
 
@@ -47,7 +47,7 @@ void VelocityMotion::toolChanged(const JointTarget& now, double timeScale) {
 void VelocityMotion::speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a) {
     begin(Kind::SpeedJ, now, timeScale);
     targetVelocity_ = qd;
-    // More than the joints can would never be reached.
+    // Speeds beyond the joint limits would never be reached.
     const double factor = limits_.speedFactor(qd);
     targetVelocity_ *= factor;
     a_ = a;
@@ -152,7 +152,7 @@ std::optional<StopReason> VelocityMotion::stepSpeedJ(double timeScale, JointTarg
     return std::nullopt;
 }
 
-// servoC: straight to the target, as fast as the remaining distance allows.
+// servoC: straight to the target, as fast as the remaining distance permits.
 void VelocityMotion::pursue() {
     const Eigen::Vector3d way = servoCTarget_.p - tool_.p;
     const Eigen::Vector3d turn = vectorFromQuaternion(servoCTarget_.R * tool_.R.conjugate());
@@ -164,7 +164,7 @@ void VelocityMotion::pursue() {
         targetVelocity_.setZero();
         return;
     }
-    // The last term ends the approach without overshooting in the last steps.
+    // The last term ends the approach without overshoot in the final steps.
     const double speed = std::min({servoCSpeed_, std::sqrt(a_ * length), 0.1 * length / period_});
     targetVelocity_ << way * (speed / length), turn * (speed / length);
 }
@@ -258,15 +258,15 @@ std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarg
     const double D = std::max(gain_ * lookahead_, 1.8 * std::sqrt(gain_));
     servoQ_ = servoQ_.cwiseMin(limits_.position - kRangeReserve).cwiseMax(-limits_.position + kRangeReserve);
     const Vector6 error = servoQ_ - state.q;
-    // Implicit in the new velocity: stable for every gain and period.
+    // Implicit integration: stable for every gain and period.
     Vector6 next = (velocity_ + dt * (K * error + D * servoFiltered_)) / (1 + D * dt + K * dt * dt);
     next = next.cwiseMin(limits_.speed).cwiseMax(-limits_.speed);
     for (int j = 0; j < kJointCount; ++j) {
-        // Not faster than the speed from which it can stop at the target (plus the speed of the target).
+        // Limit the speed to one from which it can stop at the target (plus the speed of the target).
         const double stopping = std::sqrt(limits_.acceleration * std::abs(error[j])) +
                                 std::abs(servoFiltered_[j]) + limits_.acceleration * period_;
         next[j] = std::clamp(next[j], -stopping, stopping);
-        // Each joint separately: a joint whose target jumps must not delay the others.
+        // Each joint separately, so that a joint whose target jumps does not delay the others.
         const double reachable = limits_.acceleration * dt;
         next[j] = std::clamp(next[j], velocity_[j] - reachable, velocity_[j] + reachable);
     }

@@ -21,8 +21,8 @@ public:
     VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
         : geometry_(geometry), limits_(limits), period_(period) {}
 
-    // Each starts from, or continues with, the velocity in `now`; `timeScale` is the ratio of program time to real
-    // time.
+    // Each command starts from, or continues with, the velocity in `now`; `timeScale` is the ratio of program
+    // time to real time.
     void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
     void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
     void servoJ(const JointTarget& now, double timeScale, const Vector6& q, double t, double lookahead,
@@ -30,25 +30,26 @@ public:
     void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v,
                 double r);
 
-    /// No further command came: speed commands brake to rest; servo targets are kept, without their velocity.
+    /// Called when no further command has arrived: speed commands decelerate to rest; servo targets are kept,
+    /// without their velocity.
     void expire();
-    /// Ends; the next command starts from the velocity that the arm then has.
+    /// Ends the motion; the next command starts from the current velocity of the arm.
     void drop() { running_ = false; }
     bool running() const { return running_; }
     /// The arm was moved to q by another motion.
     void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
     /// The TCP offset changed while the arm moves.
     void toolChanged(const JointTarget& now, double timeScale);
-    /// At rest and with nothing left to do.
+    /// True at rest with nothing left to do.
     bool settled(const JointTarget& state) const;
     Kind kind() const { return kind_; }
 
-    /// One step. Returns why the arm must stop, if it must; `joint` is then the joint concerned.
+    /// Runs one step. Returns the reason if the arm must stop; `joint` is then the affected joint.
     std::optional<StopReason> step(double timeScale, JointTarget& state, int& joint);
 
     bool speedReached() const { return speedReached_; }
     bool targetReached() const { return targetReached_; }  ///< servoC: within its radius
-    /// Factor by which limits slowed the last step, 0..1.
+    /// Slow-down factor by limits in the last step, 0..1.
     double slowedBy() const { return slowedBy_; }
     const ToolPoint& servoTarget() const { return servoCTarget_; }
 
@@ -69,14 +70,14 @@ private:
     double slowedBy_ = 1;
 
     Vector6 velocity_ = Vector6::Zero();        // in program time: joint rates or twist
-    Vector6 targetVelocity_ = Vector6::Zero();  // same
+    Vector6 targetVelocity_ = Vector6::Zero();  // target of velocity_
     double a_ = 1;
     double aRot_ = 1;
-    ToolPoint tool_;  // where the TCP shall be; integrated, so that a rotation does not drift
+    ToolPoint tool_;  // commanded TCP pose; integrated, so that a rotation does not drift
 
     Vector6 servoQ_ = Vector6::Zero();
-    Vector6 servoRate_ = Vector6::Zero();      // of the target, from one command to the next
-    Vector6 servoFiltered_ = Vector6::Zero();  // the same, smoothed
+    Vector6 servoRate_ = Vector6::Zero();      // velocity of the target, from successive commands
+    Vector6 servoFiltered_ = Vector6::Zero();  // servoRate_, smoothed
     double servoPeriod_ = 0;
     double lookahead_ = 0.1;
     double gain_ = 300;

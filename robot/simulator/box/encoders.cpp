@@ -82,7 +82,7 @@ void Encoders::step(std::uint64_t digitalInputs, const std::array<double, 2>& co
         if (e.decoder == 0) {
             continue;
         }
-        // A decoder without a direction counts up in both directions of the conveyor.
+        // A decoder without direction counts up in both directions of the conveyor.
         const double speed = conveyorSpeeds[static_cast<std::size_t>(i)];
         const double counted = pulses(e, digitalInputs) + (e.decoder == 1 ? speed : std::abs(speed)) * dt;
         e.travel += counted;

@@ -14,15 +14,15 @@ struct Release {
     int day, month, year;
 };
 
-// In the order of the versions. Numbers and days of 3.15.8 and 5.12.0 are from the dashboard guide; the
-// others are plausible ones of ours, since no public source gives them. Clients only compare the numbers.
+// Sorted by version. Build numbers and dates of 3.15.8 and 5.12.0 are from the dashboard guide; the others
+// are plausible values of ours, because no public source lists them. Clients only compare the numbers.
 constexpr Release kReleases[] = {
     {{3, 15, 8, 106339}, 20, 6, 2022},  {{5, 11, 6, 1080301}, 10, 12, 2021},
     {{5, 12, 0, 1101319}, 22, 3, 2022}, {{5, 22, 1, 1214193}, 12, 3, 2025},
     {{5, 25, 0, 1254012}, 18, 2, 2026}, {{10, 12, 0, 1260431}, 10, 3, 2026},
 };
 
-/// The last of the series that is not newer, or its first.
+/// The last release of the series that is not newer; otherwise the first of the series.
 const Release* closest(const SoftwareVersion& software) {
     const Release* best = nullptr;
     for (const Release& release : kReleases) {
@@ -43,7 +43,7 @@ Error wrongOption(const QString& what) {
     return {ErrorCode::InvalidArgument, what, {}};
 }
 
-/// The first release that drives a model. Source: the vendor's simulator images.
+/// The first release that supports a model. Source: the vendor's simulator images.
 SoftwareVersion firstSoftware(RobotModelId model, bool polyScopeX) {
     struct Since {
         RobotModelId model;
@@ -80,7 +80,7 @@ Result<SoftwareVersion> parseSoftware(const QString& text) {
     for (qsizetype i = 0; i < parts.size(); ++i) {
         bool ok = false;
         numbers[i] = parts[i].toUInt(&ok);
-        // The version message has one byte for major and minor.
+        // The version message has only one byte each for major and minor.
         if (!ok || (i < 2 && numbers[i] > 255)) {
             return notOne;
         }
@@ -118,10 +118,11 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     }
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {
-        return wrongOption(QStringLiteral("a %1 does not run software %2: the first that knows it is %3.%4")
-                               .arg(name, version)
-                               .arg(first.major)
-                               .arg(first.minor));
+        return wrongOption(
+            QStringLiteral("a %1 does not run software %2: the first version that supports it is %3.%4")
+                .arg(name, version)
+                .arg(first.major)
+                .arg(first.minor));
     }
     return {};
 }
@@ -148,7 +149,7 @@ std::string buildDate(const SoftwareVersion& software) {
 }
 
 QString serialNumber(RobotModelId model, const SoftwareVersion& software) {
-    // Year, series, a number of the model, and one of the robot.
+    // Year, series, number of the model, and number of the robot.
     return QStringLiteral("2022%1%2%3")
         .arg(software.isCb3() ? 3 : 5)
         .arg(static_cast<int>(model), 2, 10, QLatin1Char('0'))

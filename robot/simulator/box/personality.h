@@ -13,23 +13,23 @@
 
 namespace tiller::simulator {
 
-/// Returns a release by its number: "5.22", "3.15.8", "10.12.0.123". Missing parts are taken from the best known
-/// release of that series, if any.
+/// Returns a release by its number: "5.22", "3.15.8", "10.12.0.123". Missing parts are taken from the best
+/// matching known release of that series, if any.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
 /// The default release of a model.
 SoftwareVersion defaultSoftware(RobotModelId model);
-/// Whether this arm runs that software.
+/// Checks whether this arm supports that software.
 /// Errors  InvalidArgument, with the reason
 Result<void> checkSoftware(RobotModelId model, const SoftwareVersion& software);
 
-/// Four numbers with dots.
+/// Four numbers separated by dots.
 std::string versionText(const SoftwareVersion& software);
-/// Of the release, as `PolyscopeVersion` gives it: "Mar 22 2022".
+/// Date of the release in the format of `PolyscopeVersion`: "Mar 22 2022".
 std::string releaseDate(const SoftwareVersion& software);
-/// Of the same day, as the primary interface's version message gives it: "22-03-2022, 00:00:00".
+/// The same date in the format of the primary interface's version message: "22-03-2022, 00:00:00".
 std::string buildDate(const SoftwareVersion& software);
-/// Digits beginning with 20, different for each model.
+/// Digits starting with 20, different for each model.
 QString serialNumber(RobotModelId model, const SoftwareVersion& software);
 
 }  // namespace tiller::simulator

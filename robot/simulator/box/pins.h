@@ -48,7 +48,7 @@ struct Pins {
         const double level = analogOutputLevels[n];
         return analogOutputDomains[n] == 0 ? 0.004 + 0.016 * level : 10.0 * level;
     }
-    /// level  0..1 of the range; outside it is held to the range, not a number is ignored
+    /// level  0..1 of the range; other values are clamped, NaN is ignored
     void setAnalogOutput(std::size_t n, double level) {
         if (!std::isnan(level)) {
             analogOutputLevels[n] = std::clamp(level, 0.0, 1.0);

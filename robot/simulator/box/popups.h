@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Popups standing on the pendant.
+// Popups shown on the pendant.
 
 #include <algorithm>
 #include <vector>
@@ -21,7 +21,7 @@ public:
     void close(int id) {
         std::erase_if(shown_, [id](const Shown& p) { return p.id == id; });
     }
-    /// Closes the newest popup, like its button. Returns false if there was none.
+    /// Closes the newest popup, as its button does. Returns false if there is none.
     bool closeNewest() {
         if (shown_.empty()) {
             return false;
@@ -33,7 +33,7 @@ public:
     bool anyBlocking() const {
         return std::any_of(shown_.begin(), shown_.end(), [](const Shown& p) { return p.blocking; });
     }
-    /// Closes popups that a program waited for when the program ends.
+    /// At the end of a program, closes popups that it waited for.
     void closeBlocking() {
         std::erase_if(shown_, [](const Shown& p) { return p.blocking; });
     }

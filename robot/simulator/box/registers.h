@@ -17,7 +17,7 @@ struct RegisterBank {
     std::array<std::int32_t, 48> ints{};
     std::array<double, 48> doubles{};
 
-    /// 32 bits from `first` on, lowest in bit 0.
+    /// 32 bits starting at `first`, the lowest one in bit 0.
     std::uint32_t word(std::size_t first) const {
         std::uint32_t packed = 0;
         for (std::size_t i = 0; i < 32; ++i) {
@@ -33,8 +33,8 @@ struct RegisterBank {
 };
 
 /// Values that a program writes and overwrites within one period. RTDE runs in parallel with programs and
-/// occasionally reads such a value: ur_rtde answers getActualToolFlangePose() with one, repeated every period until
-/// it is seen.
+/// occasionally reads such a value: ur_rtde answers getActualToolFlangePose() with one, repeated every period
+/// until it is read.
 class OverwrittenIntegers {
 public:
     void beginPeriod() {
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static constexpr int kCaught = 125;  ///< one in so many in a row
+    static constexpr int kCaught = 125;  ///< consecutive occurrences per reported value
     std::bitset<48> written_;
     std::array<std::optional<std::int32_t>, 48> overwritten_{};
     std::array<int, 48> periods_{};
@@ -63,7 +63,7 @@ private:
 
 /// Every value that programs write to one output integer register, also those overwritten within a period.
 struct WrittenIntegers {
-    std::optional<std::size_t> number;  ///< the register; nothing: none is followed
+    std::optional<std::size_t> number;  ///< the register; empty: none
     std::vector<std::int32_t> values;
 };
 

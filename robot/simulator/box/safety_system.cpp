@@ -4,7 +4,7 @@
 namespace tiller::simulator {
 
 namespace {
-// Sums of periods miss the whole second by rounding.
+// Sums of periods deviate from whole seconds by rounding.
 constexpr double kTimeTolerance = 1e-6;
 }  // namespace
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The safety states of a controller and their transitions. It knows causes and time, but not the reaction of the
-// arm or the program: the plant reads mode() after each step and reacts to changes.
-// Source: UR manual (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
+// The safety states of a controller and their transitions. It handles causes and times, but not the reaction
+// of the arm or the program: the plant reads mode() after each step and reacts to changes. Source: UR manual
+// (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
 
 #include <cstdint>
 
@@ -16,20 +16,20 @@ enum class OperationalMode { None, Manual, Automatic };
 
 class SafetySystem {
 public:
-    /// A protective stop cannot be unlocked from the dashboard earlier [s].
+    /// Minimum time before a protective stop can be unlocked from the dashboard [s].
     static constexpr double kUnlockDelay = 5.0;
-    /// From an accepted unlock to normal operation [s].
+    /// Time from an accepted unlock to normal operation [s].
     static constexpr double kUnlockTime = 0.05;
 
-    /// Conditions that last as long as their cause.
+    /// Conditions that remain active as long as their cause.
     enum class Input {
         RobotEmergencyStop,
         SystemEmergencyStop,
         Safeguard,
-        AutomaticModeSafeguard,  ///< acts in AUTOMATIC only
-        ThreePositionEnabling,   ///< the device is not in its middle position; acts in MANUAL only
+        AutomaticModeSafeguard,  ///< active in AUTOMATIC only
+        ThreePositionEnabling,   ///< the device is not in its middle position; active in MANUAL only
         Reduced,
-        Recovery,  ///< a joint stands outside its safety limits
+        Recovery,  ///< a joint is outside its safety limits
         Count
     };
     void set(Input input, bool active) { inputs_[static_cast<int>(input)] = active; }
@@ -41,7 +41,7 @@ public:
     void fault() { fault_ = true; }
     void protectiveStop();
 
-    /// False when it is too early, which only matters if `enforceDelay`. True, without effect, when there is
+    /// False if it is too early, which is only checked if `enforceDelay`. True, without effect, if there is
     /// no protective stop.
     bool unlockProtectiveStop(bool enforceDelay);
     /// Clears violation, fault and protective stop.
@@ -49,7 +49,7 @@ public:
 
     void step(double dt);
 
-    /// safety_mode. The two safeguard stops that came later show as SAFEGUARD_STOP here.
+    /// safety_mode. The two safeguard stops introduced later are reported as SAFEGUARD_STOP here.
     SafetyMode mode() const;
     /// safety_status, which distinguishes the causes.
     SafetyMode status() const;
@@ -58,7 +58,7 @@ public:
         return isSet(Input::RobotEmergencyStop) || isSet(Input::SystemEmergencyStop);
     }
     bool isReduced() const { return isSet(Input::Reduced); }
-    /// No power may be applied.
+    /// True if power must not be applied.
     bool blocksPower() const { return isEmergencyStopped() || violation_ || fault_; }
     /// safety_status_bits. Source: RTDE guide.
     std::uint32_t statusBits() const;

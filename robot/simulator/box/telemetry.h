@@ -23,14 +23,14 @@ struct Telemetry {
     const Registers* registers = nullptr;
     const Pins* pins = nullptr;
     const RobotModel* model = nullptr;  ///< as the controller reports it
-    std::uint64_t identity = 0;         ///< changes when `model` does
-    std::uint64_t boots = 0;            ///< changes when the services have restarted
+    std::uint64_t identity = 0;         ///< changes whenever `model` changes
+    std::uint64_t boots = 0;            ///< changes whenever the services have restarted
     SoftwareVersion software;
     bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
 
     std::uint64_t tick = 0;
     double timestamp = 0;      ///< [s] since the controller started
-    double executionTime = 0;  ///< [ms] of the real-time thread, as on a robot: no measurement of this one
+    double executionTime = 0;  ///< [ms] of the real-time thread, as on a robot: not measured
 
     RobotMode robotMode = RobotMode::PowerOff;
     SafetyMode safetyMode = SafetyMode::Normal;

@@ -13,7 +13,7 @@
 
 namespace tiller::simulator {
 
-/// Of an output, by its number in the script function.
+/// Automatic function of an output, by its number in the script function.
 enum class RunState { Keep, LowWhenStopped, HighWhenStopped, HighWhileRunning };
 
 class TerminalRules {
@@ -24,7 +24,7 @@ public:
     std::bitset<kDigitalPins> freedriveInputs;
     std::bitset<128> freedriveRegisters;
 
-    /// A program has begun or ended.
+    /// A program has started or ended.
     void programChanged(bool running, Pins& pins, Registers& registers) const {
         for (std::size_t i = 0; i < digitalOutputs.size(); ++i) {
             apply(digitalOutputs[i], running,
@@ -37,7 +37,7 @@ public:
             apply(outputRegisters[i], running, [&](bool high) { registers.output.bits[i] = high; });
         }
     }
-    /// Some input that acts as a freedrive button is high.
+    /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted(const Pins& pins, const Registers& registers) const {
         if ((freedriveInputs & std::bitset<kDigitalPins>(pins.digitalInputs)).any()) {
             return true;

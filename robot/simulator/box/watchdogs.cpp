@@ -17,13 +17,13 @@ Result<void> Watchdogs::set(std::string_view field, double minFrequency, urscrip
         return urscript::scriptError("rtde_set_watchdog: the frequency must be above zero");
     }
     const auto input = static_cast<std::size_t>(found - rtde::inputFields().data());
-    std::erase_if(dogs_, [input](const Dog& dog) { return dog.input == input; });
+    std::erase_if(dogs_, [input](const Watchdog& dog) { return dog.input == input; });
     dogs_.push_back({input, 1.0 / minFrequency, 0, action});
     return {};
 }
 
 void Watchdogs::touched(std::size_t input) {
-    for (Dog& dog : dogs_) {
+    for (Watchdog& dog : dogs_) {
         if (dog.input == input) {
             dog.age = 0;
         }
@@ -32,15 +32,15 @@ void Watchdogs::touched(std::size_t input) {
 
 std::optional<urscript::WatchdogAction> Watchdogs::step(double dt) {
     std::optional<urscript::WatchdogAction> action;
-    for (Dog& dog : dogs_) {
+    for (Watchdog& dog : dogs_) {
         dog.age += dt;
-        // A package may arrive at any point within a period, hence the additional period.
+        // A package may arrive at any time within a period, so one period is added.
         if (dog.age > dog.limit + dt && !action) {
             action = dog.action;
             dog.limit = 0;
         }
     }
-    std::erase_if(dogs_, [](const Dog& dog) { return dog.limit == 0; });
+    std::erase_if(dogs_, [](const Watchdog& dog) { return dog.limit == 0; });
     return action;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// rtde_set_watchdog(): the program that set one wants to be stopped when an input stops being refreshed.
-// Source: URScript manual.
+// rtde_set_watchdog(): stops a program when an input is no longer refreshed. Source: URScript manual.
 
 #include <cstdint>
 #include <optional>
@@ -20,20 +19,20 @@ public:
     Result<void> set(std::string_view field, double minFrequency, urscript::WatchdogAction action);
     void clear() { dogs_.clear(); }
 
-    /// A data package with this input (index into rtde::inputFields()) has come.
+    /// Call when a data package with this input (index into rtde::inputFields()) has been received.
     void touched(std::size_t input);
 
     /// Returns the due action, if any. A watchdog that has fired is removed.
     std::optional<urscript::WatchdogAction> step(double dt);
 
 private:
-    struct Dog {
+    struct Watchdog {
         std::size_t input = 0;
         double limit = 0;  ///< [s]
         double age = 0;    ///< [s]
         urscript::WatchdogAction action{};
     };
-    std::vector<Dog> dogs_;
+    std::vector<Watchdog> dogs_;
 };
 
 }  // namespace tiller::simulator

@@ -8,13 +8,13 @@ namespace tiller::simulator {
 
 namespace {
 
-// Where the fingers of a real one end, and how fast they go. Source: instruction manual, 2F-85: 20 to 150
-// mm/s over 85 mm, which are 255 steps.
-constexpr double kMostOpen = 3;
-constexpr double kMostClosed = 230;
+// End positions and speeds of the fingers of a real gripper. Source: instruction manual, 2F-85: 20 to 150
+// mm/s over 85 mm, which correspond to 255 steps.
+constexpr double kFullyOpen = 3;
+constexpr double kFullyClosed = 230;
 constexpr double kSlowest = 20.0 / 85.0 * 255.0;   ///< [steps/s]
 constexpr double kFastest = 150.0 / 85.0 * 255.0;  ///< [steps/s]
-/// Closing and opening once.
+/// Time to close and open once.
 constexpr double kActivationTime = 1.2;
 constexpr double kReleaseSpeed = kSlowest;
 constexpr std::string_view kLights[] = {"LBP", "LRD", "LBL", "LGN"};
@@ -63,7 +63,7 @@ bool Gripper::setAside(std::string_view name, int value) {
         currentLimit_ = value;
         return true;
     }
-    return name == "SID" || name == "MOD" || name == "SCN_BLOCK";  // one gripper, one mode: nothing to choose
+    return name == "SID" || name == "MOD" || name == "SCN_BLOCK";  // accepted without effect
 }
 
 void Gripper::activate(bool active) {
@@ -116,7 +116,7 @@ double Gripper::fingerSpeed() const {
 }
 
 void Gripper::move(double target, double speed, double dt) {
-    const double end = std::clamp(target, kMostOpen, kMostClosed);
+    const double end = std::clamp(target, kFullyOpen, kFullyClosed);
     const double before = position_;
     const bool closing = end > before;
     const double next = closing ? std::min(end, before + speed * dt) : std::max(end, before - speed * dt);
@@ -138,21 +138,21 @@ void Gripper::move(double target, double speed, double dt) {
 
 void Gripper::step(double dt) {
     if (release_ != 0 && activated_ != 0 && !isReleased()) {
-        // From here on it counts as in reset, until it is reset and activated again.
+        // From here on the gripper counts as reset, until it is reset and activated again.
         status_ = kReset;
         fault_ = kReleasing;
     }
     if (fault_ == kReleasing) {
-        move(releaseDirection_ != 0 ? kMostOpen : kMostClosed, kReleaseSpeed, dt);
+        move(releaseDirection_ != 0 ? kFullyOpen : kFullyClosed, kReleaseSpeed, dt);
         fault_ = objectStatus_ == kMoving ? kReleasing : kReleased;
     } else if (status_ == kActivating) {
         activationTime_ += dt;
         // Closes, opens and measures its range.
         const double part = activationTime_ / kActivationTime;
         position_ =
-            kMostOpen + (kMostClosed - kMostOpen) * (part < 0.5 ? 2 * part : std::max(0.0, 2 - 2 * part));
+            kFullyOpen + (kFullyClosed - kFullyOpen) * (part < 0.5 ? 2 * part : std::max(0.0, 2 - 2 * part));
         if (part >= 1) {
-            position_ = kMostOpen;
+            position_ = kFullyOpen;
             status_ = kActive;
             fault_ =
                 fault_ == kDelayed ? kNone : fault_;  // requests received in the meantime are executed now

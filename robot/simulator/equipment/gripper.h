@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A two-finger gripper of Robotiq: activation, moves with speed and force, contact with objects, automatic release,
-// faults; and its variables by name, as served by the gripper program on a robot.
-// Source: instruction manual of the manufacturer (registers); protocol: see gripper_server.h.
+// A two-finger gripper of Robotiq: activation, moves with speed and force, contact with objects, automatic
+// release, and faults; provides its variables by name, as the gripper service on a robot does. Source:
+// instruction manual of the manufacturer (registers); protocol: see gripper_server.h.
 
 #include <optional>
 #include <string_view>
@@ -12,11 +12,11 @@ namespace tiller::simulator {
 
 class Gripper {
 public:
-    /// Sets a variable, held to its range. False when there is no such variable or it cannot be set.
+    /// Sets a variable, clamped to its range. False when it does not exist or cannot be set.
     bool set(std::string_view name, int value);
-    /// Nothing when there is no such variable.
+    /// Nothing when the variable does not exist.
     std::optional<int> get(std::string_view name) const;
-    /// Something that stops the fingers at 0 (open) to 255 (closed), on the way there from either side.
+    /// Object that stops the fingers at 0 (open) to 255 (closed), from either side.
     void setObject(std::optional<int> position) { object_ = position; }
 
     void step(double dt);
@@ -26,7 +26,7 @@ private:
     enum Object { kMoving = 0, kStoppedOpening = 1, kStoppedClosing = 2, kAtDestination = 3 };
     enum Fault { kNone = 0, kDelayed = 5, kNotActivated = 7, kReleasing = 11, kReleased = 15 };
 
-    /// An automatic release has begun, and no reset has come since.
+    /// True after an automatic release has begun, until a reset.
     bool isReleased() const { return fault_ == kReleasing || fault_ == kReleased; }
     bool setAside(std::string_view name, int value);
     void activate(bool active);
@@ -41,10 +41,10 @@ private:
     int fault_ = kNone;
     int lights_[4] = {};         ///< LBP, LRD, LBL, LGN
     int currentLimit_ = 0;       ///< [10 mA]
-    double position_ = 3;        ///< 0..255; fingers wide open stand at 3 of 255
-    double activationTime_ = 0;  ///< [s] since it began
+    double position_ = 3;        ///< 0..255; fully open fingers are at 3 of 255
+    double activationTime_ = 0;  ///< [s] since the start of the activation
     std::optional<int> object_;
-    int contact_ = 0;  ///< the fingers press on the object: 1 closing, -1 opening, 0 not
+    int contact_ = 0;  ///< the fingers press on the object: 1 closing, -1 opening, 0 none
 };
 
 }  // namespace tiller::simulator

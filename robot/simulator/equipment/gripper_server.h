@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The gripper's service, port 63352, in lines of ASCII:
+// The gripper's service, port 63352, with lines of ASCII:
 //
 //     SET ACT 1                       ack
-//     SET POS 200 SPE 255 GTO 1       ack          (several at once; no newline behind "ack")
+//     SET POS 200 SPE 255 GTO 1       ack          (several at once; no newline after "ack")
 //     GET POS                         POS 187
 //
-// A variable that does not exist reads as "?". The maker's own URScript asks without a newline, and reads
-// digits of a fixed number:
+// The value of an unknown variable is "?". The manufacturer's own URScript sends requests without a newline,
+// and reads a fixed number of digits:
 //
 //     GET STA    3        GET FLT    00        GET PRE    007        GET SID    [9] and blanks, 17 in all
 //
-// Source: what ur_rtde's gripper class and the maker's URScript send and expect.
+// Source: requests and expected replies of ur_rtde's gripper class and of the manufacturer's URScript.
 
 #include "robot/simulator/equipment/gripper.h"
 #include "robot/simulator/servers/net/line_server.h"

@@ -8,8 +8,8 @@ namespace tiller::simulator {
 namespace {
 
 constexpr int kLastAddress = 65535;
-constexpr std::size_t kMostSignals = 1000;
-constexpr double kPeriodTolerance = 1e-9;  // sums of periods miss the whole second by rounding
+constexpr std::size_t kMaxSignals = 1000;
+constexpr double kPeriodTolerance = 1e-9;  // sums of periods deviate from whole seconds by rounding
 
 Error noSignal(std::string_view name) {
     return urscript::scriptError("Modbus signal '" + std::string(name) + "' does not exist");
@@ -34,7 +34,7 @@ const ModbusDevice::Signal* ModbusDevice::find(std::string_view name) const {
 // ---- signals --------------------------------------------------------------------------------------------
 
 Result<void> ModbusDevice::add(const urscript::ModbusSignal& signal) {
-    if (signals_.size() >= kMostSignals && find(signal.name) == nullptr) {
+    if (signals_.size() >= kMaxSignals && find(signal.name) == nullptr) {
         return urscript::scriptError("There are too many Modbus signals");
     }
     Signal added;
@@ -76,7 +76,7 @@ Result<std::int32_t> ModbusDevice::error(std::string_view name, urscript::Modbus
         case urscript::ModbusErrorSource::Combined:
             break;
     }
-    // The connection's in the upper half.
+    // Upper half: connection error.
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(connection) << 16 |
                                      static_cast<std::uint32_t>(signal->deviceError));
 }
@@ -153,7 +153,7 @@ void ModbusDevice::command(int function, std::span<const std::uint8_t> data) {
     if (function == kWriteCoil || function == kWriteRegister) {
         write(function == kWriteCoil ? Kind::Coil : Kind::Register, word(0), {&value, 1});
     }
-    // Others are between the program and a device of its maker's: taken, without effect.
+    // Other function codes are specific to a manufacturer's device: accepted without effect.
 }
 
 // ---- the device -----------------------------------------------------------------------------------------

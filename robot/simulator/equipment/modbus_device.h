@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the signals of the controller for it. The same small device answers at every address:
-// discrete inputs, coils, input registers and registers, all 0 at first; inputs are changed by fault injection.
-// Signals are updated at their frequency; a signal without an answer for longer than its watchdog is an error for
-// the program that reads it. Source: URScript manual, modbus functions.
+// A Modbus device and the signals of the controller for it. The same small device responds at every address:
+// discrete inputs, coils, input registers and registers, all initially 0; inputs are changed by fault
+// injection. Signals are updated at their frequency; a signal without an answer for longer than its watchdog
+// is an error for the program that reads it. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>
@@ -38,27 +38,27 @@ public:
     void command(int function, std::span<const std::uint8_t> data);
     bool isConnected() const { return connected_; }
 
-    // Faults of the device.
-    /// Values from that address on; those beyond 65535 are not there.
+    // Fault injection.
+    /// Writes values from that address on; values beyond 65535 are ignored.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
     /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
-    /// Answer of the device to that signal from now on: 0 none, 1 illegal function, 2 illegal address, 3 illegal
-    /// value, 4 failure, 6 busy...
+    /// Response of the device to that signal from now on: 0 no error, 1 illegal function, 2 illegal address,
+    /// 3 illegal value, 4 failure, 6 busy...
     Result<void> setDeviceError(std::string_view name, int code);
     void setConnected(bool connected) { connected_ = connected; }
 
     void step(double dt);
-    /// A program has begun or ended.
+    /// A program has started or ended.
     void programChanged(bool running);
-    /// Some input that acts as a freedrive button is high.
+    /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted() const;
 
 private:
     struct Signal {
         urscript::ModbusSignal what;
-        std::vector<std::int32_t> values;  ///< last read
-        std::vector<std::int32_t> wanted;  ///< not yet written; empty: nothing
+        std::vector<std::int32_t> values;  ///< last values read
+        std::vector<std::int32_t> wanted;  ///< values to be written; empty: none
         double period = 0.1;               ///< [s]; 0: read on request
         double untilUpdate = 0;            ///< [s]
         double invalidFor = 0;             ///< [s] since the last answer

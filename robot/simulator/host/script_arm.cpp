@@ -3,7 +3,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/rtde/fields.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
 
 namespace tiller::simulator {
@@ -15,7 +15,7 @@ const DhParameters& ScriptArm::dh() const {
     return plant_.arm().model().dh;
 }
 
-// ---- readings -------------------------------------------------------------------------------------------
+// ---- measured values ------------------------------------------------------------------------------------
 
 JointPositions ScriptArm::jointPositions(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQ : state().targetQ;
@@ -24,7 +24,7 @@ JointVelocities ScriptArm::jointVelocities(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQd : state().targetQd;
 }
 JointAccelerations ScriptArm::jointAccelerations(urscript::Source) const {
-    return state().targetQdd;  // the arm measures no accelerations
+    return state().targetQdd;  // the arm does not measure accelerations
 }
 
 Result<JointPositions> ScriptArm::jointPositionsHistory(int steps) const {
@@ -62,7 +62,7 @@ double ScriptArm::jointTemperature(int joint) const {
     return state().jointTemperature[joint];
 }
 double ScriptArm::controllerTemperature() const {
-    return 24.0;  // as MasterboardData reports it
+    return 24.0;  // as reported in MasterboardData
 }
 double ScriptArm::toolTemperature() const {
     return state().toolTemperature;
@@ -133,7 +133,7 @@ Result<Matrix6> ScriptArm::jacobian(const std::optional<JointPositions>& q,
 Result<Matrix6> ScriptArm::jacobianTimeDerivative(const std::optional<JointPositions>& q,
                                                   const std::optional<JointVelocities>& qd,
                                                   const std::optional<Pose>& tcp) const {
-    constexpr double kStep = 1e-5;  // [s]; central differences, good to 1e-9
+    constexpr double kStep = 1e-5;  // [s]; central differences, accurate to 1e-9
     const Vector6 at = q.value_or(state().actualQ).values;
     const Vector6 way = kStep * qd.value_or(state().actualQd).values;
     const Pose tool = tcp.value_or(plant_.arm().tcp());
@@ -196,11 +196,11 @@ void ScriptArm::zeroForceSensor() {
 
 Result<void> ScriptArm::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
-    // A sensor that falls silent pauses the program, unless the program asks for something else.
-    constexpr double kLeastFrequency = 10.0;
+    // Loss of the sensor data pauses the program, unless the program requests another action.
+    constexpr double kMinFrequency = 10.0;
     const auto action =
         sensor.enabled && sensor.viaRtde ? urscript::WatchdogAction::Pause : urscript::WatchdogAction::Ignore;
-    return plant_.watchdogs().set("external_force_torque", kLeastFrequency, action);
+    return plant_.watchdogs().set("external_force_torque", kMinFrequency, action);
 }
 
 }  // namespace tiller::simulator

@@ -10,14 +10,14 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptArm : public virtual urscript::StateHost,
                   public virtual urscript::KinematicsHost,
                   public virtual urscript::SetupHost {
 public:
-    explicit ScriptArm(Plant& plant) : plant_(plant) {}
+    explicit ScriptArm(ControllerModel& plant) : plant_(plant) {}
 
     JointPositions jointPositions(urscript::Source source) const override;
     JointVelocities jointVelocities(urscript::Source source) const override;
@@ -67,7 +67,7 @@ private:
     const DhParameters& dh() const;
 
     Eigen::Vector3d baseAcceleration_ = Eigen::Vector3d::Zero();
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

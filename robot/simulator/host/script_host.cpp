@@ -3,7 +3,7 @@
 
 #include <QDateTime>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 
 namespace tiller::simulator {
@@ -14,7 +14,7 @@ constexpr double kProgramEndDeceleration = 10.0;  ///< [rad/s2]
 
 }  // namespace
 
-ScriptHost::ScriptHost(Plant& plant)
+ScriptHost::ScriptHost(ControllerModel& plant)
     : ScriptMotion(plant)
     , ScriptSuperposition(plant)
     , ScriptArm(plant)

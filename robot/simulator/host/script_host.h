@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of parts.
+// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of several
+// classes.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"
@@ -14,7 +15,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptHost final : public urscript::Host,
@@ -26,9 +27,9 @@ class ScriptHost final : public urscript::Host,
                          public ScriptMessages,
                          public ScriptModbus {
 public:
-    explicit ScriptHost(Plant& plant);
+    explicit ScriptHost(ControllerModel& plant);
 
-    /// Once a control period, before the scripts run.
+    /// To be called once per control period, before the scripts run.
     void beginPeriod();
 
     // ProgramHost
@@ -42,7 +43,7 @@ public:
     void programEnded(urscript::ProgramKind kind) override;
 
 private:
-    Plant& plant_;
+    ControllerModel& plant_;
     bool wasRunning_ = false;
     bool freedriveWanted_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/host/script_messages.h"
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
@@ -25,7 +25,7 @@ bool ScriptMessages::popupOpen(int id) const {
     return plant_.popups().isOpen(id);
 }
 
-// ---- values asked of people -----------------------------------------------------------------------------
+// ---- values requested from the operator -----------------------------------------------------------------
 
 Result<int> ScriptMessages::requestValue(urscript::RequestedType kind, std::string_view text) {
     ++lastRequest_;
@@ -55,7 +55,7 @@ std::optional<urscript::RequestedType> ScriptMessages::asked() const {
 }
 
 bool ScriptMessages::answerRequest(const urscript::RequestAnswer& answer) {
-    // The oldest that still waits, and only with a value of its type: index and kind count alike.
+    // The oldest open request, and only with a value of its type; the index of the variant equals the kind.
     for (auto& [id, request] : requests_) {
         if (!request.answer) {
             if (answer.index() != static_cast<std::size_t>(request.kind)) {

@@ -10,17 +10,17 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptMessages : public virtual urscript::MessageHost {
 public:
-    explicit ScriptMessages(Plant& plant) : plant_(plant) {}
+    explicit ScriptMessages(ControllerModel& plant) : plant_(plant) {}
 
     /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
     /// type.
     bool answerRequest(const urscript::RequestAnswer& answer);
-    /// Type of value that the oldest request expects; nothing if none is open.
+    /// Type of value expected by the oldest request; nothing if there is none.
     std::optional<urscript::RequestedType> asked() const;
     void forgetRequests() { requests_.clear(); }
 
@@ -39,7 +39,7 @@ private:
 
     std::map<int, Question> requests_;  ///< by id
     int lastRequest_ = 0;
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

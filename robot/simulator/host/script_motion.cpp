@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
@@ -14,17 +14,17 @@ namespace {
 
 using urscript::Move;
 
-/// optimovej and optimovel take fractions of the limits of the arm.
-constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at 1
-constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at 1
-constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at 1
+/// optimovej and optimovel use fractions of these limits of the arm.
+constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at fraction 1
+constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at fraction 1
+constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at fraction 1
 
 /// Freedrive does not start while the unexplained force on the tool exceeds this [N]. The threshold of the
 /// controller is not published.
 constexpr double kUnexplainedInFreedrive = 50.0;
 
-/// Time that a stop waits for standstill [s]. Not published; a known client treats moves that end in a stop sooner
-/// than this as failed.
+/// Time for which a stop waits at standstill [s]. Not published; a known client treats moves that end in a
+/// stop sooner than this as failed.
 constexpr double kSettling = 0.04;
 
 Error refusal(arm::MotionError error, int joint) {
@@ -108,7 +108,7 @@ struct Starter {
         return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
                                          torque.coulomb.value_or(all));
     }
-    // The command does not state which of the two it ends; a conveyor has priority.
+    // The command does not specify which of the two it ends; a conveyor has priority.
     arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
         return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
                                                     : arm.endPathOffset(stop.deceleration);
@@ -128,9 +128,9 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
     return {};
 }
 
-// The target is at rest, the arm not yet: a stop waits briefly for standstill.
+// The target is at rest but the arm is not yet: a stop waits briefly for standstill.
 bool ScriptMotion::comesToRest(Motion& motion) const {
-    const bool waits = plant_.assumptions().stopReturns == Assumptions::StopReturns::Standing;
+    const bool waits = plant_.assumptions().stopReturns == BehaviourOptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
         motion.settled < kSettling) {
         motion.settled += plant_.stepTime();
@@ -248,7 +248,7 @@ Result<void> ScriptMotion::setJointPositions(const JointPositions& q) {
     return {};
 }
 
-// Only wrist 3 of the smallest arms turns without end, and only whole turns are forgotten.
+// Only wrist 3 of the smallest arms can rotate without limit, and only full revolutions are removed.
 Result<void> ScriptMotion::resetRevolutionCounter(const JointPositions& qNear) {
     constexpr double kTurn = 2 * std::numbers::pi;
     arm::Arm& arm = plant_.arm();

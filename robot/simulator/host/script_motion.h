@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// URScript's motion commands in the arm's words.
+// Converts URScript's motion commands to those of the arm.
 
 #include <map>
 
@@ -10,12 +10,12 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptMotion : public virtual urscript::MotionHost {
 public:
-    explicit ScriptMotion(Plant& plant) : plant_(plant) {}
+    explicit ScriptMotion(ControllerModel& plant) : plant_(plant) {}
 
     Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;
     Result<bool> motionFinished(urscript::ThreadId thread) override;
@@ -40,14 +40,14 @@ public:
 private:
     struct Motion {
         arm::MotionId id = 0;
-        bool settles = false;  ///< a stop, which waits until the arm has come to rest
-        double settled = 0;    ///< [s] since it stands
+        bool settles = false;  ///< a stop, which waits until the arm is at rest
+        double settled = 0;    ///< time at standstill [s]
     };
     bool comesToRest(Motion& motion) const;
     Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
     std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished, by thread
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -6,14 +6,14 @@
 namespace tiller::simulator {
 
 namespace {
-/// Bytes buffered in each of three places: the system, the socket and this class.
+/// Number of bytes buffered in each of three places: the system, the socket and this class.
 constexpr qsizetype kShare = 16 << 10;
-/// Here, when the program waits for the end of something longer [bytes].
-constexpr qsizetype kMostUnread = 4 << 20;
+/// Limit of this class while the program waits for the end of a longer message [bytes].
+constexpr qsizetype kMaxUnread = 4 << 20;
 }  // namespace
 
 void ScriptSockets::Connection::takeIn() {
-    const qsizetype room = (wantsMore ? kMostUnread : kShare) - received.size();
+    const qsizetype room = (wantsMore ? kMaxUnread : kShare) - received.size();
     if (room > 0 && socket->bytesAvailable() > 0) {
         received += socket->read(room);
     }
@@ -46,8 +46,8 @@ bool ScriptSockets::openSocket(std::string_view name, std::string_view address, 
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
-    // The size of the system buffer is fixed when the connection is made. A name may lead to addresses of either
-    // family and keeps the default size.
+    // The size of the system buffer is fixed when the connection is made. A host name may resolve to
+    // addresses of either family and keeps the default size.
     const QHostAddress literal(host);
     const bool is6 = literal.protocol() == QAbstractSocket::IPv6Protocol;
     if (!literal.isNull() && socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {

@@ -22,7 +22,7 @@ namespace tiller::simulator {
 /// Threads  the simulator's, which processes events between control periods. Blocks: never.
 class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    /// Local services that a program reaches at 127.0.0.1, by their known ports.
+    /// Services of this controller that a program reaches at 127.0.0.1, by their standard ports.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
     bool openSocket(std::string_view name, std::string_view address, int port) override;
@@ -32,7 +32,7 @@ public:
     std::string_view receivedBytes(std::string_view name) const override;
     void consumeBytes(std::string_view name, std::size_t count) override;
     void closeAllSockets() { sockets_.clear(); }
-    bool hasSockets() const { return !sockets_.empty(); }  ///< They need events to be processed.
+    bool hasSockets() const { return !sockets_.empty(); }  ///< Sockets require event processing.
 
     /// Reads received data.
     void serviceSockets();
@@ -41,7 +41,7 @@ private:
     struct Connection {
         std::unique_ptr<QTcpSocket> socket;
         QByteArray received;
-        mutable bool wantsMore = false;  ///< the program has looked and taken nothing
+        mutable bool wantsMore = false;  ///< the program has read without consuming data
 
         void takeIn();
     };
@@ -49,7 +49,7 @@ private:
 
     std::map<std::string, Connection, std::less<>> sockets_;
     QString ownAddress_;
-    std::map<int, int> ownPorts_;  ///< where it is, by its standard number
+    std::map<int, int> ownPorts_;  ///< actual port by standard port
 };
 
 }  // namespace tiller::simulator

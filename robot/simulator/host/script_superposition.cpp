@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 

@@ -8,14 +8,14 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
-    explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
+    explicit ScriptSuperposition(ControllerModel& plant) : plant_(plant) {}
 
-    /// Runs once per control period after the scripts: counts the encoders and moves conveyors.
+    /// To be called once per control period after the scripts: counts the encoders and moves conveyors.
     void stepConveyors();
     const Encoders& encoders() const { return encoders_; }
 
@@ -34,8 +34,8 @@ public:
 
 private:
     Encoders encoders_;
-    int trackedEncoder_ = 0;  ///< which of them moves the conveyor that is tracked
-    Plant& plant_;
+    int trackedEncoder_ = 0;  ///< encoder of the tracked conveyor
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

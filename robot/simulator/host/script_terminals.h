@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Registers, flags and terminals of a program, and the rules that it sets for the terminals.
+// Registers, flags and terminals of a program, and the automatic functions that it configures for the
+// terminals.
 
 #include <array>
 #include <bitset>
@@ -11,16 +12,16 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// Threads  the simulator's
 class ScriptTerminals : public virtual urscript::RegisterHost, public virtual urscript::IoHost {
 public:
-    explicit ScriptTerminals(Plant& plant) : plant_(plant) {}
+    explicit ScriptTerminals(ControllerModel& plant) : plant_(plant) {}
 
-    /// A program has begun or ended: some outputs follow.
+    /// A program has started or ended, which changes some outputs.
     void programChanged(bool running);
-    /// Whether an input that acts as a freedrive button is high.
+    /// Returns whether an input that acts as a freedrive button is high.
     bool freedriveWanted() const;
 
     bool boolRegister(urscript::RegisterSide side, int address) const override;
@@ -54,7 +55,7 @@ private:
     TerminalRules rules_;
     std::bitset<kPorts> portBits_;
     std::array<std::int16_t, kPorts> portRegisters_{};
-    Plant& plant_;
+    ControllerModel& plant_;
 };
 
 }  // namespace tiller::simulator

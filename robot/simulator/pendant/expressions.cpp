@@ -8,7 +8,7 @@ namespace tiller::simulator::pendant {
 
 namespace {
 
-/// The pendant shows some operators as one sign. In a string they stay what they are.
+/// The pendant stores some operators as single characters. Inside strings they are kept.
 QString withOperators(const QString& text) {
     static const std::pair<char16_t, const char*> kSigns[] = {
         {0x225F, "=="}, {0x2260, "!="}, {0x2264, "<="}, {0x2265, ">="}, {0x2254, "="},
@@ -28,7 +28,7 @@ QString withOperators(const QString& text) {
     return script;
 }
 
-/// The pendant saves some words without blanks around them.
+/// The pendant stores some keywords without surrounding blanks.
 QString separated(const QString& token) {
     const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
     const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();
@@ -74,7 +74,7 @@ void Expressions::appendPart(const XmlElement& part, Expression& to) {
         const XmlElement* const waypoint = part.target("Waypoint");
         const QString name = waypoint == nullptr ? QString() : waypointName(*waypoint);
         if (name.isEmpty()) {
-            t_.refuse(part, QStringLiteral("it leads to no waypoint with a fixed position"));
+            t_.refuse(part, QStringLiteral("it refers to no waypoint with a fixed position"));
         }
         to.script += name + QStringLiteral("_p");
         to.shown += name;
@@ -108,7 +108,7 @@ QString Expressions::variable(const XmlElement& node, const char* child) {
 QString Expressions::nameOfVariable(const XmlElement& reference) {
     const XmlElement* const variable = reference.resolved();
     if (variable == nullptr) {
-        t_.refuse(reference, QStringLiteral("it leads to no variable"));
+        t_.refuse(reference, QStringLiteral("it refers to no variable"));
         return {};
     }
     if (const QString feature = variable->attribute("featureName"); !feature.isEmpty()) {
@@ -121,7 +121,7 @@ QString Expressions::nameOfVariable(const XmlElement& reference) {
     }
     const QString name = variable->attribute("name");
     if (name.isEmpty()) {
-        t_.refuse(reference, QStringLiteral("it leads to no variable"));
+        t_.refuse(reference, QStringLiteral("it refers to no variable"));
     }
     if (variable->is("InstallationVariable") &&
         std::ranges::find(t_.installation.variables, name, &std::pair<QString, QString>::first) ==
@@ -142,7 +142,7 @@ Expressions::Frame Expressions::frame(const XmlElement& node, const XmlElement* 
     }
     const XmlElement* const feature = given->resolved();
     if (feature == nullptr) {
-        t_.refuse(*given, QStringLiteral("it leads to no feature"));
+        t_.refuse(*given, QStringLiteral("it refers to no feature"));
         return {};
     }
     const QString name = feature->attribute("referencedName");
@@ -214,7 +214,7 @@ Expressions::Signal Expressions::signal(const XmlElement& node) {
                 &found->second};
     }
     t_.refuse(node, pin == nullptr
-                        ? QStringLiteral("its pin leads nowhere")
+                        ? QStringLiteral("its pin does not exist")
                         : QStringLiteral("pin '%1' is not known: %2").arg(name, installation.shownName()));
     return {name, QStringLiteral("False")};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Expressions, variables, terminals and features that nodes refer to, as URScript.
+// Converts expressions, variables, terminals and features that nodes refer to into URScript.
 
 #include <QString>
 #include <map>
@@ -12,26 +12,26 @@ namespace tiller::simulator::pendant {
 
 struct Expression {
     QString script;
-    QString shown;  ///< in the program tree
+    QString shown;  ///< text in the program tree
 };
 
 class Expressions {
 public:
     explicit Expressions(Translation& translation) : t_(translation) {}
 
-    /// Of an element with the parts of an expression. An empty one is the sign of an unfinished node.
+    /// Converts an element with the parts of an expression. An empty expression marks an unfinished node.
     Expression of(const XmlElement& expression);
-    /// Of the child of that name; `what` is missing when there is no such child, or it is empty.
+    /// Converts the child of that name; if it is missing or empty, `what` is reported as missing.
     Expression in(const XmlElement& node, const char* child, const QString& what);
 
-    /// The name of the variable that `child` of a node leads to; empty when the node is unfinished.
+    /// The name of the variable referenced by `child` of a node; empty when the node is unfinished.
     QString variable(const XmlElement& node, const char* child = "variable");
-    /// A pose in the base frame, of the `feature` of a node or, without one, of `otherwise`.
+    /// A pose in the base frame: the `feature` of a node or, without one, of `otherwise`.
     struct Frame {
         enum class Kind { Base, Tool, Other };
         Kind kind = Kind::Base;
         QString name;
-        QString script;  ///< a pose; empty: the installation does not have it
+        QString script;  ///< a pose; empty: missing in the installation
     };
     Frame frame(const XmlElement& node, const XmlElement* otherwise = nullptr);
 
@@ -43,13 +43,13 @@ public:
         const ModbusSignal* modbus = nullptr;
 
         bool isBoolean() const;
-        /// A statement that sets it to the value of an expression; empty for an input.
+        /// A statement that sets the signal to the value of an expression; empty for an input.
         QString write(const QString& value) const;
     };
-    /// What the `pin` of a node leads to. Refuses a node whose pin is not known.
+    /// The signal referenced by the `pin` of a node. Refuses a node with an unknown pin.
     Signal signal(const XmlElement& node);
 
-    /// Names of the variables `<name>_p` and `<name>_q` that hold a fixed waypoint.
+    /// Sets the name of a fixed waypoint, which is stored in the variables `<name>_p` and `<name>_q`.
     void nameWaypoint(const XmlElement& waypoint, const QString& name) { waypoints_[&waypoint] = name; }
     QString waypointName(const XmlElement& waypoint) const;
 

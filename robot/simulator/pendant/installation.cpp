@@ -49,7 +49,7 @@ void readModbus(const XmlElement& units, Installation& to) {
     }
 }
 
-/// Points, lines and planes have the same wrapper; only those with a pose of their own are known.
+/// Points, lines and planes have the same wrapper; only those with their own pose are supported.
 void readFeatures(const XmlElement& element, Installation& to) {
     const XmlElement* const position = element.child("toolPosition");
     const XmlElement* const rotation = element.child("toolAxisAngle");
@@ -90,7 +90,8 @@ void readPayloads(const XmlElement& root, Installation& to) {
     }
 }
 
-/// XML in newer software, a properties file before: `name=value`, with backslashes before special characters.
+/// XML in newer software, previously a properties file: `name=value`, with backslashes before special
+/// characters.
 void readVariables(const QByteArray& content, Installation& to) {
     if (isGzip(content) || content.trimmed().startsWith('<')) {
         if (const Result<std::unique_ptr<XmlElement>> tree = readPendantFile(content)) {

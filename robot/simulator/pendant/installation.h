@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The part of an installation file of the pendant that programs refer to: TCPs, payloads, features, names of
+// The part of a pendant's installation file that programs refer to: TCPs, payloads, features, names of
 // terminals, Modbus signals, the home position and the installation variables.
 
 #include <QByteArray>
@@ -18,9 +18,9 @@
 
 namespace tiller::simulator::pendant {
 
-/// A list of numbers as the file has it, "0.1, 2"; empty when it does not have `count` finite numbers.
+/// A list of numbers as stored in the file, "0.1, 2"; empty when it does not have `count` finite numbers.
 QString numberList(const QString& text, int count);
-/// The numbers of such a list.
+/// The numbers of a list as returned by numberList().
 std::optional<std::array<double, 6>> sixNumbers(const QString& text);
 
 struct Payload {
@@ -50,25 +50,25 @@ struct ModbusSignal {
 };
 
 struct Installation {
-    QString file;                     ///< empty: there is none
+    QString file;                     ///< empty: none
     std::map<QString, QString> tcps;  ///< six numbers, flange frame, by name
     QString activeTcp;
     std::vector<Payload> payloads;
     std::optional<Payload> defaultPayload;
     std::map<QString, Feature> features;
-    std::map<QString, Terminal> terminals;  ///< by the name given to them
+    std::map<QString, Terminal> terminals;  ///< by their assigned names
     std::map<QString, ModbusSignal> signals_;
     std::array<bool, 2> analogOutputIsVoltage{false, false};
     QString home;                                        ///< six joint angles [rad]; empty: not set
     std::vector<std::pair<QString, QString>> variables;  ///< name and value, as URScript
 
-    /// What messages call it.
+    /// The name used in messages.
     QString shownName() const;
     const Payload* payload(const QString& name) const;
 };
 
 /// content    XML, gzipped or not
-/// variables  the file of installation variables beside it; empty: there is none
+/// variables  the file of installation variables next to it; empty: none
 /// Errors     FileCorrupt with the reason
 Result<Installation> readInstallation(const QString& file, const QByteArray& content,
                                       const QByteArray& variables);

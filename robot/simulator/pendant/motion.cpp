@@ -10,12 +10,12 @@ namespace tiller::simulator::pendant {
 
 namespace {
 
-/// Of a new installation: the arm upright [rad].
+/// Home position of a new installation: the arm upright [rad].
 constexpr const char* kHome = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
 constexpr const char* kHomeSpeed = "1.05";         ///< [rad/s]
 constexpr const char* kHomeAcceleration = "1.40";  ///< [rad/s2]
 constexpr const char* kFarAway =
-    "1000.0";  ///< a direction without a distance goes on to the end of reach [m]
+    "1000.0";  ///< distance of a direction without a limit: up to the end of reach [m]
 constexpr const char* kRetractSpeed = "0.1";          ///< [m/s]
 constexpr const char* kForceEndDeceleration = "5.0";  ///< [m/s2]
 
@@ -24,13 +24,13 @@ const XmlElement& positionOf(const XmlElement& holder) {
     return position == nullptr ? holder : *position;
 }
 
-/// Six joint angles, in either spelling; empty when there are none.
+/// Six joint angles, in either spelling; empty if missing.
 QString anglesOf(const XmlElement& position) {
     const XmlElement* const joints = position.child("JointAngles");
     return numberList(joints == nullptr ? position.attribute("joints") : joints->attribute("angles"), 6);
 }
 
-/// The TCP with which a position was taught; empty: the file does not say.
+/// The TCP with which a position was taught; empty if the file does not contain it.
 QString tcpOf(const XmlElement& position) {
     const XmlElement* const tcp = position.child("TCPOffset");
     return tcp == nullptr ? QString() : numberList(tcp->attribute("pose"), 6);
@@ -48,7 +48,7 @@ bool isSamePose(const QString& a, const QString& b) {
                       [](double x, double y) { return std::abs(x - y) < kTolerance; });
 }
 
-/// A pose as an expression, of a position that was taught; empty when the file has none.
+/// The pose of a taught position as an expression; empty if the file contains none.
 QString taughtPose(const XmlElement& position, const QString& joints, bool ofFlange) {
     if (!joints.isEmpty() && (ofFlange || !tcpOf(position).isEmpty())) {
         return QStringLiteral("get_forward_kin(%1, %2)")
@@ -73,10 +73,10 @@ bool isMotion(const XmlElement& node) {
 }  // namespace
 
 struct Motion::Definer {
-    const XmlElement* node = nullptr;  ///< null: there is none
+    const XmlElement* node = nullptr;  ///< null: none
     QString function;
-    bool ignoresTcp = false;  ///< positions are those of the flange
-    bool usesJoints = false;  ///< the joint angles count, whatever the TCP
+    bool ignoresTcp = false;  ///< positions refer to the flange
+    bool usesJoints = false;  ///< joint angles define the target, whatever the TCP
     bool isOptimove = false;
 };
 
@@ -85,7 +85,7 @@ struct Motion::Until {
     const XmlElement* node;
     Kind kind;
     QString distance;   ///< Distance [m]
-    QString blend;      ///< Distance: goes on within this radius [m]; empty: stops
+    QString blend;      ///< Distance: blend radius [m]; empty: stops
     QString condition;  ///< Condition
 };
 
@@ -165,7 +165,7 @@ QString Motion::number(const XmlElement& node, const char* attribute) {
     return value;
 }
 
-/// Where a waypoint is, as an expression; empty when the node is unfinished or refused.
+/// The target of a waypoint as an expression; empty when the node is unfinished or refused.
 /// joints  the motion accepts joint angles
 QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool joints) {
     const QString type = waypoint.attribute("type");
@@ -199,8 +199,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
         return {};
     }
     const bool hasJoints = !anglesOf(position).isEmpty();
-    // A feature may have been moved since the waypoint was taught; the file says where it was. Without an
-    // installation it is taken to be there still.
+    // The feature may have been moved since the waypoint was taught; the file contains its pose at that time.
+    // Without an installation it is assumed unchanged.
     const XmlElement* const taughtFrame = waypoint.child("BaseToFeature");
     const QString then = taughtFrame == nullptr ? QString() : numberList(taughtFrame->attribute("pose"), 6);
     const auto feature = t_.installation.features.find(frame.name);
@@ -212,7 +212,7 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     if (directly) {
         return name + "_q";
     }
-    // Without a TCP in the file, the joint angles count: the pose is that of the TCP in use.
+    // Without a TCP in the file, the joint angles define the target: the pose is that of the current TCP.
     const bool isTcpUnknown =
         hasJoints && !move.ignoresTcp && tcpOf(position).isEmpty() && !position.has("pose");
     QString pose = isTcpUnknown ? QStringLiteral("get_forward_kin(%1_q)").arg(name) : name + "_p";
@@ -228,7 +228,7 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
                : pose;
 }
 
-/// ", a=1.2, v=0.25, r=0.01": a waypoint may have a speed, a time and a blend of its own.
+/// ", a=1.2, v=0.25, r=0.01": a waypoint may have its own speed, time and blend.
 QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     const XmlElement* const own = waypoint.child("motionParameters");
     const bool joints = move.function == QLatin1String("movej");
@@ -257,7 +257,7 @@ QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     return text;
 }
 
-/// The last node of its move that moves: a process move ends there.
+/// True for the last motion node of its move, where a process move ends.
 bool Motion::isLast(const XmlElement& node) const {
     const XmlElement* const siblings = node.parent;
     const XmlElement* last = nullptr;
@@ -349,7 +349,7 @@ void Motion::writeCircle(const XmlElement& node) {
                      .arg(mode->second));
 }
 
-/// The position of its own, that of the installation, or a new installation's.
+/// Its own position, otherwise that of the installation, otherwise that of a new installation.
 void Motion::writeHome(const XmlElement& node) {
     t_.label(node, QStringLiteral("Home"));
     QString angles = anglesOf(positionOf(node));
@@ -516,7 +516,7 @@ void Motion::writeDirection(const XmlElement& node) {
     writeWatchedMove(node, statement, untils);
 }
 
-/// The arm moves in a thread; the first condition that holds ends it.
+/// A thread moves the arm; the first condition that becomes true ends it.
 void Motion::writeWatchedMove(const XmlElement& node, const QString& statement,
                               const std::vector<Until>& untils) {
     const QString name = t_.uniqueName(QStringLiteral("until_%1").arg(t_.nextNumber()));
@@ -577,7 +577,7 @@ void Motion::writeUntil(const Until& until, const QString& thread, const QString
             out.line(QStringLiteral("%1 = get_forward_kin(get_actual_joint_positions_history(%2))")
                          .arg(contact, steps));
             if (until.node->has("retraction") && number(*until.node, "retraction").toDouble() != 0) {
-                // Back along the way it came.
+                // Move back along the approach path.
                 out.line(QStringLiteral("%1 = tiller_back(%1, %2, %3)")
                              .arg(contact, speed, number(*until.node, "retraction")));
                 usesDirections_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Move nodes and what belongs to motion: waypoints, circles, directions with their Until nodes, Home and Force.
+// Move nodes and related nodes: waypoints, circles, directions with their Until nodes, Home and Force.
 
 #include <QString>
 #include <functional>
@@ -14,12 +14,12 @@ namespace tiller::simulator::pendant {
 
 class Motion {
 public:
-    /// writeChildren  writes the nodes below a node, wherever they are
+    /// writeChildren  writes the child nodes of a node, wherever they are stored
     Motion(Translation& translation, Expressions& expressions,
            std::function<void(const XmlElement&)> writeChildren)
         : t_(translation), x_(expressions), writeChildren_(std::move(writeChildren)) {}
 
-    /// Names every fixed waypoint below an element, and writes the variables that hold their positions.
+    /// Names every fixed waypoint below an element, and writes the variables with their positions.
     void defineWaypoints(const XmlElement& element);
 
     void writeMove(const XmlElement& node);
@@ -29,12 +29,12 @@ public:
     void writeHome(const XmlElement& node);
     void writeForce(const XmlElement& node);
 
-    /// A function that directions use has to be defined.
+    /// True if the functions for directions must be defined.
     bool usesDirections() const { return usesDirections_; }
     static void defineDirections(ScriptText& out);
 
 private:
-    struct Definer;  // the node a waypoint has its motion, speed and feature from
+    struct Definer;  // the node that defines motion, speed and feature of a waypoint
     struct Until;
 
     Definer definerOf(const XmlElement& node);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kEnding = ".installation";
 
-/// The installation that the program names, or the one in use; empty when neither is there.
+/// The installation named by the program, or the current one; empty when neither exists.
 Result<Installation> installationOf(const XmlElement& root, const PendantSource& source) {
     for (const QString& name : {root.attribute("installationRelativePath") + kEnding,
                                 root.attribute("installation") + kEnding, source.installation}) {
@@ -64,7 +64,7 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
             .toObject()
             .value(QLatin1String("script"));
     };
-    // The application's part (frames, functions, threads) and the program's make one program.
+    // The parts of the application (frames, functions, threads) and of the program form one program.
     if (const QJsonValue program = part("program"); program.isString()) {
         return PendantProgram{"def program():\n" + part("application").toString().toStdString() + '\n' +
                               program.toString().toStdString() + "\nend\n"};

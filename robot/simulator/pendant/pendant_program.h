@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reading a program as the pendant saves it: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of PolyScope X
-// (JSON). The pendant turns its nodes into URScript when it plays them; so does this module, which knows nothing of
-// the simulated controller around it. A node that cannot be translated faithfully makes the program refused as a
-// whole, with line, node and reason. README.md of the simulator lists the nodes.
+// Reads programs saved by the pendant: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of PolyScope X
+// (JSON). When it plays a program, the pendant converts its nodes to URScript; so does this module, which is
+// independent of the simulated controller. If a node cannot be translated faithfully, the whole program is
+// refused, with line, node and reason. README.md of the simulator lists the nodes.
 
 #include <QByteArray>
 #include <QString>
@@ -18,18 +18,18 @@
 
 namespace tiller::simulator::pendant {
 
-/// Other files of the programs folder, by the name a program gives; nothing when there is none.
+/// Reads another file of the programs folder, by the name used in a program; nothing when it does not exist.
 using FileReader = std::function<std::optional<QByteArray>(const QString& name)>;
 
-/// What a program is read with.
+/// Everything needed to read a program.
 struct PendantSource {
     FileReader files;
-    /// The installation of a program that names none, or one that is not there.
+    /// Installation for programs that name none, or name a missing one.
     QString installation = QStringLiteral("default.installation");
     SoftwareVersion software{5, 22, 0, 0};
     UrcapStandIns urcaps = UrcapStandIns::builtIn();
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
-    /// Names of the language, which a function of the program must not have.
+    /// Reserved names of the language, which a function of the program must not have.
     std::function<bool(const QString& name)> isReserved = {};
     bool eventNeedsEdge =
         false;  ///< an event runs once each time its condition becomes true, not while it is true
@@ -37,16 +37,16 @@ struct PendantSource {
 
 struct PendantProgram {
     std::string script;  ///< a `def`
-    /// The first node that its author has not finished: the program can be loaded, and not played.
+    /// The first unfinished node: the program can be loaded, but not played.
     std::optional<Error> unfinished = {};
 };
 
-/// Gzipped, or XML with the root of a program.
+/// True for gzipped data, or XML with a program as its root.
 bool isUrpFile(const QByteArray& content);
 /// name    of the `def`
 /// Errors  FileCorrupt with line, node and reason
 Result<PendantProgram> readUrp(const QByteArray& content, const QString& name, const PendantSource& source);
-/// A program of PolyScope X has the URScript of its nodes within.
+/// Programs of PolyScope X contain the URScript of their nodes.
 /// Errors  FileCorrupt with the reason
 Result<PendantProgram> readUrpx(const QByteArray& content);
 

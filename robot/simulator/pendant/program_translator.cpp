@@ -29,7 +29,7 @@ bool continuesIf(const XmlElement& node) {
     return node.is("If") && (isElse(node) || node.attribute("type") == QLatin1String("ElseIf"));
 }
 
-/// The branches of an If that are below it, not beside it, and are not those of an If below it.
+/// The branches of an If that are stored as its children, not next to it, without those of nested Ifs.
 std::vector<const XmlElement*> branchesBelow(const XmlElement& node) {
     std::vector<const XmlElement*> branches;
     const XmlElement* const children = node.child("children");
@@ -97,7 +97,7 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
     return program;
 }
 
-// ---- the beginning of a program -------------------------------------------------------------------------
+// ---- beginning of a program -----------------------------------------------------------------------------
 
 void ProgramTranslator::writeInstallation() {
     const Installation& installation = t_.installation;
@@ -140,7 +140,7 @@ void ProgramTranslator::writePayload(const Payload& payload) {
             : QStringLiteral("set_payload(%1%2)").arg(payload.mass, center));
 }
 
-/// Variables that carry their initial value where the program first uses them.
+/// Variables store their initial value where the program first uses them.
 void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppressed) {
     for (const auto& child : element.children) {
         const bool off = suppressed || isSuppressed(*child);
@@ -151,7 +151,7 @@ void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppr
             const Translation::Reasons before = t_.reasons();
             const QString script = x_.of(*value).script;
             if (off && !before.refusal && t_.refusal()) {
-                t_.restore(before);  // what is switched off need not be understood
+                t_.restore(before);  // disabled nodes need not be supported
             } else {
                 statement(QStringLiteral("global %1 = %2").arg(identifier(child->attribute("name")), script));
             }
@@ -228,7 +228,7 @@ void ProgramTranslator::writeThreads(const XmlElement& parts) {
     }
 }
 
-/// Its nodes run beside the program whenever the condition holds; while they run, it is not looked at.
+/// The nodes of an event run in a thread when the condition is true; meanwhile the condition is not checked.
 void ProgramTranslator::writeEvent(const XmlElement& event) {
     const Expression condition = x_.in(event, "expression", QStringLiteral("the condition"));
     const QString name = t_.uniqueName(QStringLiteral("Event_%1").arg(t_.nextNumber()));
@@ -255,7 +255,7 @@ void ProgramTranslator::writeEvent(const XmlElement& event) {
     statement(QStringLiteral("threadId_%1 = run %1()").arg(name));
 }
 
-/// A program and a thread start again at their end, unless the box for that is not ticked.
+/// Programs and threads restart at their end, unless the corresponding check box is cleared.
 void ProgramTranslator::writeRepeated(const XmlElement& part, const QString& label) {
     if (part.attribute("runOnlyOnce") == QLatin1String("false")) {
         statement(QStringLiteral("while True:"));
@@ -274,7 +274,7 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
     t_.out = &functions_;
     std::size_t written = 0;
     const auto writeCalled = [&] {
-        // The list grows while the calls in them are written.
+        // Writing a sub program may add the ones that it calls to the list.
         for (; written < subPrograms_.size() && !t_.refusal(); ++written) {
             const SubProgram sub = subPrograms_[written];
             statement(QStringLiteral("def %1():").arg(sub.name));
@@ -286,7 +286,8 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
         }
     };
     writeCalled();
-    // Scripts may call the others; those that cannot be translated or are not finished are left out, and a call of them is an error.
+    // Scripts may call the other sub programs. Those that cannot be translated or are not finished are
+    // omitted, and calling them is an error.
     for (const auto& part : parts.children) {
         const XmlElement* const sub = part->is("SubProgram") ? part->resolved() : nullptr;
         if (sub == nullptr || subProgramOf_.contains(sub) || t_.refusal()) {
@@ -304,7 +305,7 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
     }
 }
 
-/// Its place in the list; none when it is refused.
+/// Its index in the list; nothing when it is refused.
 std::optional<std::size_t> ProgramTranslator::addSubProgram(const XmlElement& sub) {
     auto place = subProgramOf_.find(&sub);
     if (place == subProgramOf_.end()) {
@@ -318,7 +319,7 @@ std::optional<std::size_t> ProgramTranslator::addSubProgram(const XmlElement& su
     return place->second;
 }
 
-/// A sub program is written out in the file, or is a program of its own beside it.
+/// A sub program is either contained in the file, or a separate program file.
 const XmlElement* ProgramTranslator::bodyOf(const XmlElement& subProgram) {
     if (subProgram.child("children") != nullptr) {
         return &subProgram;
@@ -346,7 +347,7 @@ const XmlElement* ProgramTranslator::mainOfFile(const QString& name, const XmlEl
             return nullptr;
         }
         known = files_.emplace(name, std::move(*tree)).first;
-        // They belong to the beginning of the program, not to where the sub program is called.
+        // Their definitions belong to the beginning of the program, not to the position of the call.
         ScriptText* const here = std::exchange(t_.out, &head_);
         writeInitialValues(*known->second, false);
         motion_.defineWaypoints(*known->second);
@@ -368,7 +369,7 @@ void ProgramTranslator::writeBlock(const XmlElement& node) {
     const int before = t_.out->statements();
     writeChildren(node);
     if (t_.out->statements() == before) {
-        statement(QStringLiteral("sync()"));  // a block has to have a statement
+        statement(QStringLiteral("sync()"));  // a block must contain a statement
     }
     t_.out->outdent();
 }
@@ -378,7 +379,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     if (children == nullptr) {
         return;
     }
-    std::vector<const XmlElement*> branches;  // of an If that may go on
+    std::vector<const XmlElement*> branches;  // of an If that may continue
     const auto finish = [&] {
         if (!branches.empty()) {
             writeBranches(std::exchange(branches, {}), 0);
@@ -389,7 +390,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
             continue;
         }
         if (continuesIf(*child)) {
-            // Below its If rather than beside it, as older files have it, the If writes it.
+            // The If itself writes branches stored as its children, as in older files.
             if (!branches.empty()) {
                 branches.push_back(child.get());
             } else if (!node.is("If")) {
@@ -408,8 +409,8 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     finish();
 }
 
-/// A condition that is checked continuously ends the nodes below it when it no longer holds; then the next branch
-/// has its turn.
+/// A continuously checked condition ends the nodes below it when it becomes false; then the next branch is
+/// evaluated.
 void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first) {
     const XmlElement& node = *branches[first];
     const bool hasNext = first + 1 < branches.size();
@@ -443,7 +444,7 @@ void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& bran
         return;
     }
     const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
-    const QString state = name + "_state", handle = name + "_thread";  // 0 runs, 1 is done, 2 does not hold
+    const QString state = name + "_state", handle = name + "_thread";  // 0 running, 1 done, 2 condition false
     statement(QStringLiteral("global %1 = 2").arg(state));
     statement(QStringLiteral("thread %1():").arg(name));
     writeBlock(node);
@@ -647,7 +648,7 @@ void ProgramTranslator::writeSet(const XmlElement& node) {
         value = high ? QStringLiteral("True") : QStringLiteral("False");
         shown = high ? QStringLiteral("On") : QStringLiteral("Off");
     } else if (type == QLatin1String("AnalogOutput")) {
-        // The node has amperes or volts, the script a part of the range.
+        // The node stores amperes or volts, the script function expects a fraction of the range.
         bool ok = false;
         double amount = textOf(node, "analogValue").toDouble(&ok);
         shown = textOf(node, "analogValue");
@@ -679,7 +680,7 @@ void ProgramTranslator::writeSet(const XmlElement& node) {
     statement(line);
 }
 
-/// The part of a Set node that goes with every action, and with none.
+/// The tool settings of a Set node, which apply to every action and also without one.
 void ProgramTranslator::writeToolSettings(const XmlElement& node) {
     if (const XmlElement* const given = node.child("tcp")) {
         const XmlElement* const tcp = given->resolved();
@@ -698,7 +699,7 @@ void ProgramTranslator::writeToolSettings(const XmlElement& node) {
         if (mass.isEmpty() || (center.isEmpty() && !node.isTrue("tcpAsCog"))) {
             t_.refuse(node, QStringLiteral("this payload is not simulated"));
         }
-        // Without a centre of gravity it is the TCP.
+        // Without a centre of gravity, the TCP is used.
         writePayload({{}, mass, node.isTrue("tcpAsCog") ? QString() : center, {}});
     }
 }
@@ -717,7 +718,7 @@ void ProgramTranslator::writeSetPayload(const XmlElement& node) {
     }
 }
 
-/// The nodes below it repeat beside the check, which ends them.
+/// The child nodes repeat in a thread, which the condition check ends.
 void ProgramTranslator::writeWhileHolds(const XmlElement& node, const QString& condition) {
     const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
     statement(QStringLiteral("thread %1():").arg(name));
@@ -816,7 +817,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
     }
 }
 
-/// A popup waits for the operator; one that ends the program shows and does not.
+/// A popup waits for the operator, unless it ends the program.
 void ProgramTranslator::writePopup(const XmlElement& node) {
     const QString type = node.attribute("type");
     const bool isWarning = type == QLatin1String("Warning"), isError = type == QLatin1String("Error");
@@ -838,12 +839,12 @@ void ProgramTranslator::writePopup(const XmlElement& node) {
 void ProgramTranslator::writeCall(const XmlElement& node) {
     const XmlElement* const named = node.child("subprogram");
     if (named == nullptr) {
-        t_.unfinished(node, QStringLiteral("the sub program is missing"));
+        t_.unfinished(node, QStringLiteral("the subprogram is missing"));
         return;
     }
     const XmlElement* const sub = named->resolved();
     if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
-        t_.refuse(node, QStringLiteral("it leads to no sub program"));
+        t_.refuse(node, QStringLiteral("it refers to no subprogram"));
         return;
     }
     const std::optional<std::size_t> place = addSubProgram(*sub);

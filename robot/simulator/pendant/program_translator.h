@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Turns the nodes of a pendant's program into URScript, as the pendant does when it plays them.
+// Translates the nodes of a pendant's program to URScript, as the pendant does when it plays them.
 
 #include <QByteArray>
 #include <QString>
@@ -20,22 +20,22 @@
 
 namespace tiller::simulator::pendant {
 
-/// For one program; translate() once.
+/// For one program; call translate() once.
 class ProgramTranslator {
 public:
-    /// All of them outlive this object.
+    /// The arguments must outlive this object.
     ProgramTranslator(const PendantSource& source, const Installation& installation);
 
-    /// root  URProgram, outlives this object
+    /// root  URProgram; must outlive this object
     /// Returns  a `def` of that name
-    /// Errors   FileCorrupt with line, node and reason: a program with a node that cannot be translated is refused
-    ///          as a whole, because half a program is not what its author taught
+    /// Errors   FileCorrupt with line, node and reason. A program with a node that cannot be translated is
+    /// refused as a whole, because a partial program would not do what its author intended
     Result<PendantProgram> translate(const XmlElement& root, const QString& name);
 
 private:
     struct SubProgram {
         QString name;
-        const XmlElement* node;  ///< as the program names it
+        const XmlElement* node;  ///< as referenced by the program
         const XmlElement* body;  ///< its children are the nodes
     };
     struct Branch {
@@ -43,7 +43,7 @@ private:
         bool isContinuous;
     };
 
-    // the beginning of a program
+    // beginning of a program
     void writeInstallation();
     void writeInitialValues(const XmlElement& element, bool suppressed);
     void writeInitNode(const XmlElement& parts, const XmlElement& main);
@@ -85,14 +85,14 @@ private:
     Translation t_;
     Expressions x_;
     Motion motion_;
-    std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other programs, by name
-    ScriptText head_{1};                                    ///< values and functions the program begins with
-    ScriptText functions_{1};                               ///< sub programs
+    std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other program files, by name
+    ScriptText head_{1};       ///< values and functions at the beginning of the program
+    ScriptText functions_{1};  ///< sub programs
     ScriptText body_{1};
     std::vector<QString> timers_;
-    std::set<const UrcapStandIn*> urcaps_;  ///< whose setup is written
+    std::set<const UrcapStandIn*> urcaps_;  ///< stand-ins whose setup has been written
     std::vector<SubProgram> subPrograms_;
-    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< by its element, the index into the list
+    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< index in the list, by element
 };
 
 }  // namespace tiller::simulator::pendant

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// URScript text that is being written: indented lines, and the labels that tell clients which node runs.
+// URScript text under construction: indented lines, and labels that show clients which node is running.
 
 #include <QString>
 #include <utility>
@@ -16,7 +16,7 @@ public:
         text_ += QString(2 * depth_, ' ') + text + '\n';
         ++statements_;
     }
-    /// number  0: none, the node has no line in the program tree
+    /// number  0: the node has no line in the program tree
     void label(int number, QString text) {
         if (number > 0) {
             text.replace('"', '\'').replace('\n', ' ').replace('\r', ' ');
@@ -26,7 +26,7 @@ public:
     void indent() { ++depth_; }
     void outdent() { --depth_; }
     int depth() const { return depth_; }
-    int statements() const { return statements_; }  ///< lines without labels
+    int statements() const { return statements_; }  ///< number of lines that are not labels
     const QString& text() const { return text_; }
     void append(const ScriptText& other) {
         text_ += other.text_;

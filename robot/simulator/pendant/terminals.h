@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs, outputs and registers that a program of the pendant can name, and how a script reads and sets them.
+// The inputs, outputs and registers that a pendant program can use, and the script functions that read and
+// set them.
 
 #include <QString>
 #include <optional>
@@ -12,13 +13,13 @@ namespace tiller::simulator::pendant {
 enum class TerminalValue { Boolean, Integer, Float, Analog };
 
 struct TerminalKind {
-    const char* name;          ///< the pendant's, until the installation gives another: "digital_in[3]"
-    const char* namesElement;  ///< of the installation: the list of names
-    const char* read;          ///< script function; takes the number
-    const char* write;         ///< script function; takes number and value; null for an input
+    const char* name;          ///< default name, unless the installation defines another: "digital_in[3]"
+    const char* namesElement;  ///< element of the installation with the list of names
+    const char* read;          ///< script function with the number as argument
+    const char* write;         ///< script function with number and value as arguments; null for an input
     int count;
     TerminalValue value;
-    const char* label;  ///< in the program tree: "DI[3]"
+    const char* label;  ///< text in the program tree: "DI[3]"
 };
 
 /// All kinds.
@@ -29,7 +30,7 @@ struct Terminal {
     int number = 0;
 };
 
-/// "digital_in[3]", in any case. Nothing when there is no such terminal.
+/// Parses "digital_in[3]", in upper or lower case. Nothing when there is no such terminal.
 std::optional<Terminal> terminalByDefaultName(const QString& name);
 
 }  // namespace tiller::simulator::pendant

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the translators of one program share: where the script goes, the installation, names, and the first error.
+// State shared by the translators of one program: output script, installation, names, and the first error.
 
 #include <QString>
 #include <functional>
@@ -18,9 +18,10 @@
 
 namespace tiller::simulator::pendant {
 
-/// A word that the language accepts as a name: the pendant writes blanks and the like as underscores.
+/// Converts a text to a valid name of the language, as the pendant does: blanks and similar characters become
+/// underscores.
 QString identifier(const QString& text);
-/// A string literal.
+/// Returns a string literal.
 QString quoted(QString text);
 
 class Translation {
@@ -32,15 +33,15 @@ public:
 
     const Installation& installation;
     const SoftwareVersion software;
-    ScriptText* out = nullptr;  ///< the part of the script that is being written
+    ScriptText* out = nullptr;  ///< current part of the script
 
-    /// The program cannot be translated. The first reason counts.
+    /// Reports that the program cannot be translated. Only the first reason is kept.
     void refuse(const XmlElement& at, const QString& why) { keep(refusal_, at, why); }
-    /// The author has not finished the program: it can be loaded, and not played. The first reason counts.
+    /// Reports an unfinished program, which can be loaded but not played. Only the first reason is kept.
     void unfinished(const XmlElement& at, const QString& why) { keep(unfinished_, at, why); }
     const std::optional<Error>& refusal() const { return refusal_; }
     const std::optional<Error>& unfinishedNode() const { return unfinished_; }
-    /// What was found so far; restore() forgets what came after, for a part of the program that does not count.
+    /// The reasons so far; restore() discards later ones, for disabled parts of the program.
     struct Reasons {
         std::optional<Error> refusal, unfinished;
     };
@@ -50,11 +51,11 @@ public:
         unfinished_ = before.unfinished;
     }
 
-    /// A function, thread or waypoint name that nothing else has.
+    /// A unique name for a function, thread or waypoint.
     QString uniqueName(const QString& text);
-    int nextNumber() { return ++lastNumber_; }  ///< for names of the translation's own
+    int nextNumber() { return ++lastNumber_; }  ///< for generated names
 
-    /// Gives every node of a program its line in the program tree.
+    /// Assigns to every node of a program its line in the program tree.
     void numberNodes(const XmlElement& container);
     void label(const XmlElement& node, const QString& text);
 

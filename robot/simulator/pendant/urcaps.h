@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stand-ins for the nodes of URCaps: URScript that is played in place of a node, see README.md.
+// Stand-ins for the nodes of URCaps: URScript that is run in place of a node, see README.md.
 
 #include <QString>
 #include <QStringList>
@@ -14,13 +14,13 @@
 
 namespace tiller::simulator::pendant {
 
-/// Part of the names of owner and class of an External Control node, whoever publishes it.
+/// Common part of the owner and class names of External Control nodes of all publishers.
 inline constexpr const char* kControlNodeOwner = ".externalcontrol";
-/// Marks an External Control node in a program, where the script of another computer belongs; means nothing to
-/// the interpreter.
+/// Marks the position of an External Control node in a program, where the script of another computer is
+/// inserted; ignored by the interpreter.
 inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
 
-/// What happens to a node of a URCap without a stand-in.
+/// Treatment of a URCap node without stand-in.
 enum class UnknownUrcap {
     Refuse,  ///< the program does not load
     Ask,     ///< a popup names the node and waits for the operator
@@ -28,10 +28,10 @@ enum class UnknownUrcap {
 };
 
 struct UrcapStandIn {
-    QString nodeClass;                    ///< the whole strategyClass, or its last part
-    std::map<QString, QString> defaults;  ///< of the node's data, by key
-    QStringList setup;                    ///< lines for the beginning of the program, once
-    QStringList body;                     ///< lines in place of the node; `{key}` stands for a value
+    QString nodeClass;                    ///< the whole strategyClass, or the last part of it
+    std::map<QString, QString> defaults;  ///< data of the node, by key
+    QStringList setup;                    ///< lines for the beginning of the program, written once
+    QStringList body;                     ///< lines in place of the node; `{key}` is replaced by a value
 };
 
 class UrcapStandIns {
@@ -39,16 +39,17 @@ public:
     /// Stand-ins for External Control, Robotiq 2F and OnRobot RG grippers.
     static UrcapStandIns builtIn();
 
-    /// Adds the stand-ins of the files `*.script` of a folder; they take precedence over earlier ones.
+    /// Adds the stand-ins from the files `*.script` of a folder; they take precedence over earlier ones.
     /// Errors   FileNotReadable, FileCorrupt with file, line and reason
     Result<void> addFolder(const QString& folder);
-    /// text  of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `# node` around
-    ///       URScript. name  of the file, for messages
+    /// text  of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `# node`
+    /// around URScript.
+    /// name  of the file, for messages
     Result<void> add(const QString& name, const QString& text);
 
-    /// Null when there is none.
+    /// Null if there is none.
     const UrcapStandIn* find(const QString& nodeClass) const;
-    /// The lines of a node with the values of its data.
+    /// The lines for a node with the values of its data.
     /// Errors   FileCorrupt: a value is missing
     static Result<QStringList> bodyOf(const UrcapStandIn& standIn, const XmlElement& node);
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kMaxDepth = 400;
 constexpr int kMaxElements = 2'000'000;
-constexpr int kMaxReferences = 8;  ///< in a row; a chain that is longer is a circle
+constexpr int kMaxReferences = 8;  ///< consecutive references; a longer chain is treated as a cycle
 constexpr qsizetype kMaxXml = 64 << 20;
 
-/// The child that one step of a path names: "children", or "Assignment[2]" for the second of that name.
+/// The child for one step of a path: "children", or "Assignment[2]" for the second one of that name.
 const XmlElement* childAt(const XmlElement& from, const QString& step) {
     const qsizetype bracket = step.indexOf('[');
     const QString name = bracket < 0 ? step : step.left(bracket);
@@ -138,7 +138,7 @@ std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize
     if (inflateInit2(&stream, kGzipOnly) != Z_OK) {
         return std::nullopt;
     }
-    // zlib reads only; its interface is older than const.
+    // zlib only reads the data; its interface predates const.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.constData()));
     stream.avail_in = static_cast<uInt>(compressed.size());
     QByteArray out;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The elements of a file of the pendant (program, installation), as a tree. The pendant writes an object out where
-// it is first used; everywhere else the element has an attribute `reference` with the path to that place.
+// The elements of a pendant file (program, installation), as a tree. The pendant writes an object where it is
+// first used; at all other places the element has an attribute `reference` with the path to it.
 
 #include <QByteArray>
 #include <QString>
@@ -19,8 +19,8 @@ namespace tiller::simulator::pendant {
 struct XmlElement {
     QString name;
     QXmlStreamAttributes attributes;
-    QString text;     ///< of the element itself, without its children's
-    qint64 line = 0;  ///< where it starts in the file, from 1
+    QString text;     ///< of the element itself, without its children
+    qint64 line = 0;  ///< start line in the file, from 1
     XmlElement* parent = nullptr;
     std::vector<std::unique_ptr<XmlElement>> children;
 
@@ -30,18 +30,19 @@ struct XmlElement {
     bool isTrue(const char* wanted) const { return attribute(wanted) == QLatin1String("true"); }
     /// The first child of that name, or null.
     const XmlElement* child(const char* wanted) const;
-    /// The first child of that name, references followed; null when there is no such child or no such target.
+    /// The first child of that name after following references; null when the child or the target of a
+    /// reference does not exist.
     const XmlElement* target(const char* wanted) const;
-    /// The first element of that name below this one, depth first; null when there is none.
+    /// The first descendant of that name, depth first; null when there is none.
     const XmlElement* descendant(const char* wanted) const;
-    /// The element itself, or the one its `reference` leads to; null when the reference is broken.
+    /// The element itself, or the target of its `reference`; null when the reference is invalid.
     const XmlElement* resolved() const;
 };
 
-/// Errors   FileCorrupt with the reason: not XML, or too deep or too large for a file of the pendant
+/// Errors   FileCorrupt with the reason: not XML, or too deep or too large for a pendant file
 Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml);
 
-/// Nothing when it is not gzip data, or more than `maxSize` bytes come out.
+/// Decompresses gzip data. Nothing for other data, or if the result exceeds `maxSize` bytes.
 std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize);
 bool isGzip(const QByteArray& content);
 /// The tree of a file, compressed or not. Errors as readXmlTree()

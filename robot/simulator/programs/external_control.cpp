@@ -16,9 +16,9 @@ namespace {
 
 constexpr qsizetype kLargestInstallation = 64 << 20;
 constexpr qsizetype kLargestScript = 4 << 20;
-constexpr qint64 kPatienceMs = 2000;
+constexpr qint64 kWaitTimeoutMs = 2000;
 
-/// Takes the lines between two marks out of the script; the marks are comments and may stay.
+/// Moves the lines between two marks out of the script; the marks are comments and may stay.
 std::string takeHeader(std::string& script) {
     constexpr std::string_view kBegin = "# HEADER_BEGIN";
     constexpr std::string_view kEnd = "# HEADER_END";
@@ -67,14 +67,14 @@ std::string withControlScript(std::string program, std::string script) {
          at = program.find(kControlNode, at + script.size())) {
         program.replace(at, kControlNode.size(), script);
     }
-    const std::size_t body = program.find('\n') + 1;  // behind the line of its def
+    const std::size_t body = program.find('\n') + 1;  // after the line of its def
     return program.insert(body, header);
 }
 
 ControlScriptRequest::ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence)
     : silence_(silence) {
     socket_.connectToHost(provider.host, provider.port);
-    socket_.write("request_program\n");  // goes out once it is connected
+    socket_.write("request_program\n");  // sent once connected
     asked_.start();
 }
 
@@ -88,7 +88,7 @@ std::optional<std::string> ControlScriptRequest::poll() {
     }
     const bool over =
         socket_.state() == QAbstractSocket::UnconnectedState ||
-        (lastData_.isValid() ? lastData_.hasExpired(silence_.count()) : asked_.hasExpired(kPatienceMs));
+        (lastData_.isValid() ? lastData_.hasExpired(silence_.count()) : asked_.hasExpired(kWaitTimeoutMs));
     return over ? std::optional(received_.toStdString()) : std::nullopt;
 }
 

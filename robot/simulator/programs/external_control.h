@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The program node by which the pendant hands a program to a computer ("External Control"): when the program
-// is played, the robot asks that computer for its script and puts it where the node stands. The request is
-// one line of text; the script comes with no mark of its end. What stands between its header marks belongs at
-// the beginning of the program, before anything runs.
+// The program node "External Control", with which the pendant runs a script from another computer: when the
+// program is played, the robot requests the script from that computer and inserts it in place of the node.
+// The request is one line of text; the end of the script is not marked. The part between its header marks is
+// placed at the beginning of the program, before anything runs.
 
 #include <QByteArray>
 #include <QElapsedTimer>
@@ -17,25 +17,25 @@
 
 namespace tiller::simulator {
 
-/// The computer that has the script; what a fresh installation has.
+/// The computer that provides the script, with the defaults of a new installation.
 struct ScriptProvider {
     QString host = QStringLiteral("192.168.56.1");
     std::uint16_t port = 50002;
 };
 
-/// What an installation file (XML, gzipped) says of it. Nothing when it says nothing.
+/// The setting in an installation file (gzipped XML). Empty if it has none.
 std::optional<ScriptProvider> scriptProviderOf(const QByteArray& installation);
 
-/// The program with the script in place of its nodes.
+/// Inserts the script in place of the External Control nodes of the program.
 std::string withControlScript(std::string program, std::string script);
 
 /// Threads  one that processes events. Blocks: never.
 class ControlScriptRequest {
 public:
-    /// silence  a pause this long after the last piece means that there is no more
+    /// silence  a pause in the data after which the script is considered complete
     ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence);
 
-    /// The script, empty when it could not be had; nothing as long as it is under way.
+    /// The script, empty if it could not be read; nothing while it is being received.
     std::optional<std::string> poll();
 
 private:

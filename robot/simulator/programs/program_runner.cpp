@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 
 namespace tiller::simulator {
@@ -16,14 +16,14 @@ using urscript::Program;
 using urscript::ProgramKind;
 
 namespace {
-constexpr std::string_view kSetSpeed = "set speed ";  // and the speed slider's new place, 0 to 1
+constexpr std::string_view kSetSpeed = "set speed ";  // followed by the new speed slider value, 0 to 1
 }
 
-ProgramRunner::ProgramRunner(Plant& plant, ScriptHost& host) : plant_(plant), host_(host) {}
+ProgramRunner::ProgramRunner(ControllerModel& plant, ScriptHost& host) : plant_(plant), host_(host) {}
 
 void ProgramRunner::endAll() {
     controlled_.reset();
-    runningSecondary_ = true;  // secondaries end without touching the arm
+    runningSecondary_ = true;  // secondary programs end without affecting the arm
     secondaries_.clear();
     runningSecondary_ = false;
     main_.reset();
@@ -42,7 +42,7 @@ bool ProgramRunner::submitText(std::string_view text) {
 }
 
 void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) {
-    // Whoever listens on this machine alone can be spoken to, and answered, from this machine only.
+    // A controller that listens on this machine only can also reach its script provider only on this machine.
     const QHostAddress here(plant_.options().listenAddress);
     if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
         provider.host = QStringLiteral("127.0.0.1");
@@ -99,7 +99,7 @@ void ProgramRunner::runCommand(std::string_view words) {
     } else if (words.starts_with(kSetSpeed)) {
         setSpeed(words.substr(kSetSpeed.size()));
     }
-    // "set sim", "set real" and whatever else: understood, nothing to do.
+    // "set sim", "set real" and other commands are accepted without effect.
 }
 
 void ProgramRunner::setSpeed(std::string_view fraction) {
@@ -149,9 +149,10 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
     name_ = program->name();
     urscript::Limits limits;
     limits.randomSeed = plant_.options().seed;
-    limits.threadsBeginNextFrame = plant_.assumptions().threadStart == Assumptions::ThreadStart::NextPeriod;
-    limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == Assumptions::RpcFactory::Defers;
-    limits.mainFirst = plant_.assumptions().threadOrder == Assumptions::ThreadOrder::MainFirst;
+    limits.threadsBeginNextFrame =
+        plant_.assumptions().threadStart == BehaviourOptions::ThreadStart::NextPeriod;
+    limits.remoteServersMayBeAbsent = plant_.assumptions().rpcFactory == BehaviourOptions::RpcFactory::Defers;
+    limits.mainFirst = plant_.assumptions().threadOrder == BehaviourOptions::ThreadOrder::MainFirst;
     main_ = std::make_unique<Interpreter>(std::move(program), host_, limits);
     ended_ = false;
     failure_.reset();
@@ -162,8 +163,8 @@ void ProgramRunner::startMain(std::shared_ptr<const Program> program) {
 }
 
 void ProgramRunner::startSecondary(std::shared_ptr<const Program> program) {
-    constexpr std::size_t kMostSecondaries = 32;
-    if (secondaries_.size() < kMostSecondaries) {
+    constexpr std::size_t kMaxSecondaries = 32;
+    if (secondaries_.size() < kMaxSecondaries) {
         secondaries_.push_back(std::make_unique<Interpreter>(std::move(program), host_));
     }
 }
@@ -204,7 +205,7 @@ void ProgramRunner::stepMain() {
             break;
     }
     if (ended_) {
-        if (plant_.elapsed() - begun_ < kLeastPlaying - 0.5 * plant_.stepTime()) {
+        if (plant_.elapsed() - begun_ < kMinPlayingTime - 0.5 * plant_.stepTime()) {
             return;
         }
         main_.reset();
@@ -223,7 +224,7 @@ void ProgramRunner::stepMain() {
         if (main_->error() && main_->error()->overrun) {
             plant_.safety().protectiveStop();  // the controller has lost its program
         }
-        ended_ = true;  // the period in which it ran still counts as playing
+        ended_ = true;  // its last period still counts as playing
     }
 }
 
@@ -286,7 +287,7 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::haltForProtectiveStop() {
-    if (fromFile_ || plant_.assumptions().protectiveStop != Assumptions::ProtectiveStop::Ends) {
+    if (fromFile_ || plant_.assumptions().protectiveStop != BehaviourOptions::ProtectiveStop::Ends) {
         pause();
     } else {
         beginStopping();

@@ -21,65 +21,66 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ScriptHost;
 
 class ProgramRunner {
 public:
-    /// A stop takes at least this long, so that clients can see it under way [s].
+    /// Minimum duration of a stop, so that clients can see it in progress [s].
     static constexpr double kStopTime = 0.02;
 
-    /// So does a program, however short: a client that looks less often than every period misses none [s].
-    static constexpr double kLeastPlaying = 0.01;
+    /// Minimum duration of a program, so that clients that poll less often than every period see it [s].
+    static constexpr double kMinPlayingTime = 0.01;
 
-    ProgramRunner(Plant& plant, ScriptHost& host);
+    ProgramRunner(ControllerModel& plant, ScriptHost& host);
     ~ProgramRunner() { endAll(); }
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
 
-    /// Takes a unit from a script port: compiles it now and runs it from the next period on. Compile errors are
-    /// reported to primary clients.
+    /// Accepts a unit from a script port: compiles it now and runs it from the next period on. Compile errors
+    /// are reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
-    /// The same for a program file. False when it does not compile.
+    /// The same for a program file. Returns false when it does not compile.
     bool submitText(std::string_view text);
     /// Runs a program with External Control nodes when the script of the provider has arrived. Without it, the
     /// program shows a message to the operator instead of the node, and waits.
     void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
-    /// Of an External Control node; it needs events to be processed.
+    /// True while the script of an External Control node is awaited, which requires event processing.
     bool awaitsScript() const { return controlled_ != nullptr; }
-    /// A stop has been asked for and not begun.
+    /// True if a stop has been requested but has not begun.
     bool isStopRequested() const;
     /// Ends the main program within this call.
     void stopNow();
-    /// Ends every program without a word: the controller goes away.
+    /// Ends every program without a message, because the controller shuts down.
     void endAll();
     void pause();
     void resume();
-    /// A protective stop: a program from a file waits for `play`, one that came over a socket ends and has to
-    /// be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver, which sends it again
+    /// Handles a protective stop: a program from a file waits for `play`; one sent over a socket ends and has
+    /// to be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver, which
+    /// sends it again
     void haltForProtectiveStop();
 
     RuntimeState state() const { return state_; }
-    /// Anything but stopped.
+    /// True in any state except Stopped.
     bool isActive() const { return state_ != RuntimeState::Stopped; }
     bool isPaused() const { return state_ == RuntimeState::Paused; }
-    /// The main program came from a program file, not over a socket.
+    /// True if the main program came from a program file, not over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
     /// The main program; null if none runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
-    /// Why the last main program failed; nothing: it did not.
+    /// The error of the last main program; empty if it did not fail.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
-    /// Main programs started so far.
+    /// Number of main programs started.
     std::uint64_t starts() const { return starts_; }
     /// Interpreter mode of the main program; null if none runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
 
-    /// From the host, while a frame runs: whose program ended.
+    /// For the host, during a frame: true if the ending program is the main one.
     bool isEndingMain() const { return !runningSecondary_; }
 
 private:
@@ -110,17 +111,17 @@ private:
     void finishStopping();
     void reportFailure(const urscript::Interpreter& interpreter);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ScriptHost& host_;
     std::deque<NextProgram> requests_;
-    std::unique_ptr<Controlled> controlled_;  ///< waits for its script
+    std::unique_ptr<Controlled> controlled_;  ///< waiting for its script
     std::unique_ptr<urscript::Interpreter> main_;
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
     std::string name_;  ///< of the main program
     RuntimeState state_ = RuntimeState::Stopped;
     std::optional<urscript::RuntimeError> failure_;
-    double stopping_ = 0;  ///< [s] in STOPPING
-    double begun_ = 0;     ///< when the main program started [s]
+    double stopping_ = 0;  ///< [s] since the beginning of STOPPING
+    double begun_ = 0;     ///< start time of the main program [s]
     std::uint64_t starts_ = 0;
     bool fromFile_ = false;
     bool ended_ = false;  ///< the main body has ended; reported in a later period

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The programs folder of a controller and the program that is loaded from it, which the dashboard and the
-// Robot API share. Nothing outside that folder is read or written, whatever a client names and wherever `..`
-// or a symbolic link may lead; the folder is looked at anew each time. A program file is one of
+// The programs folder of a controller and the loaded program, shared by the dashboard and the Robot API.
+// Nothing outside that folder is read or written, whatever name a client sends, even through `..` or symbolic
+// links. The folder is checked again at each access. Program files are:
 //
-// - `.urp` or `.urpx`, as the pendant saves it: the `.script` the pendant saved beside it runs, or else what
-//   pendant/pendant_program.h makes of its nodes;
+// - `.urp` or `.urpx`, as saved by the pendant: the `.script` that the pendant saved next to it is run, or
+// otherwise the result of pendant/pendant_program.h for its nodes;
 // - any other file: URScript text.
 
 #include <QString>
@@ -23,48 +23,49 @@
 
 namespace tiller::simulator {
 
-/// Larger program files are not read.
+/// Larger program files are rejected.
 inline constexpr qint64 kLargestProgram = 16 << 20;
 
 /// Threads  the simulator's.
 class ProgramStore {
 public:
-    /// folder  empty: there are no programs, until one is uploaded
-    /// source  returns what programs of the pendant are read with; its files are those of the folder
+    /// folder  empty: no programs until one is uploaded
+    /// source  returns what is needed to read pendant programs; its files are those of the folder
     ProgramStore(QString folder, std::function<pendant::PendantSource()> source)
         : folder_(std::move(folder)), source_(std::move(source)) {}
 
-    /// name  relative to the folder, or its full path; `/programs/` and `/ursim/programs/` mean the folder
-    /// Errors   FileNotReadable: there is no such file within the folder; FileCorrupt: it cannot be told what
-    ///          the program does, with the reason. Nothing changes then
+    /// name  relative to the folder, or a full path; `/programs/` and `/ursim/programs/` refer to the folder
+    /// Errors   FileNotReadable: no such file in the folder; FileCorrupt, with the reason: the program cannot
+    /// be translated. The loaded program is unchanged on errors
     Result<void> load(const QString& name);
-    /// The installation of programs that name none. Every robot has a default.installation. Errors as load()
+    /// Loads the installation for programs that do not name one. Every robot has a default.installation.
+    /// Errors as load()
     Result<void> loadInstallation(const QString& name);
-    /// Of the installation: who is asked for the scripts of External Control nodes.
+    /// The computer that provides the scripts of External Control nodes, according to the installation.
     ScriptProvider scriptProvider() const;
 
-    /// As a fresh controller: nothing is loaded.
+    /// Restores the state of a new controller, with no loaded program.
     void unload() {
         path_.clear();
         name_.clear();
     }
     bool isLoaded() const { return !path_.isEmpty(); }
     QString path() const { return path_; }
-    /// Bare file name.
+    /// File name without path.
     std::string name() const { return name_; }
     /// The loaded program, read again, as URScript.
-    /// Errors   as load(): it may have changed since; FileCorrupt: the program is unfinished
+    /// Errors   as load(), because the file may have changed since; FileCorrupt: the program is unfinished
     Result<std::string> script() const;
 
-    /// Writes a file into an existing folder within the programs folder ("." is that one itself).
+    /// Writes a file into an existing folder within the programs folder ("." is the folder itself).
     bool saveBelow(const QString& directory, const QString& bareName, const QByteArray& content) const;
 
-    /// Files of the folder with this ending, by name.
+    /// Files of the folder with this suffix, sorted by name.
     std::vector<QString> list(const QString& ending) const;
-    /// Where a file of that bare name is or would be; empty for a name, or a link, that leads out of the
+    /// The path of a file with this name, existing or not; empty for a name, or a link, that leads out of the
     /// folder.
     QString pathOf(const QString& bareName) const;
-    /// Writes a file; makes a folder of its own that goes with this object when there is none.
+    /// Writes a file. Without a folder, creates a temporary one that is removed with this object.
     bool save(const QString& bareName, const QByteArray& content);
 
 private:

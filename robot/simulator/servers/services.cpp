@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/urscript/program.h"
 
@@ -11,26 +11,26 @@ namespace tiller::simulator {
 
 namespace {
 
-/// What programs of the pendant are read with, now.
-pendant::PendantSource pendantSource(const Plant& plant) {
-    const Assumptions& assumptions = plant.assumptions();
+/// Current data for reading programs of the pendant.
+pendant::PendantSource pendantSource(const ControllerModel& plant) {
+    const BehaviourOptions& assumptions = plant.assumptions();
     pendant::PendantSource source;
     source.software = plant.options().software;
     source.isReserved = [](const QString& name) { return urscript::isReservedName(name.toStdString()); };
-    source.eventNeedsEdge = assumptions.eventNode == Assumptions::EventNode::Edge;
+    source.eventNeedsEdge = assumptions.eventNode == BehaviourOptions::EventNode::Edge;
     source.unknownUrcap =
-        assumptions.unknownUrcap == Assumptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip
-        : assumptions.unknownUrcap == Assumptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
-                                                                     : pendant::UnknownUrcap::Refuse;
+        assumptions.unknownUrcap == BehaviourOptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip
+        : assumptions.unknownUrcap == BehaviourOptions::UnknownUrcap::Ask ? pendant::UnknownUrcap::Ask
+                                                                          : pendant::UnknownUrcap::Refuse;
     if (!plant.options().urcapsFolder.isEmpty()) {
-        (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // Simulator::start() has checked it
+        (void)source.urcaps.addFolder(plant.options().urcapsFolder);  // checked by Simulator::start()
     }
     return source;
 }
 
 }  // namespace
 
-Services::Services(Plant& plant, FaultServer::Handler faults)
+Services::Services(ControllerModel& plant, FaultServer::Handler faults)
     : plant_(plant)
     , link_(plant.options().seed)
     , store_(plant.options().programsFolder, [&plant] { return pendantSource(plant); })
@@ -75,19 +75,18 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
     const Ports standard;
     const auto at = [&](int port) -> Result<void> {
         if (port < 0 || port > 65535) {
-            return Error{
-                ErrorCode::InvalidArgument,
-                QStringLiteral("port offset %1 leads out of the range of ports").arg(options.portOffset),
-                {}};
+            return Error{ErrorCode::InvalidArgument,
+                         QStringLiteral("port offset %1 exceeds the range of ports").arg(options.portOffset),
+                         {}};
         }
         return entry.server->open(address, static_cast<std::uint16_t>(port), entry.name, link_.poller());
     };
     const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
     if (entry.server == &gripper_ && wanted > 65535) {
-        return {};  // its number is so high that many an offset has no room for it
+        return {};  // the default port is so high that offsets may exceed the range
     }
     const Result<void> opened = at(wanted);
-    // Most systems keep port 80 to themselves, or have a web server there.
+    // Most systems reserve port 80, or already run a web server there.
     constexpr int kOtherWebPort = 8080;
     return opened || entry.server != &robotApi_ || options.anyFreePorts
                ? opened
@@ -107,7 +106,7 @@ Result<void> Services::open(const SimulatorOptions& options) {
             return opened;
         }
     }
-    // Listening everywhere includes the address that programs have for this controller.
+    // Listening on all addresses includes the address by which programs reach this controller.
     const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
     std::map<int, int> own;
     for (const Entry& entry : all_) {
@@ -146,7 +145,7 @@ void Services::service() {
 void Services::publish() {
     link_.setTime(plant_.elapsed());
     gripper_.step(plant_.stepTime(), plant_.telemetry().powered);
-    // Real-time data first: a tenth of a millisecond of messages shall not delay them.
+    // Real-time data are sent first, so that 0.1 ms of message processing does not delay them.
     rtde_.publish();
     realtime_.publish();
     realtimeReadOnly_.publish();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All services of one controller, opened and served together. Which there are depends on the software:
-// PolyScope X has the Robot API in place of the dashboard.
+// All services of one controller, opened and served together. The set of services depends on the software:
+// PolyScope X has the Robot API instead of the dashboard.
 
 #include <vector>
 
@@ -23,21 +23,22 @@ namespace tiller::simulator {
 /// Threads  the simulator's.
 class Services {
 public:
-    /// faults  answers the lines of the fault port
-    Services(Plant& plant, FaultServer::Handler faults);
+    /// faults  handles the lines of the fault port
+    Services(ControllerModel& plant, FaultServer::Handler faults);
 
     /// Opens all ports or none. Errors as Listener::open().
     Result<void> open(const SimulatorOptions& options);
     void close();
     Ports ports() const;
 
-    /// Reads all clients and answers; no time passes. The fault port is served apart.
+    /// Reads all clients and answers; does not advance time. The fault port is served separately.
     void service();
-    /// Sends what the last control period brought.
+    /// Sends the results of the last control period.
     void publish();
-    /// Ends all connections but those of the fault port.
+    /// Ends all connections except those of the fault port.
     void closeClients();
-    /// What leaving or entering remote control does to the connections of a robot that gates them.
+    /// Closes the script connections, as a robot that restricts them in Local does when entering or leaving
+    /// remote control.
     void closeScriptClients();
 
     RtdeServer& rtde() { return rtde_; }
@@ -54,7 +55,7 @@ private:
     };
     Result<void> openOne(const Entry& entry, const QHostAddress& address, const SimulatorOptions& options);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     Link link_;
     ProgramStore store_;
     DashboardServer dashboard_;

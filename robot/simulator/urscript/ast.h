@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The tree between parser and code generator. Nodes live in the deques of a Tree and point at each other;
-// nothing is freed one by one, so no input can make destruction recurse.
+// The syntax tree between parser and code generator. Nodes are stored in the deques of a Tree and point to
+// each other; they are never freed individually, so no input can cause deep recursion at destruction.
 
 #include <cstdint>
 #include <deque>

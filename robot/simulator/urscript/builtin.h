@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The table of builtin functions: signature with defaults, first version, implementation. Compiler, interpreter and
-// documentation use the same rows.
+// The table of builtin functions: signature with defaults, first version, implementation. Compiler,
+// interpreter and documentation use the same entries.
 
 #include <cstdint>
 #include <span>
@@ -17,10 +17,10 @@
 
 namespace tiller::simulator::urscript {
 
-/// A runtime exception on its way to the interpreter, which adds the position.
+/// A runtime exception; the interpreter adds the position.
 struct Fault {
     std::string text;
-    bool overrun = false;  ///< a thread would not let go
+    bool overrun = false;  ///< a thread used too much time without blocking
 };
 [[noreturn]] void fault(std::string text);
 [[noreturn]] void fault(const Error& error);
@@ -28,32 +28,32 @@ struct Fault {
 struct Builtin;
 enum class Status {
     Done,
-    Again,  ///< not yet: execute me again in the next frame
-    Line,   ///< interpreter_mode() only: run the next line, then execute me again
+    Again,  ///< not finished: execute again in the next frame
+    Line,   ///< interpreter_mode() only: run the next line, then execute again
 };
 
 class InterpreterMode;
 class RemoteCalls;
 
-/// What all calls of a program share.
+/// State shared by all calls of a program.
 struct CallContext {
     Host& host;
     const Limits& limits;
     ProgramKind kind = ProgramKind::Main;
-    std::int64_t stepNs = 2'000'000;  ///< length of a frame
+    std::int64_t stepNs = 2'000'000;  ///< duration of a frame
     std::uint64_t random = 1;         ///< generator state
     InterpreterMode* mode = nullptr;
     RemoteCalls* remote = nullptr;
-    ThreadId motionOwner = -1;  ///< whose motion command is unfinished
-    bool abortable = false;     ///< that command is a movej or movel
-    int motionVersion = 1;      ///< remembered for motion_version_get
-    double jerkGain = 1.0;      ///< remembered for jerk_gain_scaling_get
+    ThreadId motionOwner = -1;  ///< thread with an unfinished motion command
+    bool abortable = false;     ///< the unfinished command is a movej or movel
+    int motionVersion = 1;      ///< stored for motion_version_get
+    double jerkGain = 1.0;      ///< stored for jerk_gain_scaling_get
 };
 
 inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
 
-/// One execution of a builtin. A builtin that cannot finish now returns Status::Again and is executed again,
-/// with the same arguments, once in every later frame until it returns Done.
+/// One call of a builtin. A builtin that cannot finish returns Status::Again and is executed again with the
+/// same arguments, once in every later frame until it returns Done.
 class Call {
 public:
     Call(CallContext& context, const Builtin& builtin, ThreadId threadId, std::span<Value> arguments)
@@ -64,26 +64,26 @@ public:
     const std::span<Value> args;  ///< one per parameter, Unset where absent
     Value result = Value::none();
 
-    // kept over the executions of one call
+    // kept between executions of one call
     bool first = true;       ///< first execution
-    std::int64_t state = 0;  ///< the builtin's own
+    std::int64_t state = 0;  ///< for use by the builtin
     std::int64_t waitedNs = 0;
 
     // set by the builtin
     std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
-    bool endFrame = false;        ///< takes the rest of the slice
-    std::int64_t cost = 0;        ///< extra operations, for builtins that work on much data
-    bool readSocket = false;      ///< found data there; after many such in a frame the frame is over
+    bool endFrame = false;        ///< uses up the rest of the slice
+    std::int64_t cost = 0;        ///< extra operations, for builtins that process much data
+    bool readSocket = false;      ///< data were read; the frame ends after many such reads
 
     const Limits& limits() const { return context_.limits; }
     std::int64_t stepNs() const { return context_.stepNs; }
     double random();
 
     const std::string& name() const;
-    const char* needs() const;  ///< equipment, of an absent() builtin
+    const char* needs() const;  ///< the missing equipment, for an absent() builtin
     CallContext& context() { return context_; }
 
-    /// A motion builtin: starts the command when first executed, then waits for its end.
+    /// For motion builtins: starts the command at the first execution, then waits for its end.
     template <class MakeCommand>
     Status motion(MakeCommand make) {
         if (first) {
@@ -93,7 +93,7 @@ public:
         return motionUnfinished() ? Status::Again : Status::Done;
     }
 
-    // ---- arguments, each with the error text of a wrong type
+    // ---- arguments; a wrong type causes a fault with its error text
     bool given(std::size_t i) const { return !args[i].isUnset(); }
     double number(std::size_t i) const;
     double finite(std::size_t i) const;         ///< number that is neither NaN nor infinite
@@ -127,13 +127,13 @@ Status setting(Call& c);
 /// A list of a joint quantity.
 Value jointList(const Vector6& values);
 
-/// The fault text of a host's Error.
+/// The fault text for a host's Error.
 
 using BuiltinFunction = Status (*)(Call&);
 
 struct BuiltinParameter {
     std::string name;
-    std::string alias;  ///< another name that clients use, or empty
+    std::string alias;  ///< alternative name used by clients, or empty
     bool required = true;
     Value defaultValue;  ///< Unset when the default depends on the robot's state
     std::string defaultText;
@@ -147,30 +147,30 @@ enum BuiltinFlags : unsigned {
 };
 
 inline constexpr int kNever = 1000;
-/// In the release of series 3 that came out with the one of series 5: 3.10 with 5.4, 3.15 with 5.10.
+/// The release of series 3 published together with that of series 5: 3.10 with 5.4, 3.15 with 5.10.
 inline constexpr int kInStep = -1;
-/// First version with a function in each series; 0: all versions of the series.
+/// First version that has the function, by series; 0: all versions of the series.
 struct Since {
     int minor5 = 0;
     int minor10 = 0;
     int minor3 = kInStep;
 
-    int firstOfSeries3() const;  ///< kNever: no version has it
+    int firstOfSeries3() const;  ///< kNever: in no version
     bool availableIn(const SoftwareVersion& version) const;
 };
 inline constexpr Since kPolyScopeX{kNever, 0, kNever};
-/// Not in the lists of 2019 (3.11 and 5.5), but in those of 5.15.
+/// Not in the function lists of 2019 (3.11 and 5.5), but in those of 5.15.
 inline constexpr Since kAfter2019{6, 0};
-/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
+/// Not in the function lists of 5.15, but in those of 5.24 and 10.11.
 inline constexpr Since kAfter515{16, 0, kNever};
 inline constexpr Since kStructSince{0, 0, 6};
 inline constexpr Since kStringsSince{2, 0, 8};
 inline constexpr Since kSeries5{0, 0, kNever};
 
-/// A row as written in the tables.
+/// An entry as written in the tables.
 struct BuiltinRow {
-    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; a `?` behind a name: optional, no fixed
-                            ///< default; `t|t_min`: a second name
+    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; `?` after a name: optional, no fixed
+                            ///< default; `t|t_min`: an alternative name
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
@@ -188,12 +188,12 @@ struct Builtin {
     bool availableIn(const SoftwareVersion& version) const { return since.availableIn(version); }
 };
 
-/// All rows, sorted by name.
+/// All entries, sorted by name.
 const std::vector<Builtin>& builtins();
 /// Index into builtins(), or -1.
 int findBuiltin(std::string_view name);
 
-// The tables, one per file.
+// The tables, each in its own file.
 std::span<const BuiltinRow> motionBuiltins();
 std::span<const BuiltinRow> forceBuiltins();
 std::span<const BuiltinRow> superpositionBuiltins();

@@ -11,7 +11,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-// The literal of a default: number, bool, string, or a list of numbers.
+// Parses the literal of a default: number, bool, string, or a list of numbers.
 Value literal(std::string_view text) {
     if (text == "True" || text == "False") {
         return text == "True";
@@ -82,7 +82,7 @@ int Since::firstOfSeries3() const {
     if (minor3 != kInStep || minor5 == 0) {
         return std::max(minor3, 0);
     }
-    // 5.0 came out with 3.6, 5.6 with 3.12; then series 3 left out one release.
+    // 5.0 was released with 3.6, 5.6 with 3.12; afterwards series 3 skipped one release.
     constexpr int kLast = 10;
     return minor5 > kLast ? kNever : minor5 + (minor5 <= 6 ? 6 : 5);
 }

@@ -26,7 +26,7 @@ Status setDigitalOut(Call& c) {
     return Status::Done;
 }
 
-// The older functions count through: 0..7 standard, 8 and 9 tool.
+// The older functions number all pins consecutively: 0..7 standard, 8 and 9 tool.
 struct Pin {
     DigitalBank bank;
     int number;
@@ -74,7 +74,7 @@ Status setDomain(Call& c) {
 Status setInputRange(Call& c) {
     const int n = c.integerIn(0, 0, 3);
     const int range = c.integerIn(1, 0, 4);
-    // Ranges 0 and above 0: current, voltage.
+    // Range 0 selects current, ranges above 0 select voltage.
     c.host.setAnalogDomain(n < 2 ? AnalogPort::StandardInput : AnalogPort::ToolInput, n % 2,
                            range > 0 ? 1 : 0);
     return Status::Done;
@@ -134,8 +134,8 @@ Status runState(Call& c) {
     return Status::Done;
 }
 
-/// The listed outputs are high while a program runs; the others do not depend on the program. Exported programs have
-/// these calls for the outputs of the installation.
+/// The listed outputs are high while a program runs; the others are independent of the program. Exported
+/// programs contain these calls for the outputs of the installation.
 template <RuledOutput output, int last>
 Status runStateOutputs(Call& c) {
     constexpr int kIndependent = 0, kHighWhileRunning = 3;

@@ -9,8 +9,8 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-constexpr int kMostAtOnce = 123;  ///< registers in one request
-constexpr int kLongestName = 20;
+constexpr int kMaxPerRequest = 123;  ///< maximum number of registers in one request
+constexpr int kMaxNameLength = 20;
 
 template <class T>
 T checked(Result<T> outcome) {
@@ -22,7 +22,7 @@ T checked(Result<T> outcome) {
 
 std::string nameAt(Call& c, std::size_t i) {
     const std::string& name = c.string(i);
-    if (name.empty() || name.size() > kLongestName) {
+    if (name.empty() || name.size() > kMaxNameLength) {
         fault(c.name() + ": a signal has a name of 1 to 20 characters");
     }
     return name;
@@ -39,7 +39,7 @@ Status addSignal(Call& c) {
             signal.kind = Kind::Input;
             break;
         case 1:
-        case 15:  // the function code for several
+        case 15:  // the function code for multiple values
             signal.kind = Kind::Coil;
             break;
         case 2:
@@ -55,7 +55,7 @@ Status addSignal(Call& c) {
     }
     signal.name = nameAt(c, 4);
     signal.list = c.given(6);
-    signal.count = signal.list ? c.integerIn(6, 1, kMostAtOnce) : 1;
+    signal.count = signal.list ? c.integerIn(6, 1, kMaxPerRequest) : 1;
     signal.writeAddress = signal.address;
     signal.writeCount = signal.count;
     c.check(c.host.addModbusSignal(signal));
@@ -68,9 +68,9 @@ Status addReadWriteSignal(Call& c) {
     signal.device = c.string(0);
     c.integerIn(1, 0, 255);
     signal.address = c.integerIn(2, 0, 65535);
-    signal.count = c.integerIn(3, 1, kMostAtOnce);
+    signal.count = c.integerIn(3, 1, kMaxPerRequest);
     signal.writeAddress = c.integerIn(4, 0, 65535);
-    signal.writeCount = c.integerIn(5, 1, kMostAtOnce);
+    signal.writeCount = c.integerIn(5, 1, kMaxPerRequest);
     signal.name = nameAt(c, 6);
     signal.list = true;
     c.check(c.host.addModbusSignal(signal));
@@ -108,7 +108,7 @@ Status getInvalidTime(Call& c) {
     return Status::Done;
 }
 
-/// One value, or a list of them.
+/// One value, or a list of values.
 std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
     std::vector<double> given;
     if (c.args[i].is(Value::Type::List)) {
@@ -118,7 +118,7 @@ std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
     } else {
         given.push_back(c.integer(i));
     }
-    if (given.empty() || given.size() > kMostAtOnce) {
+    if (given.empty() || given.size() > kMaxPerRequest) {
         fault("Range error: " + c.name() + " takes 1 to 123 values");
     }
     std::vector<std::int32_t> values;

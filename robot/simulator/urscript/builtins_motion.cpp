@@ -108,7 +108,7 @@ Status optimovel(Call& c) {
     return c.motion([&] { return optimove(c, Move::Kind::OptimoveL); });
 }
 
-// a and v (1, 2) are taken and have no effect, as on the controller.
+// The parameters a and v (1, 2) are accepted without effect, as on the controller.
 Status servoj(Call& c) {
     return c.motion([&] {
         ServoJ servo;
@@ -130,7 +130,7 @@ std::optional<double> duration(const Call& c, std::size_t i) {
     return c.given(i) ? std::optional(std::max(c.finite(i), 0.0)) : std::nullopt;
 }
 
-// It may be infinite: scripts compute it by dividing by a remaining time.
+// May be infinite: scripts compute it by dividing by a remaining time.
 double acceleration(const Call& c, std::size_t i) {
     const double a = c.number(i);
     if (std::isnan(a)) {
@@ -176,7 +176,7 @@ Status stopl(Call& c) {
     });
 }
 
-// Two generations: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
+// Two versions of the signature: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
 Status directTorque(Call& c) {
     return c.motion([&] {
         DirectTorque torque;

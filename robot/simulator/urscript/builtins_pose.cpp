@@ -70,7 +70,7 @@ Status rpy2rotvec(Call& c) {
     return Status::Done;
 }
 
-// The wrench at and in the frame `to`, of one given at and in `from`.
+// Converts a wrench from frame `from` to frame `to`, including its reference point.
 Status wrenchTrans(Call& c) {
     const Pose T_from_to = c.pose(0);
     const std::array<double, 6> w = c.six(1);

@@ -20,7 +20,7 @@ Status sleep(Call& c) {
     if (!(seconds >= 0)) {
         fault("sleep: time must not be negative");
     }
-    // A year is as good as forever and fits the nanoseconds.
+    // A year is practically unlimited and does not overflow the nanoseconds.
     c.consumedNs = std::llround(std::min(seconds, 3.2e7) * 1e9);
     return Status::Done;
 }

@@ -93,7 +93,7 @@ Status targetPayloadInertia(Call& c) {
     return Status::Done;
 }
 
-// Rows of six numbers: a list of poses (get_tcp_force() gives one), or a matrix.
+// Rows of six numbers: a list of poses (as returned by get_tcp_force()), or a matrix.
 std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     std::vector<Vector6> out;
     if (c.args[i].is(Value::Type::Matrix) && c.args[i].matrix().cols == 6) {
@@ -115,8 +115,8 @@ std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     return out;
 }
 
-// Weight and where it hangs, from wrenches in base orientation about the flange: F = -m g, and
-// tau = (R cog) x F = -[F]x R cog, solved for the least sum of squares.
+// Estimates mass and centre of gravity from wrenches in base orientation about the flange: F = -m g, and tau
+// = (R cog) x F = -[F]x R cog, solved by least squares.
 Status estimatePayload(Call& c) {
     const std::vector<Vector6> poses = rowsAt(c, 0);
     const std::vector<Vector6> wrenches = rowsAt(c, 1);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kConnectNs = 2'000'000'000;
 constexpr int kMaxReadCount = 30;
 
-// The maker of a gripper numbers its sockets: 1 is the socket "1".
+// The script of a gripper manufacturer numbers its sockets: 1 is the socket "1".
 const std::string& socketName(Call& c, std::size_t i) {
     if (c.args[i].isNumber()) {
         c.args[i] = Value(toStr(c.args[i], kMaxStringLength));
@@ -47,7 +47,7 @@ void consume(Call& c, const std::string& socket, std::size_t bytes) {
 
 Status socketOpen(Call& c) {
     const std::string& name = socketName(c, 2);
-    // A connect that fails at once, as without a network, takes a period all the same: a loop around it must not spin.
+    // A failing connect, e.g. without a network, also takes a period, so that a loop around it does not spin.
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
         c.result = false;
         c.endFrame = true;
@@ -120,7 +120,7 @@ Status readByteList(Call& c) {
     return Status::Done;
 }
 
-// "( 1.4 , 3.1 )": everything up to the closing bracket is one message.
+// "( 1.4 , 3.1 )": one message extends up to the closing bracket.
 Status readAsciiFloat(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
     const std::string& name = socketName(c, 1);
@@ -178,7 +178,7 @@ Status readString(Call& c) {
         end = suffix.empty() ? bytes.size() : bytes.find(suffix, text);
         if (end != std::string_view::npos) {
             c.result = Value(std::string(bytes.substr(text, std::min(end - text, kMaxStringLength))));
-            // Text longer than a string is left for the next read.
+            // Text that exceeds the maximum string length is left for the next read.
             const std::size_t taken =
                 end - text > kMaxStringLength ? text + kMaxStringLength : end + suffix.size();
             consume(c, name, taken);
@@ -236,7 +236,7 @@ Status sendString(Call& c) {
     return Status::Done;
 }
 
-// Asks "GET name" and waits for "name value".
+// Sends "GET name" and waits for "name value".
 Status getVar(Call& c) {
     const std::string& variable = c.string(0);
     const std::string& name = socketName(c, 1);

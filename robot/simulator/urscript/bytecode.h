@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The executable form of a program: code of a stack machine, one sequence per function. Every variable is a slot
-// number, every callee an index; no name is looked up at runtime.
+// The executable form of a program: code of a stack machine, one sequence per function. Every variable is a
+// slot number, every callee an index; names are not looked up at runtime.
 
 #include <cstdint>
 #include <optional>
@@ -23,12 +23,12 @@ enum class Op : std::uint8_t {
     PushTrue,
     PushFalse,
     PushNone,
-    PushUnset,  // an argument not given
+    PushUnset,  // a missing argument
     LoadLocal,
     LoadGlobal,
     StoreLocal,
     StoreGlobal,
-    DeclareLocal,  // `local x = v`: forgets the old value and its type
+    DeclareLocal,  // `local x = v`: discards the old value and its type
     StorePath,     // b = path; stack: indices..., value
     Pop,
     // operators
@@ -58,7 +58,7 @@ enum class Op : std::uint8_t {
     // control; b = target
     Jump,
     JumpIfFalse,
-    JumpIfFalseKeep,  // leaves the bool for `and`, `or`; pops it when falling through
+    JumpIfFalseKeep,  // keeps the bool for `and`, `or`; pops it when not jumping
     JumpIfTrueKeep,
     JumpIfSet,  // a = local; skips the default value of a parameter that was given
     // calls
@@ -85,14 +85,14 @@ struct Instruction {
     std::int32_t b = 0;
 };
 
-/// The place a nested assignment or a method call works on: a variable and the way down from it.
+/// Target of a nested assignment or a method call: a variable and the steps from it to the element.
 struct Path {
     enum class Step : std::uint8_t { Index, Index2, Member };
     bool global = false;
     int slot = 0;
     using Part = std::pair<Step, std::string>;
     std::vector<Part> steps;
-    int indexValues = 0;  ///< values on the stack for the steps
+    int indexValues = 0;  ///< values on the stack used by the steps
 };
 
 enum class Method : std::uint8_t {
@@ -114,7 +114,7 @@ struct MethodCall {
     Method method = Method::Unknown;
     std::string name;
     int arguments = 0;
-    bool onPath = false;  ///< else the object is on the stack below the arguments
+    bool onPath = false;  ///< otherwise the object is on the stack below the arguments
     Path path;
 };
 
@@ -123,9 +123,9 @@ struct FunctionCode {
     ast::FunctionKind kind = ast::FunctionKind::Def;
     int parameters = 0;
     int locals = 0;  ///< parameters included
-    int stack = 0;   ///< most operands at a time
+    int stack = 0;   ///< maximum number of operands
     std::vector<Instruction> code;
-    std::vector<ast::Position> positions;  ///< parallel to code
+    std::vector<ast::Position> positions;  ///< same indices as the code
     std::vector<std::string> localNames;
     std::vector<bool> optional;  ///< parameters that have a default
     bool outermost = false;      ///< defined directly in the program, or a line of interpreter mode
@@ -136,11 +136,11 @@ struct Bytecode {
     ProgramKind kind = ProgramKind::Main;
     bool raw = false;
     bool commandsMotion = false;
-    bool clearsInterpreter = false;  ///< calls clear_interpreter() somewhere
+    bool clearsInterpreter = false;  ///< contains a call of clear_interpreter()
     std::optional<SoftwareVersion> version;
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
-    std::vector<std::string> globals;  ///< a line of interpreter mode: those it adds
+    std::vector<std::string> globals;  ///< a line of interpreter mode: the globals it adds
     std::vector<Path> paths;
     std::vector<MethodCall> methods;
     std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals

@@ -47,7 +47,7 @@ const char* Call::needs() const {
 }
 
 double Call::random() {
-    // splitmix64: small, and the same numbers on every machine for the same seed.
+    // splitmix64: small, with the same numbers on every machine for the same seed.
     std::uint64_t z = (context_.random += 0x9E3779B97F4A7C15ULL);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;

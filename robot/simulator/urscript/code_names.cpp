@@ -35,7 +35,7 @@ void CodeNames::collectGlobals(const Block& block, bool outermost) {
     for (const Stmt* s : block) {
         if (s->kind == StmtKind::Assign && (outermost || s->scope == AssignScope::Global)) {
             const Expr* target = rootOf(s->target);
-            // An element assignment declares no variable unless it is marked `global`.
+            // An element assignment does not declare a variable unless it is marked `global`.
             if (target == s->target || s->scope == AssignScope::Global) {
                 if (surroundings_ != nullptr && s->scope == AssignScope::Global &&
                     findGlobal(target->text) < 0) {
@@ -111,7 +111,7 @@ CodeNames::Slot CodeNames::resolve(std::string_view name) {
     if (const int slot = findGlobal(name); slot >= 0) {
         return {true, slot};
     }
-    // `local x` further down, read here: in a loop it may have a value by now.
+    // `local x` appears later in the text: in a loop it may already have a value here.
     if (explicitLocals_.contains(name)) {
         return {false, localSlot(name)};
     }
@@ -130,7 +130,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
             return here(scope);
         }
     }
-    // The newest of that name, as lines may define a function again.
+    // The newest function of that name, because lines may redefine a function.
     for (std::size_t i = surroundings_ == nullptr ? 0 : surroundings_->functions.size(); i > 1; --i) {
         const FunctionCode* f = surroundings_->functions[i - 1].function;
         if (f->outermost && f->name == name) {
@@ -152,7 +152,7 @@ bool CodeNames::isOutermost(const Function& f) const {
 }
 
 void CodeNames::report(Position at, std::string text) {
-    // The first in the text, whatever the order of the functions.
+    // Keep the first error in the text, whatever the order of the functions.
     if (!error_ || std::pair(at.line, at.column) < std::pair(error_->line, error_->column)) {
         error_ = CompileError{at.line, at.column, std::move(text)};
     }

@@ -23,7 +23,7 @@ public:
     const std::optional<CompileError>& error() const { return error_; }
 
 protected:
-    /// surroundings  what a line of interpreter mode is added to; null: a whole program
+    /// surroundings  the program to which a line of interpreter mode is added; null: a whole program
     CodeNames(const ast::Tree& tree, const LinkedCode* surroundings)
         : tree_(tree), surroundings_(surroundings) {}
 
@@ -34,17 +34,17 @@ protected:
     void collectGlobals();
     void collectLocals(const ast::Block& block);
     static const ast::Expr* rootOf(const ast::Expr* target);
-    /// -1: there is none of that name.
+    /// -1: not found.
     int findGlobal(std::string_view name) const;
     int globalSlot(std::string_view name);
     int localSlot(std::string_view name);
     Slot resolve(std::string_view name);
-    /// A function that can be called or run, wherever it was defined.
+    /// A function that can be called or run, wherever it is defined.
     struct Callee {
         int index = -1;
         ast::FunctionKind kind = ast::FunctionKind::Def;
-        const ast::Function* here = nullptr;      // in this text, or
-        const FunctionCode* elsewhere = nullptr;  // compiled before
+        const ast::Function* here = nullptr;      // in this text, or ...
+        const FunctionCode* elsewhere = nullptr;  // ... compiled earlier
         explicit operator bool() const { return index >= 0; }
     };
     Callee findFunction(std::string_view name) const;
@@ -52,7 +52,7 @@ protected:
     bool isOutermost(const ast::Function& f) const;
     void report(ast::Position at, std::string text);
     void nameNotFound(ast::Position at, std::string_view name);
-    /// From here on names are those of this function.
+    /// Sets the function whose names are resolved from now on.
     void enter(const ast::Function& f);
 
     const ast::Tree& tree_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code generator: tree to bytecode, statement by statement. Others include program.h.
+// The code generator: syntax tree to bytecode, statement by statement. Other files include program.h instead.
 
 #include <memory>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace tiller::simulator::urscript {
 
 class Compiler : public ExpressionCompiler {
 public:
-    /// surroundings  what a line of interpreter mode is added to; null: a whole program
+    /// surroundings  the program to which a line of interpreter mode is added; null: a whole program
     Compiler(const ast::Tree& tree, const CompileOptions& options, const LinkedCode* surroundings = nullptr)
         : ExpressionCompiler(tree, options, surroundings) {}
 
@@ -33,13 +33,13 @@ private:
     std::vector<int> breaks_;
 };
 
-/// A line of interpreter mode: either code or an error.
+/// Result for a line of interpreter mode: either code or an error.
 struct LineOutcome {
     std::unique_ptr<Bytecode> code;
     CompileError error;
 };
-/// Compiles statements that are added to a running program: they can use its globals and outermost functions and
-/// the definitions of earlier lines; new variables are local to them, new globals are an error.
+/// Compiles statements that are added to a running program. They can use its globals and outermost functions
+/// and the definitions of earlier lines; new variables are local to them, and new globals are an error.
 LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings);
 
 }  // namespace tiller::simulator::urscript

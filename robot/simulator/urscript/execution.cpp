@@ -32,7 +32,7 @@ Execution::Execution(const Program& program, Host& host, const Limits& limits)
 
 // The frequent cases (numbers, jumps, variables) are handled here, all others in operators.cpp.
 void Execution::execute(ScriptThread& thread) {
-    // Cached copies of the data of the innermost call; `reload` after every call or return.
+    // Cached copies of the data of the current call; `reload` after every call or return.
     const FunctionCode* function = nullptr;
     const Bytecode* unit = nullptr;
     const Value* constants = nullptr;
@@ -183,17 +183,17 @@ void Execution::execute(ScriptThread& thread) {
             case Op::Not:
                 save();
                 settle();
-                sp[-1] = !quickTruth(sp[-1]);
+                sp[-1] = !fastTruthValue(sp[-1]);
                 break;
             case Op::ToBool:
                 save();
                 settle();
-                sp[-1] = quickTruth(sp[-1]);
+                sp[-1] = fastTruthValue(sp[-1]);
                 break;
             case Op::Xor:
                 save();
                 settle();
-                sp[-2] = quickTruth(sp[-2]) != quickTruth(sp[-1]);
+                sp[-2] = fastTruthValue(sp[-2]) != fastTruthValue(sp[-1]);
                 (--sp)->reset();
                 break;
 
@@ -203,7 +203,7 @@ void Execution::execute(ScriptThread& thread) {
                 sp[-6] = makePose(sp - 6);
                 sp -= 5;
                 for (int i = 0; i < 5; ++i) {
-                    sp[i].forget();  // numbers, or makePose had refused
+                    sp[i].forget();  // numbers, otherwise makePose would have failed
                 }
                 break;
             case Op::MakeList: {
@@ -282,7 +282,7 @@ void Execution::execute(ScriptThread& thread) {
                 save();
                 settle();
                 const bool decisive = instruction.op == Op::JumpIfTrueKeep;
-                if (quickTruth(sp[-1]) == decisive) {
+                if (fastTruthValue(sp[-1]) == decisive) {
                     sp[-1].setBool(decisive);
                     pc = instruction.b;
                 } else {
@@ -381,7 +381,7 @@ void Execution::execute(ScriptThread& thread) {
             }
             case Op::EnterCritical:
             case Op::ExitCritical:
-                break;  // threads are only switched where they block, and there the language wants it
+                break;  // threads switch only where they block, where the language requires switching
             case Op::Halt:
                 save();
                 settle();
@@ -422,18 +422,18 @@ void Execution::push(ScriptThread& thread, const LinkedCode::Callee& callee, int
     if (thread.stack.size() < needed) {
         thread.stack.resize(std::max(needed, thread.stack.size() * 2));
     }
-    // Everything above the top is Unset, so the other locals are already.
+    // Slots above the top are always Unset, so the other locals need no initialization.
     thread.calls.push_back({&f, callee.unit, 0, base});
 }
 
-// The next line of interpreter mode, called at the position of its builtin.
+// Runs the next line of interpreter mode, as a call at the position of its builtin.
 void Execution::enterLine(ScriptThread& thread) {
     const Unit& unit = mode_.begin();
     globals_.resize(std::max(globals_.size(), code_.globals.size()));
     push(thread, {&unit.code->functions.front(), &unit}, 0);
 }
 
-// Back to the caller with the result; false when the thread has returned from its outermost function.
+// Returns to the caller with the result; false when the thread has left its outermost function.
 bool Execution::leave(ScriptThread& thread, Value result) {
     const CallFrame done = thread.calls.back();
     for (std::size_t i = done.base; i < thread.top; ++i) {
@@ -456,7 +456,7 @@ bool Execution::leave(ScriptThread& thread, Value result) {
     return true;
 }
 
-// Wait: it is to be executed again, or the slice is used up.
+// Returns Wait if the builtin must be executed again, or the slice is used up.
 Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction& instruction) {
     const Builtin& builtin = builtins()[static_cast<std::size_t>(instruction.b)];
     const std::size_t first = thread.top - instruction.a;
@@ -471,7 +471,7 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
         forgetLines();
     }
     thread.operations -= 8 + call.cost;
-    // However much a client sends, and however often the program asks for more: reading takes time.
+    // Reading must take time, however much a client sends and however often the program reads.
     call.endFrame =
         call.endFrame || (call.readSocket && limits_.threadOperationsPerFrame - thread.operations >=
                                                  limits_.readingOperationsPerFrame);
@@ -508,7 +508,7 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
     return thread.sliceNs > 0 && call.consumedNs == 0 && !isStopRequested() ? After::GoOn : After::Wait;
 }
 
-// False: the thread waits and continues here.
+// Returns false if the thread waits and continues here.
 bool Execution::callRemote(ScriptThread& thread, std::int32_t handle, const MethodCall& call,
                            std::span<const Value> arguments, Value& result) {
     if (context_.kind == ProgramKind::Secondary) {
@@ -577,7 +577,7 @@ void Execution::storePath(ScriptThread& thread, const Path& path) {
     thread.top -= static_cast<std::size_t>(end - first);
 }
 
-// False: the thread waits for the result.
+// Returns false if the thread waits for the result.
 bool Execution::callMethod(ScriptThread& thread, const MethodCall& call) {
     Value* const end = thread.stack.data() + thread.top;
     Value* const arguments = end - call.arguments;

@@ -24,7 +24,7 @@ protected:
     ~Execution() = default;
 
     void execute(ScriptThread& thread);
-    /// Puts a function on the thread's stack.
+    /// Pushes a call of the function on the thread's stack.
     void enter(ScriptThread& thread, int function, int arguments);
 
     Host& host_;
@@ -35,18 +35,18 @@ protected:
     CallContext context_;
     std::vector<Value> globals_;
     std::int64_t frame_ = 0;
-    std::int64_t frameOperations_ = 0;  ///< left for all threads together
+    std::int64_t frameOperations_ = 0;  ///< remaining operations of all threads
 
 private:
-    // What a thread asks of the scheduler.
-    /// Faults when there are too many.
+    // Requests of a thread to the scheduler.
+    /// Throws a fault when there are too many threads.
     virtual ThreadId startThread(int function, ThreadId parent) = 0;
     virtual bool isAlive(ThreadId id) const = 0;
-    /// The thread a handle means; -1: none.
+    /// The thread of a handle; -1: none.
     virtual ThreadId handleOf(const Value& v) const = 0;
     virtual void endThread(ScriptThread& thread) = 0;
     virtual void killTree(ThreadId id) = 0;
-    /// Lines of interpreter mode and what runs in them go.
+    /// Discards the lines of interpreter mode and ends the threads that run in them.
     virtual void forgetLines() = 0;
     virtual void finish() = 0;
     virtual void requestPause() = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Code for expressions, calls and the paths of nested assignments.
+// Code generation for expressions, calls and the paths of nested assignments.
 
 #include <algorithm>
 #include <map>
@@ -48,7 +48,7 @@ protected:
     Path pathOf(const ast::Expr* target, bool global = false);
 
     const CompileOptions& options_;
-    int depth_ = 0;  ///< of the stack, at this place of the function
+    int depth_ = 0;  ///< stack depth at the current position of the function
 
 private:
     static bool isPath(const ast::Expr* e);

@@ -142,7 +142,7 @@ Expr* ExpressionParser::primary() {
         case TokenKind::LeftParen: {
             Expr* e = expression();
             if (accept(TokenKind::Comma)) {
-                // "(x, y, z)", which python-urx sends for a list.
+                // "(x, y, z)", which python-urx sends instead of a list.
                 std::vector<Expr*> elements = items(TokenKind::RightParen);
                 elements.insert(elements.begin(), e);
                 return newExpr(ExprKind::ListLiteral, token, std::move(elements));
@@ -175,7 +175,7 @@ Expr* ExpressionParser::primary() {
     }
 }
 
-// After the opening bracket, up to and including `close`.
+// Parses after the opening bracket, up to and including `close`.
 std::vector<Expr*> ExpressionParser::items(TokenKind close) {
     std::vector<Expr*> out;
     if (!accept(close)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Expressions of a script, and below them the tokens they are read from and the nodes they become. The parser of
-// statements (parser.cpp) builds on both.
+// Parser for expressions, with the token access and node creation that it is built on. The parser of
+// statements (parser.cpp) uses both.
 
 #include <algorithm>
 #include <limits>
@@ -14,12 +14,12 @@
 
 namespace tiller::simulator::urscript {
 
-// Thrown and caught inside the parser only: every production would otherwise hand a failure upwards by hand.
+// Thrown and caught inside the parser only, so that the productions do not have to pass errors upwards.
 struct ParseFailure {
     CompileError error;
 };
 
-/// Takes tokens one after the other and makes the nodes of the tree.
+/// Reads tokens one after the other and creates the nodes of the tree.
 class TreeBuilder {
 protected:
     TreeBuilder(std::string_view source, const std::vector<Token>& tokens, ast::Tree& tree)
@@ -49,7 +49,7 @@ protected:
         }
         return take();
     }
-    // Members may be called like keywords: time() gives `sec`.
+    // Member names may be keywords: time() returns `sec`.
     const Token& memberName() {
         if (peek().kind < TokenKind::KwDef && peek().kind != TokenKind::Identifier) {
             fail(peek());
@@ -57,7 +57,8 @@ protected:
         return take();
     }
     [[noreturn]] void fail(const Token& token) const {
-        // Where an `end` is missing, the last one, in the first column, closed an inner block.
+        // If an `end` is missing, the last `end` in the first column has closed an inner block; report the
+        // error there.
         if (token.kind == TokenKind::End && tokens_.size() > 1) {
             const Token& last = tokens_[tokens_.size() - 2];
             if (last.kind == TokenKind::KwEnd && last.column == 1) {
@@ -67,7 +68,7 @@ protected:
         throw ParseFailure{syntaxError(source_, token.line, token.column)};
     }
 
-    /// Whether the text assigns to a variable of this name anywhere.
+    /// True if the text assigns to a variable of this name anywhere.
     bool isAssigned(std::string_view name) const {
         const auto assigns = [name](const Token& token, const Token& next) {
             return token.kind == TokenKind::Identifier && token.text == name &&
@@ -76,7 +77,7 @@ protected:
         return std::adjacent_find(tokens_.begin(), tokens_.end(), assigns) != tokens_.end();
     }
 
-    // Recursion of productions is bounded here, and with it the stack.
+    // Limits the recursion of productions, and so the stack.
     class Level {
     public:
         explicit Level(TreeBuilder& builder) : builder_(builder) {
@@ -143,7 +144,7 @@ protected:
 
 private:
     struct Operator {
-        int strength;  ///< the weakest is 0
+        int strength;  ///< 0 is the weakest
         ast::ExprKind kind;
     };
     static constexpr int kNotStrength = 2;  // between `and` and the comparisons

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The operations on numbers that most statements consist of, without a call; everything else is in
-// operators.h.
+// Inlined operations on numbers, which make up most statements; all other operations are in operators.h.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace tiller::simulator::urscript {
 
-// What an operation on lists costs beyond one operation, so that the frame's budget bounds its time as well.
+// Extra operation cost of list operations, so that the frame's budget limits their time as well.
 inline std::int64_t elementCount(const Value& v) {
     return static_cast<std::int64_t>(v.is(Value::Type::List)     ? v.list().size()
                                      : v.is(Value::Type::Matrix) ? v.matrix().numbers.size()
@@ -27,7 +26,7 @@ inline std::int64_t costOf(Op op, const Value& left, const Value& right) {
     return most / 8;
 }
 
-// Numbers of the same type without a call; false: not handled.
+// Inlined operations on numbers of the same type; false: not handled.
 inline bool fastArithmetic(Op op, Value& left, const Value& right) {
     if (left.is(Value::Type::Float) || right.is(Value::Type::Float)) {
         if (!left.isNumber() || !right.isNumber()) {
@@ -89,7 +88,7 @@ inline bool fastCompare(Op op, double a, double b) {
     }
 }
 
-inline bool quickTruth(const Value& v) {
+inline bool fastTruthValue(const Value& v) {
     return v.is(Value::Type::Bool) ? v.asBool() : truth(v);
 }
 

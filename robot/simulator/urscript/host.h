@@ -30,9 +30,9 @@ namespace tiller::simulator::urscript {
 /// Identifies a script thread within one program: 0 is the main body, handles of `run` are 1, 2, 3...
 using ThreadId = std::int32_t;
 
-/// The error a host gives for what it does not simulate.
+/// The error that a host returns for unsupported functions.
 Error notSimulated(std::string_view what);
-/// An error whose text becomes the runtime exception.
+/// Creates an error whose text becomes the runtime exception.
 Error scriptError(std::string text);
 
 // ---------------------------------------------------------------------------------------------- motion
@@ -95,7 +95,7 @@ struct DirectTorque {
     std::optional<Vector6> coulomb;
 };
 
-/// path_offset_disable, stop_conveyor_tracking: ends the superposition, done at standstill.
+/// path_offset_disable, stop_conveyor_tracking: ends the superposition; complete at standstill.
 struct StopSuperposition {
     double deceleration = 20;  ///< [rad/s2]
 };
@@ -113,26 +113,26 @@ struct ForceMode {
 
 struct Freedrive {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};
-    Pose feature;              ///< relative to the base, when `tool` is false
-    bool tool = false;         ///< feature is the tool
+    Pose feature;              ///< relative to the base if `tool` is false
+    bool tool = false;         ///< the feature is the tool
     bool checkPayload = true;  ///< false for freedrive_mode_no_incorrect_payload_check
 };
 
-/// Starting motion and asking whether it is over. The interpreter sees to it that only one thread has an
-/// unfinished command at a time.
+/// Starts motion and reports its completion. The interpreter ensures that only one thread has an unfinished
+/// command at a time.
 class MotionHost {
 public:
     virtual ~MotionHost() = default;
 
     /// Starts `command` for `thread`. The arm may still be moving from an earlier command, also one whose
-    /// thread has been killed. Error: the program ends with it (no inverse solution, target outside the joint
+    /// thread has been killed. An error ends the program (no inverse solution, target outside the joint
     /// range...).
     virtual Result<void> startMotion(ThreadId thread, const MotionCommand& command) = 0;
-    /// Polled at the beginning of each later frame, never in the frame of the start. Returns true when the calling
-    /// thread may continue: at standstill at the target, blend zone entered, duration over (in program time, so
-    /// longer at a reduced speed slider), standstill after a stop.
+    /// Polled at the beginning of each later frame, never in the frame of the start. Returns true when the
+    /// calling thread may continue: at standstill at the target, in the blend zone, when the duration has
+    /// elapsed (in program time, so longer at a reduced speed slider), or at standstill after a stop.
     virtual Result<bool> motionFinished(ThreadId thread) = 0;
-    /// The thread was killed, or ended, with its command unfinished. The arm keeps its speed until the next
+    /// The thread was killed, or ended, with an unfinished command. The arm keeps its speed until the next
     /// command of another thread or the end of the program.
     virtual void motionAbandoned(ThreadId thread) = 0;
 
@@ -143,7 +143,7 @@ public:
     virtual Result<void> setForceModeGainScaling(double scaling) = 0;
     virtual double forceModeGainScaling() const = 0;
 
-    virtual Result<void> freedrive(const Freedrive& mode) = 0;  ///< teach_mode() too; may be repeated
+    virtual Result<void> freedrive(const Freedrive& mode) = 0;  ///< also for teach_mode(); may be repeated
     virtual void endFreedrive() = 0;
     virtual int freedriveStatus() const { return 0; }
 
@@ -153,7 +153,7 @@ public:
     virtual Result<void> resetRevolutionCounter(const JointPositions& qNear);
 };
 
-/// Offsets superimposed on a path: path_offset_* and conveyor tracking. May be left out.
+/// Offsets superimposed on a path: path_offset_* and conveyor tracking. Optional.
 class SuperpositionHost {
 public:
     virtual ~SuperpositionHost() = default;
@@ -176,7 +176,7 @@ public:
 
 enum class Source { Actual, Target };
 
-/// What the arm does now; constant within a frame.
+/// Current values of the arm, constant within a frame.
 class StateHost {
 public:
     virtual ~StateHost() = default;
@@ -184,17 +184,17 @@ public:
     virtual JointPositions jointPositions(Source) const = 0;
     virtual JointVelocities jointVelocities(Source) const = 0;
     virtual JointAccelerations jointAccelerations(Source) const = 0;
-    /// Positions `steps` controller steps ago, 0 = now. Error beyond the buffer (give it some seconds).
+    /// Joint positions `steps` controller steps ago, 0 = now. Error beyond the buffer of some seconds.
     virtual Result<JointPositions> jointPositionsHistory(int steps) const = 0;
     virtual JointTorques externalJointTorques() const = 0;  ///< get_joint_torques
 
     virtual Pose tcpPose(Source) const = 0;
     virtual Twist tcpSpeed(Source) const = 0;
     virtual Pose flangePose() const = 0;      ///< actual, without TCP offset
-    virtual Pose targetWaypoint() const = 0;  ///< of the active move, else the target TCP pose
+    virtual Pose targetWaypoint() const = 0;  ///< of the active move, otherwise the target TCP pose
     virtual Wrench tcpForce() const = 0;
     virtual bool isSteady() const = 0;
-    /// Steps back to just before a contact along `direction` (zero: any), 0 = none.
+    /// Number of steps back to just before a contact along `direction` (zero: any), 0 = none.
     virtual int toolContact(const Eigen::Vector3d& direction) const = 0;
 
     virtual double jointTemperature(int joint) const = 0;   ///< [deg C], joint 0..5
@@ -205,12 +205,12 @@ public:
 
     using FieldValue =
         std::variant<bool, std::int32_t, double, std::vector<double>, std::vector<std::int32_t>>;
-    /// An RTDE output field by name, one step old.
+    /// An RTDE output field by name, delayed by one step.
     virtual Result<FieldValue> rtdeValue(std::string_view field) const;
 };
 
-/// Kinematics and dynamics of the calibrated arm. `tcp` and `q` absent mean the active TCP and current
-/// joints.
+/// Kinematics and dynamics of the calibrated arm. Without `tcp` and `q`, the active TCP and current joints
+/// are used.
 class KinematicsHost {
 public:
     virtual ~KinematicsHost() = default;
@@ -247,14 +247,15 @@ struct ExternalForceSensor {
         true;  ///< ft_rtde_input_enable; false: enable_external_ft_sensor (torques of opposite sign)
 };
 
-/// What is mounted on the arm and how the arm is mounted. Kept between programs.
+/// Equipment mounted on the arm, and the mounting of the arm. Kept between programs.
 class SetupHost {
 public:
     virtual ~SetupHost() = default;
     virtual Pose tcpOffset() const = 0;
     virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
     virtual Payload payload() const = 0;
-    /// `transition` [s] blends from the old payload. `zeroSensor`: the older calls also zero the F/T reading.
+    /// `transition` [s] blends from the old payload. `zeroSensor`: the older functions also zero the F/T
+    /// reading.
     virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
     virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2], upright: 0 0 9.82
     virtual Result<void> setGravity(const Eigen::Vector3d& gravity) = 0;
@@ -262,8 +263,9 @@ public:
     virtual Result<void> setBaseAcceleration(const Eigen::Vector3d& acceleration);
     virtual void zeroForceSensor() = 0;
     virtual Result<void> setExternalForceSensor(const ExternalForceSensor& sensor) = 0;
-    /// Settings a simulation may ignore, by builtin name with its numbers: "position_deviation_warning",
-    /// "set_baselight_solid", "motion_version_set"... The default accepts them without effect.
+    /// Settings that a simulation may ignore, by builtin name with their numbers:
+    /// "position_deviation_warning", "set_baselight_solid", "motion_version_set"... The default
+    /// implementation accepts them without effect.
     virtual Result<void> applySetting(std::string_view builtin, std::span<const double> values);
 };
 
@@ -272,7 +274,7 @@ public:
 
 enum class RegisterSide { Input, Output };
 
-/// General purpose registers. Addresses are checked by the caller: bool 0..127, int and float 0..47.
+/// General purpose registers. The caller checks addresses: bool 0..127, int and float 0..47.
 class RegisterHost {
 public:
     virtual ~RegisterHost() = default;
@@ -284,7 +286,7 @@ public:
     virtual void setFloatOutput(int address, double value) = 0;
     virtual bool flag(int number) const = 0;  ///< 0..32, kept between programs
     virtual void setFlag(int number, bool value) = 0;
-    /// The map of the controller's own Modbus server. Addresses 0..kPorts - 1.
+    /// The registers of the controller's own Modbus server. Addresses 0..kPorts - 1.
     static constexpr int kPorts = 512;
     virtual bool portBit(int address) const;
     virtual void setPortBit(int address, bool value);
@@ -301,11 +303,11 @@ struct ToolCommunication {
     double rxIdleChars = 1.5, txIdleChars = 3.5;
 };
 
-/// Outputs that may follow whether a program runs, and inputs that may act as a freedrive button.
+/// Outputs that may follow the program state, and inputs that may act as a freedrive button.
 enum class RuledOutput { Standard, Configurable, Tool, Analog, Register };
 enum class RuledInput { Standard, Configurable, Tool, Register };
 
-/// Pins. Numbers are checked by the caller.
+/// Pins. The caller checks the numbers.
 class IoHost {
 public:
     virtual ~IoHost() = default;
@@ -319,7 +321,8 @@ public:
     virtual void setToolCommunication(const ToolCommunication& settings) = 0;
     virtual void setToolOutputMode(int mode) = 0;                ///< 0 digital outputs, 1 dual-pin power
     virtual void setToolDigitalOutputMode(int n, int mode) = 0;  ///< 1 NPN, 2 PNP, 3 push-pull
-    /// state  0 keep, 1 low when no program runs, 2 high then, 3 high only while one runs
+    /// state  0 keep, 1 low when no program runs, 2 high when no program runs, 3 high only while a program
+    /// runs
     virtual void setRunState(RuledOutput, int number, int state) = 0;
     virtual void setFreedriveInput(RuledInput, int number, bool freedrive) = 0;
     virtual void resetInputActions() = 0;
@@ -328,18 +331,18 @@ public:
 // -----------------------------------------------------------------------------------------------------
 // sockets
 
-/// TCP client sockets of the program, by script name. All are closed at the end of the program.
+/// TCP client sockets of the program, by name in the script. All are closed at the end of the program.
 class SocketHost {
 public:
     virtual ~SocketHost() = default;
     enum class State { Closed, Connecting, Open };
 
-    /// Begins to connect; an open socket of that name is closed first. False when that is impossible at once.
+    /// Starts to connect, after closing an open socket of that name. False when that fails immediately.
     virtual bool openSocket(std::string_view name, std::string_view address, int port) = 0;
-    /// Open until closed by either side; bytes received before may still be read then.
+    /// Open until closed by either side; bytes received before can still be read afterwards.
     virtual State socketState(std::string_view name) const = 0;
-    virtual void closeSocket(std::string_view name) = 0;  ///< unknown names are harmless
-    /// Hands over all bytes; false when the socket is not open.
+    virtual void closeSocket(std::string_view name) = 0;  ///< unknown names are ignored
+    /// Sends all bytes; false when the socket is not open.
     virtual bool sendSocket(std::string_view name, std::string_view bytes) = 0;
     /// Bytes received and not yet consumed. Valid until the next call of this interface.
     virtual std::string_view receivedBytes(std::string_view name) const = 0;
@@ -354,23 +357,23 @@ struct Popup {
     bool warning = false, error = false, blocking = false;
 };
 
-/// Of the value a program asks a primary client for.
+/// Type of the value that a program requests from a primary client.
 enum class RequestedType { Boolean, Integer, Float, String };
 using RequestAnswer = std::variant<bool, std::int32_t, double, std::string>;
 
-/// What people and primary clients see.
+/// Messages to operators and primary clients.
 class MessageHost {
 public:
     virtual ~MessageHost() = default;
     virtual void textMessage(std::string_view text) = 0;               ///< primary type 0
     virtual void programLabel(int number, std::string_view text) = 0;  ///< primary type 1, `$ 1 "name"`
     virtual int showPopup(const Popup& popup) = 0;                     ///< returns an id, primary type 2
-    virtual bool popupOpen(int id) const = 0;  ///< asked for blocking popups once per frame
+    virtual bool popupOpen(int id) const = 0;  ///< polled once per frame by blocking popups
     virtual Result<int> requestValue(RequestedType kind, std::string_view text);  ///< primary type 9, an id
     virtual std::optional<RequestAnswer> requestedValue(int id);
 };
 
-/// A signal of a Modbus device, which the controller reads, or writes and reads, again and again.
+/// A signal of a Modbus device that the controller reads, or writes and reads, periodically.
 struct ModbusSignal {
     enum class Kind { Input, Coil, InputRegister, Register };
     std::string name;
@@ -392,22 +395,23 @@ struct ModbusStatus {
 };
 enum class ModbusErrorSource { Combined, Device, Connection };
 
-/// Modbus devices the controller is the client of. May be left out. Signals stay when the program ends.
-/// Errors of all: there is no signal of that name.
+/// Modbus devices that the controller is a client of. Optional. Signals stay when the program ends. Errors of
+/// all functions: no signal of that name.
 class ModbusHost {
 public:
     virtual ~ModbusHost() = default;
-    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< in place of one of that name
+    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< replaces one of the same name
     virtual Result<void> deleteModbusSignal(std::string_view name);
-    /// The last values that were read. Error: none for longer than the signal's watchdog.
+    /// The last values read. Error: none for longer than the signal's watchdog.
     virtual Result<ModbusStatus> modbusStatus(std::string_view name) const;
     virtual Result<std::int32_t> modbusError(std::string_view name, ModbusErrorSource source) const;
     virtual Result<double> modbusInvalidTime(std::string_view name) const;  ///< [s], 0: valid
-    /// Of an output; fewer values than it has leave the others. Error: it is none, or of another kind.
+    /// Sets an output; with fewer values than it has, the others keep theirs. Error: not an output, or of
+    /// another kind.
     virtual Result<void> setModbusOutput(std::string_view name, bool digital,
                                          std::span<const std::int32_t> values);
     virtual Result<void> setModbusFrequency(std::string_view name,
-                                            double hertz);  ///< 0 and below: not cyclic
+                                            double hertz);  ///< 0 or less: not cyclic
     virtual Result<void> setModbusWatchdog(std::string_view name, double seconds);
     virtual Result<void> setModbusFreedrive(std::string_view name, bool freedrive);
     virtual Result<void> setModbusRunState(std::string_view name, int state);  ///< as IoHost::setRunState
@@ -418,19 +422,20 @@ public:
 enum class WatchdogAction { Pause, Stop, Ignore };
 enum class ProgramKind { Main, Secondary };
 
-/// The controller around the program.
+/// The controller that runs the program.
 class ProgramHost {
 public:
     virtual ~ProgramHost() = default;
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
-    virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the controller started
+    virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the start of the controller
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Safety is informed at once. The program continues to the end of its frame; call Interpreter::pause().
+    /// Safety is informed immediately. The program continues to the end of its frame; call
+    /// Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
-    /// Main: decelerate, end force mode and freedrive, remove watchdogs, close sockets. Secondary: nothing.
-    /// Called exactly once per interpreter that ran, also after errors and stop().
+    /// Main program: decelerate, end force mode and freedrive, remove watchdogs, close sockets. Secondary
+    /// program: nothing. Called exactly once per interpreter that ran, also after errors and stop().
     virtual void programEnded(ProgramKind kind) = 0;
 };
 
@@ -444,8 +449,8 @@ private:
     WorldModel world_;
 };
 
-/// Everything a script can reach. Its interfaces are virtual bases, so that a host can be put together from classes
-/// that each serve one or several of them.
+/// Everything accessible to a script. Its interfaces are virtual bases, so that a host can be composed of
+/// classes that each implement one or several of them.
 class Host : public virtual MotionHost,
              public virtual SuperpositionHost,
              public virtual StateHost,
@@ -460,7 +465,7 @@ class Host : public virtual MotionHost,
              public virtual WorldHost {
 public:
     ArmFrames armFrames() const { return {flangePose(), tcpPose(Source::Actual)}; }
-    /// A pose given in one frame, in another.
+    /// Converts a pose from one frame to another.
     Result<Pose> convertPose(const Pose& pose, const std::string& from, const std::string& to) {
         return world().convert(pose, from, to, armFrames());
     }

@@ -3,11 +3,11 @@
 
 // Runs one program, one controller frame at a time. Within a frame every script thread runs until it blocks,
 // ends or has used its time slice; between frames nothing runs. The order is deterministic: the thread with
-// most of its slice left first, among equals the eldest, but the main program last (see Limits::mainFirst); a thread
-// started in a frame still runs in it.
+// most of its slice left runs first; of several equal ones the oldest, but the main program last (see
+// Limits::mainFirst). A thread started in a frame still runs in it.
 //
 // Host side protocol: each control period call runFrame() once, then step the arm. The destructor and stop()
-// end the program and tell the host.
+// end the program and inform the host.
 
 #include <cstdint>
 #include <memory>
@@ -21,29 +21,30 @@
 
 namespace tiller::simulator::urscript {
 
-/// What ended a program before its time. Line and column count from 1 in the compiled text.
+/// The error that ended a program early. Line and column count from 1 in the compiled text.
 struct RuntimeError {
     int line = 0;
     int column = 0;
     std::string text;
-    bool overrun = false;  ///< a loop that took no time
+    bool overrun = false;  ///< a loop without waiting
 };
 
 struct Limits {
-    std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more is an infinite loop
-    /// A thread that reads a socket after so many has used up its frame: however much there is to be read,
-    /// reading it takes time.
+    std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more is treated as an infinite loop
+    /// After this many operations, a thread that reads a socket has used up its frame, so that reading takes
+    /// time however much data there is.
     std::int64_t readingOperationsPerFrame = 100'000;
     std::int64_t frameOperations = 4'000'000;  ///< of all threads together
     int callDepth = 200;
     int threads = 128;
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
-    /// Among equals the main program runs before its threads. Otherwise after them: programs whose thread copies an
-    /// input that the main program acts on, e.g. the vendor's example of an RTDE control loop, act on the newest copy.
+    /// Of equal threads the main program runs first. Otherwise it runs last, so that programs whose thread
+    /// copies an input for the main program, e.g. the vendor's example of an RTDE control loop, use the
+    /// newest copy.
     bool mainFirst = false;
     bool threadsBeginNextFrame = false;     ///< otherwise in the period in which they are started
-    bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not check whether its server accepts
+    bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not check its server
 };
 
 class InterpreterMode;
@@ -64,11 +65,11 @@ public:
     Interpreter& operator=(const Interpreter&) = delete;
 
     /// Advances the program by one frame of host().stepTime(). Does nothing unless running. A secondary
-    /// program is always over after its first frame.
+    /// program always ends within its first frame.
     /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside
     State runFrame();
 
-    void pause();  ///< from the next frame on; pending sleeps and read time-outs stand still
+    void pause();  ///< from the next frame on; pending sleeps and read timeouts are paused
     void resume();
     void stop();  ///< ends the program; inside runFrame(): when the current statement returns
 
@@ -77,13 +78,13 @@ public:
     const std::optional<RuntimeError>& error() const;
     const Program& program() const;
 
-    /// Line the main body stands at (script_control_line), 0 before the first frame.
+    /// Current line of the main body (script_control_line), 0 before the first frame.
     int currentLine() const;
-    std::int64_t frame() const;  ///< frames run so far
-    int threadCount() const;     ///< main body included
-    /// A global variable's value now, or nullptr. Valid until the next frame.
+    std::int64_t frame() const;  ///< number of frames run
+    int threadCount() const;     ///< including the main body
+    /// Current value of a global variable, or nullptr. Valid until the next frame.
     const Value* global(std::string_view name) const;
-    /// Lines from outside, while the program stands in interpreter_mode().
+    /// Lines sent from outside while the program is in interpreter_mode().
     InterpreterMode& mode();
 
 private:

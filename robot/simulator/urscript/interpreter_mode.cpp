@@ -14,11 +14,11 @@ InterpreterMode::Reply InterpreterMode::submit(std::string_view line) {
     if (awaitsClear_ || clearing_) {
         return {Reply::Kind::Wait, 0, {}};
     }
-    if (queue_.size() >= kMostWaiting) {
+    if (queue_.size() >= kMaxWaiting) {
         return {Reply::Kind::Discard, 0, "too many statements wait"};
     }
     if (code_.functions.size() + code_.globals.size() >
-        code_.program.code->functions.size() + code_.program.code->globals.size() + kMostDefinitions) {
+        code_.program.code->functions.size() + code_.program.code->globals.size() + kMaxDefinitions) {
         return {Reply::Kind::Discard, 0, "too many definitions without clear_interpreter()"};
     }
     LineOutcome outcome = compileLine(line, code_);
@@ -36,7 +36,7 @@ InterpreterMode::Reply InterpreterMode::submit(std::string_view line) {
     return {Reply::Kind::Ack, counts_.lastInterpreted, {}};
 }
 
-// Lines that define something stay until they are cleared; all others can go.
+// Lines that define something are kept until they are cleared; all others can be removed.
 void InterpreterMode::retire(std::unique_ptr<Unit> unit) {
     if (unit != nullptr && unit->code->functions.size() > 1) {
         definitions_.push_back(std::move(unit));
@@ -95,7 +95,7 @@ const Unit& InterpreterMode::begin() {
 void InterpreterMode::lineDone() {
     inLine_ = false;
     if (running_->code->clearsInterpreter && !clearing_) {
-        awaitsClear_ = false;  // its clear_interpreter() was not reached
+        awaitsClear_ = false;  // its clear_interpreter() was not executed
     }
 }
 

@@ -18,25 +18,25 @@ namespace tiller::simulator::urscript {
 /// Threads  that of Interpreter::runFrame(), between frames.
 class InterpreterMode {
 public:
-    /// Lines that may wait; more are discarded.
-    static constexpr std::size_t kMostWaiting = 2'000;
-    /// Functions and variables lines may define until they are cleared.
-    static constexpr std::size_t kMostDefinitions = 2'000;
-    /// Lines run in one frame; the rest has the next ones.
+    /// Maximum number of waiting lines; more are discarded.
+    static constexpr std::size_t kMaxWaiting = 2'000;
+    /// Maximum number of functions and variables that lines may define until they are cleared.
+    static constexpr std::size_t kMaxDefinitions = 2'000;
+    /// Maximum number of lines run in one frame; the rest runs in the next ones.
     static constexpr int kLinesPerFrame = 100;
 
     explicit InterpreterMode(LinkedCode& code) : code_(code) {}
 
     // ---- from outside
 
-    /// Lines are taken.
+    /// Lines are accepted.
     bool isActive() const { return active_ && !ending_; }
 
     struct Reply {
         enum class Kind {
             Ack,      ///< queued, with an id counting from 1
             Discard,  ///< refused, with a reason
-            Wait,     ///< a clear_interpreter() is on its way: ask again later
+            Wait,     ///< a clear_interpreter() is pending: retry later
         };
         Kind kind = Kind::Discard;
         std::uint32_t id = 0;
@@ -44,9 +44,9 @@ public:
     };
     /// Compiles one line and queues it.
     Reply submit(std::string_view line);
-    /// `skipbuffer`: drops what has not begun.
+    /// `skipbuffer`: discards lines that have not started.
     void skip();
-    /// `abort`: ends the movej or movel under way, nothing else.
+    /// `abort`: ends only the current movej or movel.
     void abortMove() { abort_ = true; }
 
     struct Counts {
@@ -59,7 +59,7 @@ public:
 
     // ---- from the program
 
-    /// interpreter_mode() is reached, at first or again after a line.
+    /// Called when the program reaches interpreter_mode(), initially and after each line.
     enum class Next { Line, Nothing, End };
     Next proceed(bool clearQueueOnEnter, bool clearOnEnd);
     bool isInLine() const { return inLine_; }
@@ -69,11 +69,11 @@ public:
     // ---- from the machine
 
     void beginFrame() { linesLeft_ = kLinesPerFrame; }
-    /// The next line, to be run now; valid until the next one.
+    /// The next line to run; valid until the following one.
     const Unit& begin();
     void lineDone();
     bool takeAbort() { return std::exchange(abort_, false); }
-    /// What lines defined is to be forgotten now.
+    /// True once if the definitions of lines must be discarded.
     bool takeForget() { return std::exchange(forget_, false); }
     void forget();
 
@@ -88,14 +88,14 @@ private:
     LinkedCode& code_;
     std::deque<Line> queue_;
     std::unique_ptr<Unit> running_;
-    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines that others may call into
+    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines whose definitions others may use
     Counts counts_;
     int linesLeft_ = kLinesPerFrame;
     bool active_ = false;
     bool ending_ = false;
-    bool clearing_ = false;  ///< once the line under way is over
+    bool clearing_ = false;  ///< after the current line
     bool clearOnEnd_ = true;
-    bool awaitsClear_ = false;  ///< the last line queued clears: what follows has to wait for it
+    bool awaitsClear_ = false;  ///< the last queued line clears, so later ones have to wait for it
     bool inLine_ = false;
     bool abort_ = false;
     bool forget_ = false;

@@ -151,19 +151,19 @@ private:
         if (result.ec == std::errc::result_out_of_range) {
             return false;
         }
-        // An integer beyond 32 bits can only be meant as a float; 2147483648 must lex, for its negative is an
-        // int.
+        // An integer beyond 32 bits is read as a float; 2147483648 must be accepted because its negative is
+        // an int.
         if (!isFloat && token.number <= std::numeric_limits<std::int32_t>::max()) {
             token.kind = TokenKind::Integer;
             token.integer = static_cast<std::int32_t>(token.number);
         } else {
             token.kind = TokenKind::Float;
         }
-        // "12abc" is neither a number nor two tokens anybody meant.
+        // "12abc" is rejected: it is neither a number nor two valid tokens.
         return result.ptr == last && !isLetter(peek());
     }
 
-    // 32 bits, as to_num("0x...") reads them.
+    // 32 bits, as in to_num("0x...").
     bool readHexadecimal(Token& token) {
         const std::size_t start = at_;
         at_ += 2;
@@ -193,7 +193,7 @@ private:
         return true;
     }
 
-    // $ 3 "Robot Program": a line that names the node of the program tree that follows.
+    // $ 3 "Robot Program": a line that names the following node of the program tree.
     bool readLabel(Token& token) {
         ++at_;
         const auto blanks = [this] {
@@ -219,7 +219,7 @@ private:
         }
         token.kind = TokenKind::Label;
         token.integer = number;
-        // Newer editors write further fields behind the text; none of them matters here.
+        // Newer editors append further fields, which are ignored.
         while (at_ < source_.size() && source_[at_] != '\n') {
             ++at_;
         }
@@ -320,7 +320,7 @@ CompileError syntaxError(std::string_view source, int line, int column) {
     if (!text.empty() && text.back() == '\r') {
         text.remove_suffix(1);
     }
-    // One line may be the whole of a broken transmission.
+    // In a corrupted transmission the whole text may be a single line.
     text = text.substr(0, 200);
     return {line, column, "syntax_error_on_line:" + std::to_string(line) + ":" + std::string(text) + ":"};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Characters to tokens, with positions. Newlines are no tokens; each token only knows its line.
+// Converts characters to tokens with positions. Newlines are not tokens; each token stores its line.
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@
 namespace tiller::simulator::urscript {
 
 enum class TokenKind : std::uint8_t {
-    End,  ///< of the text
+    End,  ///< end of the text
     Identifier,
     Integer,
     Float,
@@ -80,16 +80,16 @@ struct Token {
     std::string_view text;  ///< identifier or string content, inside the source
 };
 
-/// What a name begins with.
+/// True for the first character of a name.
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Keyword of that spelling, or Identifier.
+/// The keyword with that spelling, or Identifier.
 TokenKind keywordKind(std::string_view word);
 
 struct LexOutcome {
-    std::vector<Token> tokens;  ///< ends with one of kind End
+    std::vector<Token> tokens;  ///< the last one is of kind End
     std::optional<CompileError> error;
 };
 
@@ -97,7 +97,7 @@ struct LexOutcome {
 LexOutcome tokenize(std::string_view source);
 bool isKeyword(std::string_view word);
 
-/// "syntax_error_on_line:<n>:<text of the line>:" at that place.
+/// "syntax_error_on_line:<n>:<text of the line>:" for that position.
 CompileError syntaxError(std::string_view source, int line, int column);
 
 }  // namespace tiller::simulator::urscript

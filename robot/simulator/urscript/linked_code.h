@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code that a machine runs: the program, followed by the additions of interpreter mode. Functions and globals
-// are numbered across both, so that a later line can use the definitions of an earlier one.
+// The code run by a machine: the program, followed by the additions of interpreter mode. Functions and
+// globals are numbered across both, so that a later line can use the definitions of an earlier one.
 
 #include <map>
 #include <memory>
@@ -16,7 +16,7 @@ namespace tiller::simulator::urscript {
 /// Bytecode with constants that belong to one machine.
 struct Unit {
     const Bytecode* code = nullptr;
-    std::unique_ptr<const Bytecode> owned;  ///< of a line; null for the program, which others own
+    std::unique_ptr<const Bytecode> owned;  ///< of a line; null for the program, which is not owned
     std::vector<Value> constants;
 
     explicit Unit(const Bytecode& shared) : code(&shared) { takeConstants(); }
@@ -50,7 +50,7 @@ struct LinkedCode {
             globals.push_back(name);
         }
     }
-    /// Back to those of the program.
+    /// Removes the functions and globals of lines, so that only those of the program remain.
     void dropLines() {
         functions.resize(program.code->functions.size());
         while (globals.size() > program.code->globals.size()) {

@@ -58,7 +58,7 @@ double apply(Op op, double a, double b) {
     }
 }
 
-// 32-bit arithmetic that wraps like the controller's.
+// 32-bit arithmetic with wrap-around, as on the controller.
 std::int32_t applyInt(Op op, std::int32_t a, std::int32_t b) {
     const auto ua = static_cast<std::uint32_t>(a);
     const auto ub = static_cast<std::uint32_t>(b);
@@ -77,7 +77,7 @@ std::int32_t applyInt(Op op, std::int32_t a, std::int32_t b) {
     }
 }
 
-// A run of numbers that came from a list or a matrix, with the integer flag of its source.
+// A sequence of numbers from a list or a matrix, with the integer flag of its source.
 struct Elements {
     const std::vector<double>* numbers = nullptr;
     double scalar = 0;
@@ -98,7 +98,7 @@ bool elementsOf(const Value& v, Elements& out) {
     return true;
 }
 
-// Element by element; ints stay ints except under division.
+// Element by element; ints stay ints except in division.
 bool elementwise(Op op, const Elements& a, const Elements& b, std::size_t count, std::vector<double>& out) {
     const bool integer = a.integer && b.integer && op != Op::Divide;
     out.resize(count);
@@ -131,7 +131,7 @@ Value product(const Value& left, const Value& right) {
             for (std::size_t k = 0; k < rows; ++k) {
                 sum += m.numbers[r * m.cols + k] * other[k * cols + c];
             }
-            // An int result that does not fit 32 bits is one no longer.
+            // An int result that does not fit into 32 bits becomes a float.
             out.integer = out.integer && std::abs(sum) <= std::numeric_limits<std::int32_t>::max();
             out.numbers[r * cols + c] = sum;
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Arithmetic and comparison of values as the language defines them. Everything throws Fault for types that do
-// not go together.
+// Arithmetic and comparison of values as defined by the language. All functions throw Fault for incompatible
+// types.
 
 #include "robot/simulator/urscript/bytecode.h"
 #include "robot/simulator/urscript/value.h"
@@ -14,7 +14,7 @@ Value arithmetic(Op op, const Value& left, const Value& right);
 Value negated(const Value& v);
 /// Op::Equal ... Op::GreaterEqual.
 bool compare(Op op, const Value& left, const Value& right);
-/// As a condition: bools, numbers (not 0), strings (not empty).
+/// Conversion to a condition: bools, numbers (not 0), strings (not empty).
 bool truth(const Value& v);
 
 /// `[a, b, ...]`: a list, or a matrix when the elements are lists of numbers.
@@ -26,7 +26,7 @@ Value indexed(const Value& v, const Value& i);
 Value indexed(const Value& v, const Value& row, const Value& column);
 void assignIndexed(Value& v, const Value& i, const Value& element);
 void assignIndexed(Value& v, const Value& row, const Value& column, const Value& element);
-/// An index as the language accepts it, within 0 <= i < size.
+/// Converts an index, checked for 0 <= i < size.
 std::size_t checkedIndex(const Value& i, std::size_t size);
 
 }  // namespace tiller::simulator::urscript

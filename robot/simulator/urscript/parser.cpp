@@ -149,7 +149,8 @@ Stmt* Parser::statement(Function& owner) {
             return loopStatement(StmtKind::Continue);
         case TokenKind::KwReturn: {
             Stmt* s = newStmt(StmtKind::Return, take());
-            // A value is on the line of its `return`; a `return` without a value is followed by another statement.
+            // A value must be on the line of its `return`; after a `return` without a value another statement
+            // follows.
             if (peek().line == token.line && startsExpression(peek().kind)) {
                 s->value = expression();
             }
@@ -221,7 +222,7 @@ Stmt* Parser::assignment(const Token& name) {
     return s;
 }
 
-// An assignment, or an expression whose result is dropped.
+// An assignment, or an expression whose result is discarded.
 Stmt* Parser::simpleStatement() {
     const Token& first = peek();
     if (first.kind != TokenKind::Identifier && first.kind != TokenKind::KwRun) {
@@ -236,7 +237,7 @@ Stmt* Parser::simpleStatement() {
         s->value = expression();
         return s;
     }
-    // The name of a variable alone has no effect. Published programs have it after `else:`.
+    // A variable name alone has no effect. Published programs contain it after `else:`.
     const bool isBareName = e->kind == ExprKind::Variable && peek().line != first.line && isAssigned(e->text);
     if (!isBareName && e->kind != ExprKind::Call && e->kind != ExprKind::Method && e->kind != ExprKind::Run) {
         fail(first);

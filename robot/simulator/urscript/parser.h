@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tokens to tree. Newlines separate nothing: an operand is extended as far as the grammar allows, and since
-// no statement begins with an operator or a bracket the next statement begins where it stops.
+// Converts tokens to the syntax tree. Newlines are not separators: an operand is extended as far as the
+// grammar allows, and since no statement begins with an operator or a bracket, the next statement begins
+// after it.
 
 #include <optional>
 #include <string_view>
@@ -12,7 +13,7 @@
 
 namespace tiller::simulator::urscript {
 
-/// How deep expressions and blocks may nest; more is a syntax error.
+/// Maximum nesting of expressions and blocks; more is a syntax error.
 inline constexpr int kMaxNesting = 150;
 /// Longest path through an expression tree, chains of operators included.
 inline constexpr int kMaxExpressionDepth = 1500;
@@ -24,7 +25,7 @@ struct ParseOutcome {
 
 /// `source` must outlive the tree.
 ParseOutcome parse(std::string_view source);
-/// The same for statements alone: a `def` in them is a function, not a program.
+/// The same for statements alone: a `def` among them is a function, not a program.
 ParseOutcome parseStatements(std::string_view source);
 
 }  // namespace tiller::simulator::urscript

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the arm carries, in a script's words.
+// The load of the arm as given by a script.
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A script, compiled: checked in full, names resolved, ready to run any number of times. Immutable, so that
-// it may be shared between threads.
+// A compiled script: fully checked, with resolved names, ready to run any number of times. Immutable, so that
+// it can be shared between threads.
 
 #include <memory>
 #include <optional>
@@ -17,19 +17,19 @@ namespace tiller::simulator::urscript {
 
 struct Bytecode;
 
-/// Why a text cannot run. Line and column count from 1 in the text as given.
+/// The reason why a text cannot run. Line and column count from 1 in the given text.
 struct CompileError {
     int line = 0;
     int column = 0;
-    std::string text;  ///< as the controller words it: "compile_error_name_not_found:foo:"
+    std::string text;  ///< message of the controller: "compile_error_name_not_found:foo:"
 };
 
 struct CompileOptions {
-    /// Software whose builtins exist; none: all of them.
+    /// Software version whose builtins are available; none: all builtins.
     std::optional<SoftwareVersion> version;
-    /// Builtins that do not exist although the software has them by its version.
+    /// Builtins that are missing although the software version has them.
     std::vector<std::string> missing;
-    /// Program name of a text without `def`.
+    /// Name of a program without `def`.
     std::string rawName = "unnamed";
 };
 
@@ -42,9 +42,9 @@ public:
 
     const std::string& name() const;
     ProgramKind kind() const;
-    /// Bare statements, not a `def`.
+    /// True for bare statements without a `def`.
     bool isRaw() const;
-    /// Contains a call of a builtin that moves the arm (a raw statement that does replaces the running
+    /// True if it calls a builtin that moves the arm (a raw statement that does so replaces the running
     /// program).
     bool commandsMotion() const;
     const Bytecode& code() const { return *code_; }
@@ -60,11 +60,11 @@ struct CompileOutcome {
     explicit operator bool() const { return program != nullptr; }
 };
 
-/// Compiles one unit: a `def`, a `sec`, or bare statements (run as a program of their own).
-/// Threads  any. Bounded in depth and memory for any input.
+/// Compiles one unit: a `def`, a `sec`, or bare statements (run as a separate program).
+/// Threads  any. Depth and memory are bounded for any input.
 CompileOutcome compile(std::string_view text, const CompileOptions& options = {});
 
-/// Whether a name is a word of the language or a builtin of any software, so that a function needs another.
+/// True if the name is a keyword or a builtin of any software version, and so cannot name a function.
 bool isReservedName(std::string_view name);
 
 }  // namespace tiller::simulator::urscript

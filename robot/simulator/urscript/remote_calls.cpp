@@ -16,7 +16,7 @@ Result<std::int32_t> RemoteCalls::declare(std::string_view url) {
     if (!address) {
         return scriptError("rpc_factory: \"" + std::string(url) + "\" is no address of a server");
     }
-    if (servers_.size() >= kMostHandles) {
+    if (servers_.size() >= kMaxHandles) {
         return scriptError("rpc_factory: too many handles");
     }
     const auto handle = static_cast<std::int32_t>(servers_.size()) + 1;
@@ -58,7 +58,7 @@ Result<std::int64_t> RemoteCalls::begin(std::int32_t handle, std::string_view me
     if (!request.ok()) {
         return request.error();
     }
-    if (calls_.size() >= kMostCalls) {
+    if (calls_.size() >= kMaxCalls) {
         host_.closeSocket(socketOf(calls_.begin()->first));
         calls_.erase(calls_.begin());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Calls of methods on what rpc_factory() gave: each over a connection of its own, asked after once a frame.
+// Method calls on the result of rpc_factory(). Each uses a separate connection and is polled once per frame.
 
 #include <map>
 #include <optional>
@@ -20,28 +20,28 @@ class RemoteCalls {
 public:
     explicit RemoteCalls(SocketHost& host) : host_(host) {}
 
-    /// A handle of a server that need not be there yet.
+    /// Returns a handle of a server that may not be reachable yet.
     Result<std::int32_t> declare(std::string_view url);
-    /// A handle, and the beginning of a look whether the server accepts connections.
+    /// Returns a handle, and starts to check whether the server accepts connections.
     Result<std::int32_t> open(std::string_view url);
-    /// True when somebody does; asked until then.
+    /// True when the server accepts; poll until then.
     Result<bool> opened(std::int32_t handle);
 
-    /// Begins a call. Returns its number.
+    /// Starts a call. Returns its number.
     Result<std::int64_t> begin(std::int32_t handle, std::string_view method,
                                std::span<const Value> arguments);
-    /// Its result; asked until there is one.
+    /// The result; poll until it is available.
     Result<std::optional<Value>> result(std::int64_t call);
 
 private:
-    static constexpr std::size_t kMostHandles = 100;
-    static constexpr std::size_t kMostCalls = 32;  ///< under way; the oldest goes (its thread was killed)
+    static constexpr std::size_t kMaxHandles = 100;
+    static constexpr std::size_t kMaxCalls = 32;  ///< active; the oldest is dropped (its thread was killed)
 
     struct Call {
         std::string request;
         bool sent = false;
     };
-    /// Not a name a script could use for its own.
+    /// Contains a character that socket names of scripts cannot have.
     static std::string socketOf(std::int64_t call) { return "\nrpc" + std::to_string(call); }
 
     SocketHost& host_;

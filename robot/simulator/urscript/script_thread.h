@@ -19,11 +19,11 @@ struct CallFrame {
     std::size_t base = 0;  // first local on the stack
 };
 
-/// A thread of a script: its calls, their stack, and where it is in a builtin that takes several frames.
+/// A thread of a script: its calls, its stack, and the state of a builtin that takes several frames.
 struct ScriptThread {
     enum class State {
         Ready,
-        Polling,  // inside a builtin that is executed again next frame
+        Polling,  // in a builtin that is executed again in the next frame
         Joining,
         Ended,
     };
@@ -32,11 +32,11 @@ struct ScriptThread {
     State state = State::Ready;
     ThreadId joined = 0;
     std::int64_t sliceNs = 0;
-    std::int64_t operations = 0;  // left in this frame
+    std::int64_t operations = 0;  // remaining in this frame
     std::vector<Value> stack;
     std::size_t top = 0;
     std::vector<CallFrame> calls;
-    // of the builtin being executed over several frames
+    // of a builtin that takes several frames
     bool again = false;
     std::int64_t builtinState = 0;
     std::int64_t builtinSince = 0;

@@ -19,7 +19,7 @@ bool isWordCharacter(char c) {
     return isLetter(c) || (c >= '0' && c <= '9');
 }
 
-// The words and brackets of one line, comments and strings left out.
+// The words and brackets of one line, without comments and strings.
 struct LineShape {
     std::string_view text;  // trimmed, without comment
     TokenKind firstWord = TokenKind::End;
@@ -77,7 +77,7 @@ LineShape shapeOf(std::string_view line) {
         const std::size_t length = static_cast<std::size_t>(wordEnd - shape.text.begin());
         shape.firstWord = keywordKind(shape.text.substr(0, length));
         const std::string_view rest = trimmed(shape.text.substr(length));
-        // "pause program" and "run program" begin with words of the language.
+        // "pause program" and "run program" begin with keywords of the language.
         shape.command = rest == "program" ||
                         (shape.firstWord == TokenKind::Identifier && (rest.empty() || isLetter(rest[0])));
     }
@@ -111,13 +111,13 @@ void SourceSplitter::feed(std::string_view bytes) {
 }
 
 void SourceSplitter::takeLine() {
-    std::erase(line_, '\0');  // clients in C send the one that ends their string, too
+    std::erase(line_, '\0');  // clients written in C may send the terminating null character
     const LineShape shape = shapeOf(line_);
     const bool blank = shape.text.empty();
     const bool firstColumn = !blank && line_.front() != ' ' && line_.front() != '\t';
     if (!begun_) {
         if (blank) {
-            // Comments before a unit belong to it, so that lines are counted as in the sender's text.
+            // Comments before a unit belong to it, so that line numbers match the sender's text.
             if (!unit_.empty() || !trimmed(line_).empty()) {
                 unit_ += line_;
             }
@@ -138,7 +138,7 @@ void SourceSplitter::takeLine() {
         return;
     } else if ((shape.firstWord == TokenKind::KwDef || shape.firstWord == TokenKind::KwSec) &&
                (blocks_ == 0 || (firstColumn && (indented_.value_or(false) || misplacedEnd_)))) {
-        // An open bracket in a bare statement, or a missing `end`, must not swallow the program that follows.
+        // An open bracket in a bare statement, or a missing `end`, must not absorb the following program.
         const std::string line = std::move(line_);
         line_.clear();
         finish();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Splits the text that arrives on a script port into units that can be run: a `def ... end` or `sec ... end`, a
-// line of bare statements, a command word ("stop program", "power on"). Works on any segmentation of the
-// stream; a unit is returned only when its last line is complete. A `def` or `sec` in the first column ends a program
+// Splits the text received on a script port into units that can be run: a `def ... end` or `sec ... end`, a
+// line of bare statements, a command ("stop program", "power on"). Works with any segmentation of the stream;
+// a unit is returned only when its last line is complete. A `def` or `sec` in the first column ends a program
 // with indented lines in which an `end` is missing, so that the next program is not lost.
 
 #include <cstddef>
@@ -25,14 +25,15 @@ public:
             Command,     ///< words that are not URScript, trimmed: "set unlock protective stop"
         };
         Kind kind = Kind::Statements;
-        std::string text;  ///< as received, with its newlines; what compile() counts lines in
+        std::string text;  ///< as received, with newlines; lines of compile() refer to it
     };
 
-    /// Bytes of an unfinished unit kept at most; more is given out as it is, for the compiler to reject.
+    /// Maximum size of an unfinished unit [bytes]; a longer one is returned as it is, so that the compiler
+    /// rejects it.
     static constexpr std::size_t kMaxUnit = 16u << 20;
 
     void feed(std::string_view bytes);
-    /// The next complete unit, or nothing yet.
+    /// The next complete unit; nothing if none is complete.
     std::optional<Unit> next();
     /// Bytes waiting for the rest of their unit.
     std::size_t pending() const { return unit_.size() + line_.size(); }
@@ -45,7 +46,7 @@ private:
     void followIndentation(bool firstColumn, int blocks, bool beginsWithEnd);
 
     std::string line_;                   // begun, not ended
-    std::string unit_;                   // whole lines of an unfinished unit
+    std::string unit_;                   // complete lines of an unfinished unit
     int blocks_ = 0;                     // open def, if, while...
     int brackets_ = 0;                   // open ( and [
     bool begun_ = false;                 // unit_ holds more than comments

@@ -8,7 +8,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-// The count is reached through a pointer to the whole, so it has to be the first member.
+// The count is accessed through a pointer to the object, so it must be the first member.
 static_assert(offsetof(StringData, count) == 0 && offsetof(ListData, count) == 0 &&
               offsetof(MatrixData, count) == 0 && offsetof(StructData, count) == 0);
 
@@ -166,7 +166,7 @@ bool Value::equals(const Value& other) const {
         return number() == other.number();
     }
     if (type_ != other.type_) {
-        // A bool compares with the numbers 0 and 1; anything else of different type is different.
+        // A bool compares with the numbers 0 and 1; values of other different types are unequal.
         if (type_ == Type::Bool && other.isNumber()) {
             return (u_.b ? 1.0 : 0.0) == other.number();
         }
@@ -262,7 +262,7 @@ Value ListData::at(std::size_t i) const {
 
 bool ListData::accepts(const Value& v) const {
     if (size() == 0) {
-        // Lists in lists are matrices; nothing else nests, which bounds the depth of every value.
+        // Lists of lists are matrices; other lists cannot be nested, which limits the depth of every value.
         return !v.isUnset() && !v.is(Value::Type::None) && !v.is(Value::Type::List) &&
                !v.is(Value::Type::Matrix);
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A URScript value. Numbers, bools and poses live inside; strings, lists, matrices and structs are shared
-// until one holder writes (copy on write), which gives the by-value semantics of the language at the price of
-// a pointer. Values of one program belong to one host thread: the counts are not atomic.
+// A URScript value. Numbers, bools and poses are stored inside; strings, lists, matrices and structs are
+// shared until one holder writes (copy on write), which implements the by-value semantics of the language at
+// the cost of a pointer. Values of one program belong to one host thread: the reference counts are not
+// atomic.
 
 #include <array>
 #include <cstdint>
@@ -17,9 +18,9 @@
 
 namespace tiller::simulator::urscript {
 
-/// Longest string that an operation may give.
+/// Maximum length of a string returned by an operation.
 inline constexpr std::size_t kMaxStringLength = 1023;
-/// Deepest nesting of structs and lists.
+/// Maximum nesting of structs and lists.
 inline constexpr int kMaxValueDepth = 16;
 
 struct StringData;
@@ -55,7 +56,7 @@ public:
     Value(Value&& other) noexcept { takeFrom(other); }
     Value& operator=(const Value& other) noexcept {
         if (this != &other) {
-            Value keep(other);  // `other` may live inside what this releases
+            Value keep(other);  // `other` may be part of the data released here
             release();
             takeFrom(keep);
         }
@@ -76,7 +77,7 @@ public:
     bool isNumber() const noexcept { return type_ == Type::Int || type_ == Type::Float; }
     bool is(Type t) const noexcept { return type_ == t; }
 
-    // Unchecked: the caller has looked at type().
+    // Unchecked: the caller must have checked type().
     bool asBool() const noexcept { return u_.b; }
     std::int32_t asInt() const noexcept { return u_.i; }
     double asFloat() const noexcept { return u_.d; }
@@ -87,7 +88,7 @@ public:
     const ListData& list() const noexcept { return *u_.list; }
     const MatrixData& matrix() const noexcept { return *u_.matrix; }
     const StructData& structure() const noexcept { return *u_.structure; }
-    /// Own copy for writing.
+    /// The data for writing, copied first if shared.
     ListData& ownList();
     MatrixData& ownMatrix();
     StructData& ownStructure();
@@ -113,22 +114,22 @@ public:
     }
 
     // For the interpreter's stack, where most values are numbers.
-    /// No destructor needed: bool, number or pose.
+    /// True for a bool, number or pose, which needs no destructor.
     bool isPlain() const noexcept { return type_ <= Type::Pose; }
-    /// Copies into a value that is plain.
+    /// Copies `other`; this value must be plain.
     void initialize(const Value& other) noexcept { copyFrom(other); }
-    /// Unset, of a value that is plain.
+    /// Sets to Unset; this value must be plain.
     void forget() noexcept { type_ = Type::Unset; }
 
-    /// A copy that shares nothing (constants handed to another host thread).
+    /// A copy that shares no data (for constants passed to another host thread).
     Value detached() const;
-    /// "int", "float", "pose"...: for error texts.
+    /// "int", "float", "pose"...: for error messages.
     const char* typeName() const noexcept;
     /// Same type and content; 2 and 2.0 are equal, NaN is not.
     bool equals(const Value& other) const;
-    /// Whether it nests at most `depth` deep and holds at most `budget` values, which are taken off. Every
-    /// value that a program builds is kept within such bounds, so that copies, comparisons and destruction
-    /// stay cheap.
+    /// Returns whether the value is nested at most `depth` deep and contains at most `budget` values, which
+    /// are subtracted. Every value created by a program is kept within such limits, so that copies,
+    /// comparisons and destruction stay cheap.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
     /// Struct, or a list of values that are not numbers.
     bool nested() const noexcept;
@@ -169,7 +170,7 @@ private:
         std::int32_t i;
         double d;
         std::array<double, 6> pose;
-        std::uint32_t* counter;  // every shared data begins with its count
+        std::uint32_t* counter;  // all shared data begin with their reference count
         StringData* string;
         ListData* list;
         MatrixData* matrix;
@@ -195,7 +196,8 @@ struct ListData {
     std::size_t size() const { return kind == Kind::Other ? values.size() : numbers.size(); }
     bool isNumeric() const { return kind == Kind::Int || kind == Kind::Float; }
     Value at(std::size_t i) const;
-    /// False when the element type does not fit; ints and floats mix, the list becomes one of floats.
+    /// False when the element type does not fit; ints and floats can be mixed, which converts the list to
+    /// floats.
     bool set(std::size_t i, const Value& v);
     bool insert(std::size_t i, const Value& v);
     void erase(std::size_t i);
@@ -215,14 +217,14 @@ struct MatrixData {
 
 struct StructData {
     std::uint32_t count = 1;
-    std::int32_t handle = 0;  ///< of a remote object, whose methods are calls; 0: plain
+    std::int32_t handle = 0;  ///< of a remote object with callable methods; 0: ordinary struct
     std::vector<std::pair<std::string, Value>> members;
     Value* find(std::string_view name);
     const Value* find(std::string_view name) const;
 };
 
-/// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. May be longer
-/// than the language allows; stops soon after `limit` characters.
+/// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. The result
+/// may be longer than the language allows; it ends soon after `limit` characters.
 std::string toStr(const Value& v, std::size_t limit = 2048);
 /// textmsg: six significant digits, "," between elements.
 std::string toMessageText(const Value& v, std::size_t limit = 65536);

@@ -13,8 +13,8 @@ namespace {
 
 using Type = Value::Type;
 
-// The type of a variable is fixed by its first value, as far as these families go: numbers mix, and so do
-// poses and lists, because scripts in the field assign one to the other.
+// The first value of a variable fixes its type, but only by these families: number types can be mixed, and so
+// can poses and lists, because existing scripts assign one to the other.
 int family(const Value& v) {
     switch (v.type()) {
         case Type::Bool:
@@ -34,7 +34,7 @@ int family(const Value& v) {
     }
 }
 
-/// The values of a struct as a list; nothing when they are not of one type.
+/// The values of a struct as a list; nothing if their types differ.
 std::optional<Value> asList(const StructData& structure) {
     ListData out;
     for (const auto& [name, value] : structure.members) {
@@ -74,7 +74,7 @@ void assign(Value& variable, Value v, const std::string& name) {
     variable = std::move(v);
 }
 
-// The value `steps` levels down, owned by this holder. Moves `indices` past those used.
+// The value `steps` levels down, unshared for writing. Advances `indices` past those used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) {
     Value* v = &root;
     for (std::size_t i = 0; i < steps; ++i) {
@@ -185,7 +185,7 @@ Value applyMethod(Value& object, const MethodCall& call, const Value* arguments)
                 fault("Type error: the argument of method 'extend' must be a list, not a " +
                       std::string(arguments[0].typeName()));
             }
-            const ListData added = arguments[0].list();  // may be the list itself
+            const ListData added = arguments[0].list();  // may be the same list as `object`
             if (added.size() > object.list().capacity - size) {
                 fault("List is full: its capacity is " + std::to_string(object.list().capacity));
             }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rules of assignment, access to elements and members, and the methods of values. All of them end in a Fault where
-// the language forbids the operation.
+// Rules of assignment, access to elements and members, and the methods of values. All functions throw Fault
+// where the language forbids the operation.
 
 #include <cstddef>
 #include <string>
@@ -14,9 +14,9 @@ namespace tiller::simulator::urscript {
 
 /// name  of the variable, in messages
 void assign(Value& variable, Value v, const std::string& name);
-/// The value `steps` steps down, as this holder's own. Moves `indices` past those used.
+/// The value `steps` levels down, unshared for writing. Advances `indices` past those used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices);
-/// The last step of a path.
+/// Assigns through the last step of a path.
 void assignElement(Value& holder, const Path::Part& part, const Value* indices, Value element);
 void checkBounds(const Value& root, std::size_t listLength);
 Value applyMethod(Value& object, const MethodCall& call, const Value* arguments);

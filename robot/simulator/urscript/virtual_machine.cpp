@@ -23,11 +23,11 @@ Interpreter::State Interpreter::Machine::runFrame() {
         return state;
     }
     inFrame_ = true;
-    hostTold_ = false;
+    hostNotified_ = false;
     ++frame_;
     beginFrame();
-    // Cooperative: a thread runs until it blocks, so nothing else runs between two of its statements,
-    // critical section or not, and everything else runs while it waits, critical section or not.
+    // Scheduling is cooperative: a thread runs until it blocks. Nothing else runs between two of its
+    // statements, and everything else runs while it waits, regardless of critical sections.
     while (!over_) {
         ScriptThread* const thread = next();
         if (thread == nullptr) {
@@ -68,7 +68,7 @@ void Interpreter::Machine::beginFrame() {
     abortMove();
 }
 
-// `abort` in interpreter mode: the move becomes a stop, and is over when that is.
+// `abort` in interpreter mode: replaces the move by a stop, and completes with it.
 void Interpreter::Machine::abortMove() {
     constexpr double kDeceleration = 4.0;  // [rad/s2]
     if (mode_.takeAbort() && context_.motionOwner == 0 && context_.abortable) {
@@ -76,7 +76,8 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// Runs before all threads: a thread that waits for its motion must not block another one that may command by now.
+// Called before all threads: a thread that waits for its motion must not block another one that may start a
+// command now.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {
         return;
@@ -135,7 +136,7 @@ void Interpreter::Machine::run(ScriptThread& thread) {
 
 ast::Position Interpreter::Machine::position(const ScriptThread& thread) {
     const CallFrame& call = thread.calls.back();
-    // pc is the next instruction, but a waiting builtin is its own next instruction.
+    // pc is the next instruction, except in a waiting builtin, where it is the builtin itself.
     const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
     return call.function->positions[static_cast<std::size_t>(pc)];
 }
@@ -160,8 +161,8 @@ void Interpreter::Machine::finishProgram() {
     over_ = true;
     threads_.clear();
     context_.motionOwner = -1;
-    if (!hostTold_) {
-        hostTold_ = true;
+    if (!hostNotified_) {
+        hostNotified_ = true;
         host_.programEnded(program->kind());
     }
 }

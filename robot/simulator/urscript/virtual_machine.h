@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inside of an Interpreter: the scheduler that shares out the frame among the script threads, and the life of the
-// program.
+// Implementation of Interpreter: the scheduler that divides the frame among the script threads, and the life
+// cycle of the program.
 
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ public:
     InterpreterMode& mode() { return mode_; }
 
 private:
-    // For the threads.
+    // Requests of threads, see Execution.
     ThreadId startThread(int function, ThreadId parent) override;
     bool isAlive(ThreadId id) const override { return find(id) != nullptr; }
     ThreadId handleOf(const Value& v) const override;
@@ -63,8 +63,8 @@ private:
     bool inFrame_ = false;
     bool pauseRequested_ = false;
     bool stopRequested_ = false;
-    bool over_ = false;  // the rest of the frame is not to run
-    bool hostTold_ = true;
+    bool over_ = false;  // skips the rest of the frame
+    bool hostNotified_ = true;
 };
 
 }  // namespace tiller::simulator::urscript

@@ -18,29 +18,29 @@
 
 namespace tiller::simulator::urscript {
 
-/// Where the arm is: T_base_flange and T_base_tcp.
+/// Position of the arm: T_base_flange and T_base_tcp.
 struct ArmFrames {
     Pose flange, tcp;
 };
 
-/// Errors of all  ScriptError, naming the frame.
+/// Errors of all functions  ScriptError, naming the frame.
 class WorldModel {
 public:
-    static constexpr std::size_t kMostFrames = 1000;
+    static constexpr std::size_t kMaxFrames = 1000;
 
     /// name must be new. pose  relative to `ref`, which becomes the parent
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
-    /// The child stays where it is. A loop is refused.
+    /// The child keeps its position. Loops are refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
     /// pose  relative to `ref`; the parent does not change. Of the permanent frames only the base can be moved, in
     ///       the world; frames attached to the world do not move.
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
-    /// What was attached to it goes to its parent and stays where it is.
+    /// Frames attached to it are attached to its parent and keep their positions.
     Result<void> remove(const std::string& name, const ArmFrames& arm);
-    /// All frames but those that are always there.
+    /// Removes all frames except the permanent ones.
     void clear() { frames_.clear(); }
-    /// The same, and the base is where the world begins.
+    /// As clear(), and moves the base to the origin of the world.
     void reset() {
         clear();
         T_world_base_ = Eigen::Isometry3d::Identity();
@@ -49,16 +49,16 @@ public:
     bool contains(const std::string& name) const { return isFixed(name) || frames_.contains(name); }
     Result<std::string> parentOf(const std::string& name) const;
     Result<std::vector<std::string>> childrenOf(const std::string& name) const;
-    /// pose  in `from`; returns it in `to`.
+    /// pose  in `from`; the result is in `to`.
     Result<Pose> convert(const Pose& pose, const std::string& from, const std::string& to,
                          const ArmFrames& arm) const;
-    /// Where `name` is, seen from `relative`, in the axes of `axes`.
+    /// Pose of `name` relative to `relative`, in the axes of `axes`.
     Result<Pose> poseOf(const std::string& name, const std::string& relative, const std::string& axes,
                         const ArmFrames& arm) const;
 
-    /// load  about the frame's origin and axes
+    /// load  about the origin and axes of the frame
     Result<void> setMass(const std::string& name, const Payload& load);
-    /// The sum of what hangs on flange and TCP, in the flange frame.
+    /// Total load attached to flange and TCP, in the flange frame.
     Payload attachedPayload(const ArmFrames& arm) const;
 
 private:

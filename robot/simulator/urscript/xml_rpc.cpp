@@ -151,7 +151,7 @@ private:
         }
     }
 
-    // Inside <value>, up to and including its end.
+    // Parses inside <value>, up to and including its end.
     Value value(int depth) {
         if (depth > kMaxValueDepth || ++elements_ > kMaxElements) {
             fault("The XML-RPC server's reply is too large");
@@ -164,7 +164,7 @@ private:
                     break;
                 case QXmlStreamReader::StartElement: {
                     Value v = typed(depth);
-                    xml_.skipCurrentElement();  // to the end of <value>
+                    xml_.skipCurrentElement();  // skip to the end of <value>
                     return v;
                 }
                 case QXmlStreamReader::EndElement:
@@ -217,7 +217,7 @@ private:
             }
             elements.push_back(value(depth + 1));
         }
-        xml_.readNextStartElement();  // the end of <array>
+        xml_.readNextStartElement();  // skip the end of <array>
         return makeList(elements.data(), elements.size(), kMaxElements);
     }
     Value structure(int depth) {

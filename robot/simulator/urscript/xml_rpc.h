@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// XML-RPC as URScript speaks it: values in XML, HTTP around them. A pose is a struct of x, y, z, rx, ry, rz.
-// Source: xmlrpc.com specification; URScript rpc_factory.
+// XML-RPC as used by URScript: values in XML, transported over HTTP. A pose is a struct of x, y, z, rx, ry,
+// rz. Source: xmlrpc.com specification; URScript rpc_factory.
 
 #include <optional>
 #include <span>
@@ -14,21 +14,22 @@
 
 namespace tiller::simulator::urscript::xml_rpc {
 
-/// Where a server listens.
+/// Address of a server.
 struct Address {
     std::string host;
     int port = 80;
     std::string path;
 };
-/// "http://127.0.0.1:8000/RPC2". Nothing when it is no such address.
+/// Parses "http://127.0.0.1:8000/RPC2". Nothing if it is not such an address.
 std::optional<Address> parseAddress(std::string_view url);
 
 /// Returns a complete HTTP request that calls `method`.
-/// Errors  ScriptError for a value without a form in XML-RPC (infinite, None)
+/// Errors  ScriptError for a value that XML-RPC cannot represent (infinite, None)
 Result<std::string> request(const Address& address, std::string_view method,
                             std::span<const Value> arguments);
 
-/// Returns the reply of the server, or nothing while it is incomplete. ended  the connection has ended
+/// Returns the reply of the server, or nothing while it is incomplete.
+/// ended  the connection has ended
 /// Errors  ScriptError: HTTP status, malformed reply, fault of the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
 

@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-constexpr std::chrono::seconds kIdentityPatience{5};
+constexpr std::chrono::seconds kIdentityTimeout{5};
 
 QString reasonText(const std::string& reason) {
     if (reason == "protective-stop") {
@@ -41,7 +41,7 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
             });
 }
 
-// The worker goes first, then the box, which writes what is under way.
+// The worker is destroyed first, then the box, which completes the current incident.
 IncidentWatch::~IncidentWatch() = default;
 
 void IncidentWatch::setProject(const QString& name, const QByteArray& content) {
@@ -59,7 +59,7 @@ void IncidentWatch::restart() {
         QMetaObject::invokeMethod(
             this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
     };
-    // Ending the box of the link before may mean writing its incident: not here.
+    // Starting the box may first write an incident of the previous connection, so the worker does it.
     worker_.post(this, [this, options, receiver = session_.sharedReceiver()](const CancelToken&) {
         static_cast<void>(box_.start(options, *receiver));
         return std::function<void()>([this] {
@@ -80,7 +80,7 @@ void IncidentWatch::learnIdentity() {
     box_.setFact("software", toString(version));
     worker_.post(this, [this, version, robot = session_.address()](const CancelToken& cancel) {
         const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, version.isCb3(),
-                                                     Deadline::after(kIdentityPatience, cancel));
+                                                     Deadline::after(kIdentityTimeout, cancel));
         box_.setFact("model", identity.model.toStdString());
         box_.setFact("serial_number", identity.serialNumber.toStdString());
         return std::function<void()>();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The black box of the window: runs while a robot is connected, receives the messages of the log, and reports the
-// file of an incident.
+// The incident recorder of the window: runs while a robot is connected, receives the messages of the log, and
+// reports the file of an incident.
 
 #include <QObject>
 #include <QString>
@@ -13,7 +13,7 @@
 
 namespace tiller {
 
-/// Threads  GUI; files are written elsewhere
+/// Threads  GUI; files are written in another thread
 class IncidentWatch : public QObject {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
 
     /// The project stored in each file.
     void setProject(const QString& name, const QByteArray& content);
-    /// Of the robot, seen in this link so far.
+    /// Number of packets from the robot on this connection so far.
     std::uint64_t packets() const { return box_.packets(); }
 
 Q_SIGNALS:

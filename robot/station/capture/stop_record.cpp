@@ -11,14 +11,14 @@
 namespace tiller {
 namespace {
 
-constexpr double kHeardWithin = 2.0;  ///< [s] between a stop and what is said about it
-constexpr double kBlameWindow = 0.5;  ///< [s] before the stop in which a joint shows itself
-constexpr double kBlameLeast = 0.5;   ///< [A] below this no joint stands out
-constexpr double kLongestGap = 0.5;   ///< [s] between two packets of one story
-constexpr double kElsewhere = 0.002;  ///< [rad] by more than this an arm has moved
+constexpr double kMessageWindow = 2.0;  ///< [s] maximum time between a stop and messages about it
+constexpr double kBlameWindow = 0.5;    ///< [s] time before the stop that is searched for a deviating joint
+constexpr double kBlameLeast = 0.5;     ///< [A] minimum deviation of current to name a joint
+constexpr double kMaxGap = 0.5;         ///< [s] maximum time between two packets of one record
+constexpr double kElsewhere = 0.002;    ///< [rad] threshold for a moved arm
 
-/// What the robot does not send is drawn as nothing.
-double orNothing(double value) {
+/// Missing values are drawn as zero.
+double valueOrNaN(double value) {
     return std::isfinite(value) ? value : 0.0;
 }
 
@@ -33,7 +33,7 @@ int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
     return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
 }
 
-/// Where one of the two is not known, it has.
+/// Unknown positions (NaN) count as moved.
 bool hasMoved(const JointPositions& from, const JointPositions& to) {
     return !((to.values - from.values).cwiseAbs().array() <= kElsewhere).all();
 }
@@ -71,19 +71,20 @@ void StopRecorder::take(const receive::Sample& sample) {
     const receive::RobotState robot(sample);
     StopRecord::Point point;
     point.time = robot.timestamp();
-    point.force = orNothing(robot.tcpForce().force.norm());
-    point.speed = orNothing(robot.tcpSpeed().linear.norm());
-    point.current = robot.jointCurrent().unaryExpr(&orNothing);
-    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&orNothing);
+    point.force = valueOrNaN(robot.tcpForce().force.norm());
+    point.speed = valueOrNaN(robot.tcpSpeed().linear.norm());
+    point.current = robot.jointCurrent().unaryExpr(&valueOrNaN);
+    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&valueOrNaN);
     bool gap = false;
     if (!points_.empty()) {
         const double since = point.time - points_.back().time;
-        gap = sample.connection != connection_ || since < 0 || since > kLongestGap;
+        gap = sample.connection != connection_ || since < 0 || since > kMaxGap;
         if (since < 0) {
             points_.clear();  // the controller was restarted
         }
     }
-    // Unseen, the arm may have been unlocked, moved and stopped again: the same stop leaves it where it was.
+    // While no data arrived, the arm may have been unlocked, moved and stopped again. If it has not moved, it
+    // is the same stop.
     const bool another = gap && hasMoved(q_, robot.q());
     connection_ = sample.connection;
     q_ = robot.q();
@@ -111,7 +112,7 @@ void StopRecorder::freeze(const receive::Sample& sample, SafetyStatus status) {
     record.q = robot.q();
     record.suspect = suspectOf(record.points, record.stoppedAt);
     for (const auto& [time, text] : said_) {
-        if (record.stoppedAt - time < kHeardWithin) {
+        if (record.stoppedAt - time < kMessageWindow) {
             record.reports << text;
         }
     }
@@ -131,7 +132,8 @@ void StopRecorder::hear(const script::ControllerMessage& message) {
     while (said_.size() > 20) {
         said_.pop_front();
     }
-    if (stopped_ && record_ && now_ - record_->stoppedAt < kHeardWithin && !record_->reports.contains(text)) {
+    if (stopped_ && record_ && now_ - record_->stoppedAt < kMessageWindow &&
+        !record_->reports.contains(text)) {
         record_->reports << text;
         Q_EMIT changed();
     }

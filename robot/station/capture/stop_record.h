@@ -31,7 +31,7 @@ struct StopRecord {
     std::vector<Point> points;
     Pose tcpPose;
     JointPositions q;
-    int suspect = -1;     ///< the joint with the largest deviation of current, 0..5; -1: no clear deviation
+    int suspect = -1;     ///< joint with the largest current deviation, 0..5; -1: no clear deviation
     QStringList reports;  ///< messages of the controller within two seconds of the stop: "C157 Collision ..."
 };
 

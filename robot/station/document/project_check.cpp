@@ -11,7 +11,7 @@ namespace {
 
 using Kind = ProjectFinding::Kind;
 
-/// The two bodies that are furthest inside the distance they have to keep; nothing when all keep it.
+/// The pair of bodies with the largest violation of its safety distance; nothing if there is none.
 std::optional<collision::Contact> closest(const collision::CollisionCheck& check, const JointPositions& q) {
     std::optional<collision::Contact> worst;
     double missing = collision::kSafetyTolerance;
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// Returns  where the arm is at the waypoint; nothing when it cannot get there
+    /// Returns  the joint positions at the waypoint; nothing when it cannot be reached
     std::optional<JointPositions> checkWaypoint(int row, const std::optional<JointPositions>& from) {
         const project::Waypoint& point = project_.waypoints.at(row);
         ProjectFinding finding;

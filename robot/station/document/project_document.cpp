@@ -42,7 +42,7 @@ void ProjectDocument::useRobot(const RobotModel& robot) {
     }
     robot_ = robot;
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
 }
 
 void ProjectDocument::adoptRobot(RobotModelId connected) {
@@ -63,7 +63,7 @@ void ProjectDocument::restoreRobot() {
         adoptRobot(*connectedModel_);
     }
     if (project_.robot != now) {
-        tellPart(project_.robot);
+        notifyPart(project_.robot);
     }
 }
 
@@ -100,7 +100,7 @@ void ProjectDocument::refreshReach() {
     }
 }
 
-void ProjectDocument::tellAllChanged() {
+void ProjectDocument::notifyAllChanged() {
     if (!waypoints().isEmpty()) {
         Q_EMIT waypointsChanged(0, waypoints().size() - 1);
     }
@@ -110,7 +110,7 @@ void ProjectDocument::tellAllChanged() {
 
 namespace {
 
-/// Of the first entry that is new or another one than before.
+/// Id of the first entry that was added or changed.
 template <class List>
 QUuid firstOther(const List& before, const List& after) {
     for (const auto& now : after) {
@@ -159,7 +159,7 @@ void ProjectDocument::finishStep(const project::Project& before, bool undone, co
     Q_EMIT stepTaken(step);
 }
 
-// ---- edits by hand ---------------------------------------------------------------------------------
+// ---- manual edits ----------------------------------------------------------------------------------
 
 void ProjectDocument::insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints,
                                       const QString& text) {
@@ -269,7 +269,7 @@ void ProjectDocument::removeFrame(int row) {
 }
 
 void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
-    // Also those whose joints rule: the pose they remember must not lose its frame.
+    // Waypoints defined by their joints are included, because their stored pose refers to the frame too.
     QVector<int> rows;
     std::vector<project::Waypoint> points;
     for (int i = 0; i < waypoints().size(); ++i) {
@@ -290,7 +290,8 @@ void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
         pattern.columnEnd = T_base_frame * pattern.columnEnd;
         pattern.rowEnd = T_base_frame * pattern.rowEnd;
         patternsAfter.replace(i, pattern);
-        // Digit for digit where the pattern puts them now: they are to move with it later, too.
+        // Use the exact result of the pattern, so that later pattern changes still recognize these waypoints
+        // as unmoved.
         for (std::size_t n = 0; n < points.size(); ++n) {
             if (project::isWhereLaid(waypoints().at(rows[static_cast<int>(n)]), patterns().at(i))) {
                 points[n].pose = project::poseAt(pattern, points[n].place);
@@ -352,7 +353,7 @@ void ProjectDocument::changePaths(const project::PathList& after, const QString&
 
 void ProjectDocument::changeModel(const project::ModelChange& change, const QString& text) {
     beginGroup(text);
-    // First: where the places are then follows from it.
+    // Set the robot first because waypoint positions depend on it.
     pushPart(&project::Project::robot, change.project.robot, text);
     QVector<int> rows;
     std::vector<project::Waypoint> changed;
@@ -420,7 +421,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     for (const int row : rows) {
         rowAt[keyOf(waypoints().at(row).place)] = row;
     }
-    // The new list of the pattern's waypoints: those that were there keep their ids.
+    // Build the new list of the pattern's waypoints; existing ones keep their ids.
     QVector<int> changedRows;
     std::vector<project::Waypoint> changed;
     std::vector<project::Waypoint> added;
@@ -444,7 +445,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
             then.joints = laid.joints;
             then.tcpOffset = laid.tcpOffset;
         }
-        // What was set for all follows the pattern, what was set for one stays.
+        // Fields that still have the pattern's value follow the pattern; fields edited for one waypoint stay.
         const project::Waypoint& old = before.first;
         const auto follow = [&](auto project::Waypoint::*field) {
             if (now.*field == old.*field) {
@@ -478,7 +479,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     if (!added.empty()) {
         insertWaypoints(behind, added, text);
     }
-    // Among the rows they have now, in the pattern's order.
+    // Rows of the pattern keep their places in the list and are filled in pattern order.
     QVector<QUuid> ids;
     qsizetype next = 0;
     for (const project::Waypoint& point : waypoints()) {
@@ -522,12 +523,12 @@ void ProjectDocument::removePattern(const QUuid& id, const QString& text) {
     endGroup();
 }
 
-/// Patterns that were taught at waypoints follow those when they are touched up.
+/// Patterns taught at waypoints follow changes of these waypoints.
 void ProjectDocument::followCorners(const std::vector<project::Waypoint>& changed, const QString& text) {
     for (const project::Pattern& pattern : project::PatternList(patterns())) {
         project::Pattern after = pattern;
         for (const project::Waypoint& point : changed) {
-            // In the pattern's frame, whatever frame the corner is given in.
+            // In the pattern's frame, whatever frame the corner waypoint uses.
             const auto place = project::givenIn(point, pattern.first.frame, frames());
             if (!place) {
                 continue;
@@ -550,8 +551,8 @@ void ProjectDocument::followCorners(const std::vector<project::Waypoint>& change
     }
 }
 
-/// Waypoints at these rows are about to go: their places are left out of their patterns from now on, and patterns
-/// that were taught at them keep the corner, but not the waypoint.
+/// Called before the waypoints at these rows are removed: removes their places from their patterns. Patterns
+/// that were taught at them keep the corner pose but lose the link to the waypoint.
 void ProjectDocument::forgetPlaces(const QList<int>& rows, const QString& text) {
     QSet<QUuid> going;
     for (const int row : rows) {
@@ -599,7 +600,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
 
 std::vector<project::Waypoint> ProjectDocument::takeRaw(const QVector<int>& rows) {
     std::vector<project::Waypoint> taken;
-    // Runs of neighbours together, the last first.
+    // Adjacent rows are removed together, starting with the last run.
     for (auto to = static_cast<int>(rows.size()); to > 0;) {
         int from = to - 1;
         while (from > 0 && rows[from - 1] == rows[from] - 1) {
@@ -648,44 +649,44 @@ void ProjectDocument::reorderRaw(const QVector<QUuid>& order) {
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::FrameList&) {
+void ProjectDocument::notifyPart(const project::FrameList&) {
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
     Q_EMIT framesChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::Tooling&) {
+void ProjectDocument::notifyPart(const project::Tooling&) {
     Q_EMIT toolingChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::Positions&) {
+void ProjectDocument::notifyPart(const project::Positions&) {
     Q_EMIT positionsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::PatternList&) {
+void ProjectDocument::notifyPart(const project::PatternList&) {
     Q_EMIT patternsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::CellGeometry&) {
+void ProjectDocument::notifyPart(const project::CellGeometry&) {
     Q_EMIT cellChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const project::PathList&) {
+void ProjectDocument::notifyPart(const project::PathList&) {
     Q_EMIT pathsChanged();
     Q_EMIT documentChanged();
 }
 
-void ProjectDocument::tellPart(const std::optional<RobotModelId>&) {
+void ProjectDocument::notifyPart(const std::optional<RobotModelId>&) {
     if (!isConnected_) {
         clearRobot();
     }
     refreshReach();
-    tellAllChanged();
+    notifyAllChanged();
     Q_EMIT documentChanged();
 }
 

@@ -17,7 +17,7 @@
 
 namespace tiller {
 
-/// The part of the project that an edit changes, which determines where the window shows it.
+/// The part of the project that an edit changes. It determines where the window shows the edit.
 enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell };
 
 /// An edit that was undone or redone.
@@ -42,15 +42,16 @@ public:
     const project::FrameList& frames() const { return project_.frames; }
     /// The connected arm; without one, that of the project.
     const RobotModel& robot() const { return robot_; }
-    /// Reach depends on the arm. Where it has another geometry than the arm the project was taught with, nothing counts
-    /// as reachable: see isOfOtherModel().
+    /// Reach depends on the arm. If its geometry differs from that of the arm the project was taught with, no
+    /// waypoint counts as reachable: see isOfOtherModel().
     void setRobot(const RobotModel& connected);
-    /// No robot is connected.
+    /// Called when no robot is connected.
     void clearRobot();
-    /// True when the places of the project were taught with another arm than robot(): each of them is somewhere else.
+    /// True when the positions of the project were taught with a different model than robot(), so that each
+    /// of them would be somewhere else.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// The arm of a project that names none, or has no waypoints. Not an edit: saved with the next one. Undo that
-    /// restores waypoints restores their arm.
+    /// Sets the robot model of a project that has none, or has no waypoints. This is not an edit and is saved
+    /// with the next one. An undo that restores waypoints restores their model.
     void adoptRobot(RobotModelId connected);
     /// One undo step: replaces the project by the result of project::changeModel().
     void changeModel(const project::ModelChange& change, const QString& text);
@@ -60,17 +61,17 @@ public:
     const project::PatternList& patterns() const { return project_.patterns; }
     const project::CellGeometry& cell() const { return project_.cell; }
     const project::PathList& paths() const { return project_.paths; }
-    /// The name in the history of waypoints; by default the name of the account.
+    /// Author in the history of waypoints; by default the name of the user account.
     void setAuthor(const QString& name) { author_ = name; }
 
-    /// Replaces the project; an undo history is empty afterwards.
+    /// Replaces the project and clears the undo history.
     void setProject(project::Project project);
 
-    // Edits by hand: one undo step each, named `text`. Rows count from 0.
+    // Manual edits: one undo step each, named `text`. Rows count from 0.
     void insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void removeWaypoints(QList<int> rows);
-    /// Does nothing if `waypoint` is unchanged. The previous version is added to its history; a pattern taught at
-    /// it follows.
+    /// Does nothing if `waypoint` is unchanged. The previous version is added to the history of the waypoint;
+    /// patterns taught at it follow.
     void changeWaypoint(int row, const project::Waypoint& waypoint, const QString& text);
     /// Changes several waypoints.
     /// after  one per row; unchanged ones are ignored
@@ -81,7 +82,7 @@ public:
     void insertFrame(int row, const project::Frame& frame, const QString& text);
     /// Does nothing if `frame` is unchanged.
     void changeFrame(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints, patterns and other objects in the frame keep their positions and are given in Base.
+    /// Waypoints, patterns and other objects in the frame keep their positions and are then given in Base.
     void removeFrame(int row);
 
     // Each does nothing if the value is unchanged.
@@ -90,70 +91,70 @@ public:
     void changeCell(const project::CellGeometry& after, const QString& text);
     void changePaths(const project::PathList& after, const QString& text);
 
-    /// Its waypoints are put in front of `row`.
+    /// The waypoints of the pattern are inserted before `row`.
     void insertPattern(int row, const project::Pattern& pattern, const QString& text);
-    /// The pattern with that id becomes this one, and its waypoints follow: those that stand where they were laid
-    /// move, those that were moved by hand stay, new places come, and places that are no more go.
+    /// Replaces the pattern with the same id and updates its waypoints: unmodified ones move, manually moved
+    /// ones stay, new ones are added, and those no longer in the pattern are removed.
     void changePattern(const project::Pattern& pattern, const QString& text);
-    /// Its waypoints stay, as ordinary ones.
+    /// Removes the pattern but keeps its waypoints as ordinary ones.
     void dissolvePattern(const QUuid& id, const QString& text);
-    /// And its waypoints.
+    /// Removes the pattern and its waypoints.
     void removePattern(const QUuid& id, const QString& text);
 
     /// Edits between the two calls form one undo step. Calls may be nested.
     virtual void beginGroup(const QString& /*text*/) {}
     virtual void endGroup() {}
 
-    // For the edits.
+    // Used by the edits.
     void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
     /// rows     ascending
     /// Returns  the removed elements, in that order
     std::vector<project::Waypoint> takeRaw(const QVector<int>& rows);
-    /// Those with the same ids.
+    /// Replaces the waypoints with the same ids.
     void replaceRaw(const std::vector<project::Waypoint>& waypoints);
     void reorderRaw(const QVector<QUuid>& order);
-    /// After it, every frame that waypoints are given in must be among the frames.
+    /// Afterwards, every frame used by waypoints must exist in the project.
     template <class Part>
     void setPartRaw(Part project::Project::*part, const Part& value) {
         project_.*part = value;
-        tellPart(value);
+        notifyPart(value);
     }
 
 Q_SIGNALS:
-    /// Anything in the project is different now.
+    /// The project has changed.
     void documentChanged();
-    /// An undo history undid or redid an edit.
+    /// An edit was undone or redone.
     void stepTaken(const tiller::ProjectStep& step);
-    /// The frames are others, or stand elsewhere.
+    /// Frames were added, removed or changed.
     void framesChanged();
     void toolingChanged();
     void positionsChanged();
     void patternsChanged();
     void cellChanged();
     void pathsChanged();
-    /// Waypoints that were added or put back, to select them.
+    /// Waypoints were added or restored and should be selected.
     void waypointsAppeared(int first, int last);
 
-    // For tables, each around or after one change of the list of waypoints.
+    // For table models: emitted before and after each change of the list of waypoints.
     void projectAboutToBeReplaced();
     void projectReplaced();
     void waypointsAboutToBeInserted(int first, int last);
     void waypointsInserted(int first, int last);
     void waypointsAboutToBeRemoved(int first, int last);
     void waypointsRemoved();
-    /// Also when only the reachability has changed.
+    /// Also emitted when only the reachability has changed.
     void waypointsChanged(int first, int last);
     void orderAboutToChange();
     void orderChanged();
 
 protected:
-    /// Applies the edit. A subclass with a history also keeps it.
+    /// Applies the edit. A subclass with an undo history also stores it.
     virtual void push(std::unique_ptr<ProjectEdit> edit);
     virtual void clearHistory() {}
-    /// The number of edits that are applied now.
+    /// Number of edits currently applied.
     virtual int historyIndex() const { return 0; }
-    /// For a history, after it has undone or redone an edit: restores the robot model, and emits stepTaken().
-    /// before  the project before that
+    /// To be called by a subclass after an undo or redo: restores the robot model, and emits stepTaken().
+    /// before  the project before the undo or redo
     void finishStep(const project::Project& before, bool undone, const QString& text);
 
 private:
@@ -161,7 +162,7 @@ private:
     void restoreRobot();
     project::Reach reachOf(const project::Waypoint& point) const;
     void refreshReach();
-    void tellAllChanged();
+    void notifyAllChanged();
     template <class Part>
     void pushPart(Part project::Project::*part, const Part& after, const QString& text);
     void pushOrder(const QVector<QUuid>& after, const QString& text);
@@ -173,25 +174,25 @@ private:
     void leaveFrame(const QUuid& frame, const QString& text);
     void forgetPlaces(const QList<int>& rows, const QString& text);
     QVector<int> rowsOf(const QUuid& pattern) const;
-    void tellPart(const project::FrameList&);
-    void tellPart(const project::Tooling&);
-    void tellPart(const project::Positions&);
-    void tellPart(const project::PatternList&);
-    void tellPart(const project::CellGeometry&);
-    void tellPart(const project::PathList&);
-    void tellPart(const std::optional<RobotModelId>&);
+    void notifyPart(const project::FrameList&);
+    void notifyPart(const project::Tooling&);
+    void notifyPart(const project::Positions&);
+    void notifyPart(const project::PatternList&);
+    void notifyPart(const project::CellGeometry&);
+    void notifyPart(const project::PathList&);
+    void notifyPart(const std::optional<RobotModelId>&);
 
     project::Project project_;
-    std::vector<project::Reach> reach_;  ///< of the waypoints, in their order
+    std::vector<project::Reach> reach_;  ///< of the waypoints, in list order
     RobotModel robot_;
     bool isConnected_ = false;  ///< robot_ is the connected arm
-    /// An arm that the project took although the undo history holds edits.
+    /// A robot model that the project adopted while the undo history contained edits.
     struct Adoption {
-        int index = 0;  ///< of the undo history; below it, the project has the arm before
+        int index = 0;  ///< of the undo history; at lower indices the project has the model `before`
         std::optional<RobotModelId> before;
     };
     std::vector<Adoption> adoptions_;
-    std::optional<RobotModelId> connectedModel_;  ///< of the last adoptRobot(); nothing without a robot
+    std::optional<RobotModelId> connectedModel_;  ///< of the last adoptRobot(); empty without a robot
     QString author_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edits of a project as values that can be applied and reverted: four of the list of waypoints, one of any other
-// part. ProjectDocument creates them; an undo history keeps them.
+// The edits of a project as objects that can be applied and reverted: four for the list of waypoints, one for
+// any other part. ProjectDocument creates them; an undo history stores them.
 
 #include <QString>
 #include <QVector>
@@ -74,7 +74,7 @@ private:
     QVector<QUuid> after_;
 };
 
-/// Parts other than the waypoints are small: the whole part is kept.
+/// Parts other than the waypoints are small, so the whole part is stored.
 template <class Part>
 class EditPart : public ProjectEdit {
 public:

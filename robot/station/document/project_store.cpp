@@ -69,7 +69,7 @@ void ProjectStore::onChange() {
     }
     modified_ = true;
     ++revision_;
-    // Changes in quick succession must not postpone it for ever.
+    // Frequent changes must not postpone saving indefinitely.
     if (!autosave_.isActive() || autosave_.remainingTime() > kAutosaveMs) {
         autosave_.start(kAutosaveMs);
     }
@@ -112,7 +112,7 @@ void ProjectStore::watch() {
         watcher_.removePaths(before);
     }
     if (!path_.isEmpty()) {
-        // The folder shows files that replace this one, the file those that write into it.
+        // Watching the folder detects replaced files, watching the file detects in-place writes.
         watcher_.addPath(QFileInfo(path_).absolutePath());
         if (QFileInfo::exists(path_)) {
             watcher_.addPath(path_);
@@ -127,7 +127,7 @@ bool ProjectStore::isOpen(const QString& path) const {
 
 Result<void> ProjectStore::open(const QString& path) {
     if (isOpen(path)) {
-        // Opening the open project again must not meet its own lock.
+        // Reopening the open project must not fail because of its own lock.
         if (const Result<void> saved = saveLast(); !saved) {
             return saved;
         }
@@ -179,7 +179,7 @@ Result<void> ProjectStore::saveLast() {
     }
     if (!path_.isEmpty() && obstacle_ == Obstacle::None) {
         const Result<void> saved = saveNow();
-        // A copy in the program's own folder is as good for now: the next start offers it.
+        // A copy in the program's own folder is sufficient: the next start offers it.
         return saved || (!copyFolder_.isEmpty() && keepCopy()) ? Result<void>() : saved;
     }
     return keepCopy();
@@ -204,7 +204,7 @@ Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& pat
             return saved.error();
         }
         show(recovered->document, path, std::move(access));
-        // Not saved until something is done with it: the damaged file is still the only whole one.
+        // Not saved until the first edit: the damaged file is still the only complete one.
         modified_ = true;
         Q_EMIT statusChanged(statusText());
     }
@@ -263,7 +263,7 @@ project::Project ProjectStore::snapshot() const {
 }
 
 void ProjectStore::autosave() {
-    // The disk may take its time: not in the thread that paints, and that stops the arm.
+    // Disk access may be slow, so it must not run in the GUI thread, which also stops the arm.
     const Access access = obstacle_ == Obstacle::None ? access_ : nullptr;
     worker_.post(this, [this, access, keeper = keeper_, name = name(), revision = revision_,
                         project = snapshot()](const CancelToken&) {
@@ -298,7 +298,7 @@ void ProjectStore::settle(std::uint64_t revision, const Result<project::ProjectA
         modified_ = modified_ && revision != revision_;
         keeper_->remove(revision);
         if (!saved->keptCopy.isEmpty()) {
-            Q_EMIT keptAside(saved->keptCopy);
+            Q_EMIT copyKept(saved->keptCopy);
         }
         if (failedBefore) {
             Q_EMIT saveRecovered();
@@ -343,7 +343,7 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
     if (!check.changedByOther) {
         if (std::exchange(announced_, std::nullopt)) {
-            Q_EMIT foreignChangeGone();
+            Q_EMIT externalChangeResolved();
         }
     } else if (check.owner && !modified_ && showOwnersSave()) {
         return;
@@ -356,7 +356,7 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
 }
 
-/// A window that only views the project shows each save of its owner, without asking.
+/// A view-only window loads each save of the owner without asking.
 bool ProjectStore::showOwnersSave() {
     const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
@@ -367,7 +367,7 @@ bool ProjectStore::showOwnersSave() {
     loading_ = false;
     ++revision_;
     if (std::exchange(announced_, std::nullopt)) {
-        Q_EMIT foreignChangeGone();
+        Q_EMIT externalChangeResolved();
     }
     return true;
 }
@@ -376,7 +376,14 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
-    // What is shown then has a keeper of its own.
+    // Reloading cannot be undone: unsaved changes become a copy that the next start offers.
+    if (modified_ && !copyFolder_.isEmpty()) {
+        if (const Result<void> kept = keepCopy(); !kept) {
+            return kept;
+        }
+        return readAgain();
+    }
+    // readAgain() replaces keeper_.
     const auto keeper = keeper_;
     const std::uint64_t replaced = revision_;
     const Result<void> read = readAgain();
@@ -417,7 +424,7 @@ Result<QString> ProjectStore::keepBoth() {
         if (QFileInfo::exists(copy)) {
             continue;
         }
-        // Another window or program may take the same name at this moment: it keeps it.
+        // If another window or program creates a file with this name at the same time, that file is kept.
         auto access = std::make_shared<project::ProjectAccess>(copy);
         access->start();
         const auto saved = access->save(snapshot(), revision_);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file behind the open project: which one it is, whether everything is in it, and saving by itself a
-// moment after every change. The file can be open in other windows, and other programs can change it: the store never
-// replaces content that it has not read, and keeps a copy of all work that is in no file.
+// The file of the open project: its path, its save state, and automatic saving shortly after every change.
+// The file can be open in other windows, and other programs can change it: the store never overwrites content
+// that it has not read, and keeps a copy of all work that is not in a file.
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -31,10 +31,10 @@ public:
     };
 
     explicit ProjectStore(ProjectDocument& document, QObject* parent = nullptr);
-    /// Saves what is not saved yet, or keeps a copy of it.
+    /// Saves unsaved changes, or keeps a copy of them.
     ~ProjectStore() override;
 
-    /// Where copies of unsaved work are kept; nowhere until this is called.
+    /// Folder for copies of unsaved work; without it no copies are kept.
     void setCopyFolder(const QString& folder);
     const QString& copyFolder() const { return copyFolder_; }
 
@@ -42,58 +42,59 @@ public:
     bool isModified() const { return modified_; }
     /// Whether every change is in the file.
     bool isSaved() const { return !modified_ && !path_.isEmpty(); }
-    /// Of a project that was opened as a copy and has no file yet; empty otherwise.
+    /// Name of a project that was opened as a copy and has no file yet; otherwise empty.
     QString copyName() const { return copyName_; }
     Obstacle obstacle() const { return obstacle_; }
     /// The other window that has the project open.
     const std::optional<project::LockOwner>& otherOwner() const { return owner_; }
-    /// What the project is called: the file's name, or that of the copy.
+    /// Name of the project: the file's name, or that of the copy.
     QString name() const;
     /// For the status line: "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
-    /// Opens the file's project and saves to it from now on. On an error everything stays as it was.
+    /// Opens the project file and saves to it from now on. On an error the state is unchanged.
     Result<void> open(const QString& path);
-    /// What can be read of a damaged file is shown; the first save puts the damaged one aside.
+    /// Opens the readable part of a damaged file; the first save moves the damaged file aside.
     Result<project::RecoveredProject> openRecovered(const QString& path);
-    /// Shows what is in the file as a project without a file: nothing is saved before saveAs().
-    /// name  what the copy is called until then
+    /// Opens the content of the file as a project without a file: nothing is saved before saveAs().
+    /// name  name of the copy until then
     Result<void> openCopy(const QString& path, const QString& name);
-    /// Shows work that a window left behind unsaved, as a copy with changes.
+    /// Opens unsaved work of an earlier window as a modified copy.
     Result<void> openKept(const project::KeptCopy& copy);
     /// Saves to this file now and from now on.
     Result<void> saveAs(const QString& path);
-    /// As open(); where there is no such file yet, an empty project that will be saved there. For the start
-    /// of the program.
+    /// As open(), but creates an empty project if the file does not exist. Used at program start.
     Result<void> openOrStart(const QString& path);
     Result<void> saveNow();
-    /// The operator does not want the unsaved changes: no copy of them is kept.
+    /// Discards the unsaved changes on the operator's request: no copy of them is kept.
     void discardChanges();
 
-    /// Reads the file again, which another program has changed. Unsaved changes here are lost.
+    /// Reads the file again after another program has changed it. Unsaved changes are lost.
     Result<void> reload();
-    /// Takes the project over from the other window, and reads what that one has saved if nothing was changed here.
+    /// Takes over the project from the other window, and reads its last saved state if nothing was changed
+    /// here.
     Result<void> takeOver();
-    /// Saves to a new file beside the one another program has changed, and to that file from now on.
+    /// Saves to a new file next to the one another program has changed, and to the new file from now on.
     /// Returns  its path
     Result<QString> keepBoth();
-    /// Looks whether another window or program has taken or changed the file. The answer comes as a signal.
+    /// Checks whether another window or program has locked or changed the file. The result is reported by a
+    /// signal.
     void checkFile();
 
-    /// How long after the last change [ms].
+    /// Delay of the automatic save after the last change [ms].
     static constexpr int kAutosaveMs = 400;
-    /// How long after a save that failed it is tried again [ms].
+    /// Delay before a failed save is retried [ms].
     static constexpr int kRetryMs = 5000;
 
 Q_SIGNALS:
     void statusChanged(const QString& text);
-    /// Another file is behind the project; none (empty) is behind a copy.
+    /// The path of the project file has changed; empty for a copy.
     void pathChanged(const QString& path);
-    /// A damaged file was put aside as `copy`.
-    void keptAside(const QString& copy);
-    /// Saving by itself did not work.
+    /// A damaged file was renamed to `copy`.
+    void copyKept(const QString& copy);
+    /// Automatic saving failed.
     void saveFailed(const tiller::Error& error);
-    /// Saving works again.
+    /// Automatic saving works again.
     void saveRecovered();
     /// Another window has the project open; changes here are not saved.
     void openElsewhere();
@@ -101,8 +102,8 @@ Q_SIGNALS:
     void freeAgain();
     /// Another program has changed the file.
     void changedByOther();
-    /// The file holds what this window has read or written again.
-    void foreignChangeGone();
+    /// The file again contains what this window has read or written.
+    void externalChangeResolved();
 
 private:
     using Access = std::shared_ptr<project::ProjectAccess>;
@@ -110,14 +111,14 @@ private:
     void autosave();
     project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::ProjectAccess::SaveResult>& saved);
-    /// The project has just been saved to this file, and is from now on.
+    /// Continues with this file, to which the project has just been saved.
     void continueIn(const QString& path, Access access,
                     const Result<project::ProjectAccess::SaveResult>& saved);
     void settleCheck(const project::ProjectAccess::Check& check);
-    /// What is open now shall not lose its last changes.
+    /// Saves or keeps the last changes of the open project before it is replaced.
     Result<void> saveLast();
     Result<void> keepCopy();
-    /// As reload(), but the copy that was kept of unsaved changes remains.
+    /// As reload(), but keeps an existing copy of unsaved changes.
     Result<void> readAgain();
     void show(const project::Project& project, const QString& path, Access access,
               const QString& copyName = {});
@@ -132,7 +133,7 @@ private:
     QString copyName_;
     QString copyFolder_;
     QTimer autosave_;
-    QTimer check_;  ///< a moment after the folder changed
+    QTimer check_;  ///< shortly after a change of the folder
     QFileSystemWatcher watcher_;
     Error lastError_;
     bool modified_ = false;
@@ -143,7 +144,7 @@ private:
     std::uint64_t revision_ = 0;           ///< of the document, for saves that complete late
     Access access_;                        ///< null without a file
     std::shared_ptr<project::CopyKeeper> keeper_;
-    SerialExecutor worker_;  ///< where saving by itself waits for the disk
+    SerialExecutor worker_;  ///< runs automatic saves
 };
 
 }  // namespace tiller

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMmPerM = 1000.0;
 
-// Headings are part of a format that leaves the program: not translated.
+// Headings are part of an exchange format, so they are not translated.
 enum Column {
     Name,
     Move,
@@ -40,12 +40,12 @@ constexpr std::array<const char*, ColumnCount> kHeadings = {
 constexpr std::array<const char*, 7> kColourWords = {"none", "blue",   "orange", "green",
                                                      "pink", "yellow", "sky"};
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct WaypointClipboard {
     Q_DECLARE_TR_FUNCTIONS(WaypointClipboard)
 };
 
-/// A text of several lines in one field.
+/// Escapes a text of several lines for one field.
 QString inOneLine(QString text) {
     return text.replace(QLatin1Char('\\'), QLatin1String("\\\\"))
         .replace(QLatin1Char('\n'), QLatin1String("\\n"))
@@ -79,7 +79,7 @@ void appendPose(QStringList& fields, const Pose& pose) {
     }
 }
 
-/// One line of the text with the way from column to field.
+/// One line of the text, with the field index of each column.
 class Line {
 public:
     Line(int number, QStringList fields, const std::array<int, ColumnCount>& places)
@@ -132,7 +132,7 @@ public:
     }
 
     bool has(int column) const { return places_[static_cast<std::size_t>(column)] >= 0; }
-    /// Of six columns from here on, whether one is there and not empty.
+    /// True if any of the six columns from `first` on has a value.
     bool hasAny(int first) const {
         for (int i = 0; i < 6; ++i) {
             if (!text(first + i).isEmpty()) {
@@ -168,7 +168,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         line.fail(Rules, WaypointClipboard::tr("“%1” must be joints or pose").arg(rules));
     }
     const bool poseRules = line.has(Rules) ? rules == QLatin1String("pose") : !hasJoints;
-    point.ruling = poseRules ? project::Ruling::Pose : project::Ruling::Joints;
+    point.ruling = poseRules ? project::TargetKind::Pose : project::TargetKind::Joints;
     const QString frame = line.text(Frame);
     if (!frame.isEmpty() && frame != QLatin1String("Base")) {
         if (const project::Frame* found = frames.findByName(frame)) {
@@ -212,14 +212,14 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         const Pose there = kinematics::forwardTcp(dh, point.joints, point.tcpOffset);
         point = project::taughtAt(point, point.joints, there, point.tcpOffset, frames).value_or(point);
     } else if (const auto place = project::poseInBase(point, frames); !hasJoints && place) {
-        // Out of reach it keeps these joints, and is marked in the list.
+        // If the pose cannot be reached, the waypoint gets the default joints and is marked in the list.
         point.joints =
             kinematics::inverseNearest(dh, *place, point.tcpOffset, defaults.near).value_or(defaults.near);
     }
     return point;
 }
 
-/// Which columns a text without a heading line has, by how many there are in its first line.
+/// Columns of a text without a heading line, depending on the number of fields in its first line.
 std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype fields) {
     std::array<int, ColumnCount> places{};
     if (fields >= Tcp) {
@@ -258,7 +258,7 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
         QStringList fields = {
             name.replace(QLatin1Char('\t'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' ')),
             joint ? QStringLiteral("J") : QStringLiteral("L"),
-            point.ruling == project::Ruling::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
+            point.ruling == project::TargetKind::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
             frame == nullptr ? QStringLiteral("Base") : frame->name,
             figure(joint ? toDegrees(point.jointSpeed) : point.toolSpeed * kMmPerM),
             figure(point.blend * kMmPerM)};

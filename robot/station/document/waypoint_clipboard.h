@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waypoints as a table of text, fields separated by tabs: into a spreadsheet and back. Lengths in mm, angles
-// in degrees, orientations as roll, pitch and yaw.
+// Waypoints as a table of text with tab-separated fields, to exchange with spreadsheets. Lengths in mm,
+// angles in degrees, orientations as roll, pitch and yaw.
 
 #include <QString>
 #include <vector>
@@ -13,21 +13,22 @@
 
 namespace tiller::waypoint_clipboard {
 
-/// One heading line and one line for each.
+/// One heading line, then one line per waypoint.
 QString toText(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
 
-/// What a line gets that does not say it.
+/// Values for fields that a line does not contain.
 struct Defaults {
-    const RobotModel* robot = nullptr;  ///< whose joints a pose is solved for; null: a UR5e
-    JointPositions near;                ///< of the solutions, the nearest to these is taken [rad]
+    const RobotModel* robot = nullptr;  ///< model for solving poses; null: a UR5e
+    JointPositions near;                ///< reference for choosing the nearest solution [rad]
     Pose tcpOffset;
 };
 
-/// With or without the heading line; with it, the columns may come in any order, and only the joints or the pose
-/// must be among them. Without it: all columns in the order they are written in, or the six figures of a pose, with a
-/// name before them or not. A pose without joints rules, and its joints are the nearest that get there; joints
-/// without a pose rule. New ids; names as they stand, or numbered.
-/// Errors   InvalidArgument naming line and column; nothing of a text with an error is used
+/// The heading line is optional. With it, the columns may be in any order, and only the joints or the pose
+/// are required. Without it, the text has either all columns in the order of toText(), or the six numbers of
+/// a pose, optionally preceded by a name. A pose without joints defines the waypoint, and its joints are the
+/// nearest solution; joints without a pose define it likewise. Waypoints get new ids; names are kept, or
+/// numbered.
+/// Errors   InvalidArgument with line and column; a text with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
                                                 const Defaults& defaults = {});
 

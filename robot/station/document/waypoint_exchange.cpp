@@ -31,7 +31,7 @@ QChar separatorOf(const QString& text) {
     return more(more(QLatin1Char(','), QLatin1Char(';')), QLatin1Char('\t'));
 }
 
-/// The fields separated by tabs, as the clipboard has them.
+/// Converts the text to tab-separated fields, as the clipboard uses.
 Result<QString> tabbed(const QString& text) {
     const QChar separator = separatorOf(text);
     QString result;
@@ -50,7 +50,7 @@ Result<QString> tabbed(const QString& text) {
                 inside = !inside;
             }
         } else if (inside) {
-            // A line or a tab within a field is no end of it.
+            // Line breaks and tabs within a quoted field do not end it.
             result += c == QLatin1Char('\n') || c == QLatin1Char('\t') ? QLatin1Char(' ') : c;
         } else {
             result += c == separator ? QLatin1Char('\t') : c;
@@ -82,7 +82,7 @@ Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const pr
                                                const waypoint_clipboard::Defaults& defaults) {
     QString text = QString::fromUtf8(bytes);
     if (text.startsWith(QChar(0xFEFF))) {
-        text.remove(0, 1);  // as spreadsheets write it
+        text.remove(0, 1);  // byte order mark written by spreadsheets
     }
     const Result<QString> table = tabbed(text.remove(QLatin1Char('\r')));
     if (!table) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waypoints in files of their own: CSV, with the columns of the clipboard's table, and JSON, with all there is to say of
-// them and the frames they are given in.
+// Waypoints in separate files: CSV with the columns of the clipboard table, and JSON with all their
+// properties and the frames they use.
 
 #include <QByteArray>
 #include <vector>
@@ -11,22 +11,22 @@
 
 namespace tiller::waypoint_exchange {
 
-/// UTF-8, comma separated, quoted where it is needed (RFC 4180), one heading line.
+/// UTF-8, comma separated, quoted where needed (RFC 4180), one heading line.
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
-/// Separated by commas, semicolons or tabs, whichever the first line has most of.
-/// Errors   InvalidArgument naming line and column; nothing of a file with an error is used
+/// Accepts commas, semicolons or tabs as separators, whichever is most frequent in the first line.
+/// Errors   InvalidArgument with line and column; a file with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const project::FrameList& frames,
                                                const waypoint_clipboard::Defaults& defaults);
 
-/// A project with these waypoints and their frames only; without histories and places in patterns.
+/// A project with only these waypoints and their frames; without histories and pattern links.
 Result<QByteArray> toJson(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames,
                           RobotModelId robot);
 
 struct Imported {
     std::vector<project::Waypoint> waypoints;  ///< with new ids
-    std::vector<project::Frame> frames;        ///< those they need that the project does not have yet
+    std::vector<project::Frame> frames;  ///< frames used by the waypoints that the project does not have yet
 };
-/// A frame that the project has by name is taken as it stands in the project.
+/// If the project has a frame of the same name, that frame is used.
 /// Errors   as project::parseProject
 Result<Imported> fromJson(const QByteArray& bytes, const project::FrameList& frames);
 

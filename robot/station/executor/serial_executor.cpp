@@ -38,7 +38,7 @@ struct SerialExecutor::Private {
             if (completion && job.context) {
                 QMetaObject::invokeMethod(job.context.data(), completion, Qt::QueuedConnection);
             }
-            // What the job held (sockets, threads) is let go here, not under the lock.
+            // Resources of the job (sockets, threads) are released here, outside the lock.
             job = {};
             lock.lock();
         }

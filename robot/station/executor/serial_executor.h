@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// Thread: one, normal priority, started by the constructor, ended by the destructor, which cancels the job
-/// under way through its token and drops those that wait. Jobs cross into it, completions out of it.
+/// Thread: one, normal priority, started by the constructor, ended by the destructor, which cancels the
+/// current job through its token and drops the waiting ones. Jobs are passed into it, completions out of it.
 class SerialExecutor {
 public:
     SerialExecutor();
@@ -20,13 +20,13 @@ public:
     SerialExecutor(const SerialExecutor&) = delete;
     SerialExecutor& operator=(const SerialExecutor&) = delete;
 
-    /// Runs `job` after those posted before, then the function it returned in the thread of `context` (not at
-    /// all once context is gone).
+    /// Runs `job` after those posted before, then the returned function in the thread of `context` (not at
+    /// all if `context` has been destroyed).
     /// Threads  any. Blocks: never
     void post(QObject* context, std::function<std::function<void()>(const CancelToken&)> job);
-    /// Runs `job` even while the worker is ending: for closing things.
+    /// Runs `job` even while the worker is ending: for closing resources.
     void postCleanup(std::function<void()> job);
-    /// Cancels the job under way and drops those that wait, cleanups excepted.
+    /// Cancels the current job and drops the waiting ones, except cleanups.
     void cancelAll();
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using divergence::Quantity;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ComparisonText {
     Q_DECLARE_TR_FUNCTIONS(Comparison)
 };
@@ -62,7 +62,7 @@ QString outcomeLine(const divergence::Outcome& outcome) {
                  seconds(*outcome.greatest));
     }
     return ComparisonText::tr("%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s")
-        .arg(name, limit, seconds(*outcome.parted), partingMark(*outcome.parted),
+        .arg(name, limit, seconds(*outcome.parted), deviationMark(*outcome.parted),
              amountText(outcome.quantity, outcome.greatest->amount), seconds(*outcome.greatest));
 }
 
@@ -82,12 +82,12 @@ QString amountText(Quantity quantity, double amount) {
     return {};
 }
 
-QString partingMark(const divergence::Difference& parting) {
+QString deviationMark(const divergence::Difference& parting) {
     const QString place = parting.joint < 0 ? ComparisonText::tr("TCP") : jointName(parting.joint);
     return ComparisonText::tr("%1 %2", "TCP 6.2 mm").arg(place, amountText(parting.quantity, parting.amount));
 }
 
-QString partingText(const divergence::Difference& parting) {
+QString deviationText(const divergence::Difference& parting) {
     const QString amount = amountText(parting.quantity, parting.amount);
     switch (parting.quantity) {
         case Quantity::JointPosition:
@@ -108,10 +108,10 @@ QString partingText(const divergence::Difference& parting) {
 
 QString reportText(const divergence::Report& report) {
     if (const auto first = report.first()) {
-        return partingText(*first);
+        return deviationText(*first);
     }
     const QString model = QString::fromLatin1(robotModel(report.model).name);
-    return report.firstCompared ? ComparisonText::tr("The arm moved as the model of a %1 does").arg(model)
+    return report.firstCompared ? ComparisonText::tr("The motion matches the model of a %1").arg(model)
                                 : ComparisonText::tr(
                                       "Nothing to compare: the arm was powered off or guided by hand for the "
                                       "whole recording.");
@@ -121,12 +121,12 @@ QString reportDetails(const divergence::Report& report) {
     QStringList lines;
     if (report.partedFromStart()) {
         lines << ComparisonText::tr(
-            "They differ from the first sample on: check the configured payload, the robot model, and "
-            "contact with the arm.");
+            "Arm and model differ from the first sample on: check the payload, the robot model and contact "
+            "with the arm.");
     } else if (report.first()) {
         lines << ComparisonText::tr(
-            "From there on, the arm was pushed or held, its payload differed, or a joint did not follow its "
-            "target.");
+            "From this time on, the arm was pushed or held, its payload differed, or a joint did not follow "
+            "its target.");
     }
     for (const divergence::Outcome& outcome : report.outcomes) {
         lines << outcomeLine(outcome);
@@ -145,7 +145,7 @@ QString comparisonError(const Error& error) {
                 "This recording cannot be compared with a model: its sampling interval is too long. Record "
                 "every packet.");
         case ErrorCode::Cancelled:
-            return ComparisonText::tr("Not compared with the model of the arm.");
+            return ComparisonText::tr("Not compared with the arm model.");
         default:
             return texts::errorText(error);
     }

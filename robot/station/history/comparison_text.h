@@ -11,13 +11,14 @@ namespace tiller {
 
 /// "0.80°", "6.2 mm", "4.20 A", "61.0 N"
 QString amountText(divergence::Quantity quantity, double amount);
-/// For the mark in the plots: "Elbow 0.80°"
-QString partingMark(const divergence::Difference& parting);
-/// "Arm and model part at 12.348 s: Elbow is 0.80° off"
-QString partingText(const divergence::Difference& parting);
-/// The same for the whole comparison, also without a deviation.
+/// Short label for the mark in the plots: "Elbow 0.80°"
+QString deviationMark(const divergence::Difference& parting);
+/// "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°"
+QString deviationText(const divergence::Difference& parting);
+/// Result of the whole comparison, also when there is no deviation.
 QString reportText(const divergence::Report& report);
-/// The suggested checks, and a line per quantity: the largest deviation, and since when it exceeds the limit.
+/// The suggested checks, and one line per quantity with its largest deviation and the time from which it
+/// exceeds the limit.
 QString reportDetails(const divergence::Report& report);
 /// The reason why there is no comparison, and the suggested action.
 QString comparisonError(const Error& error);

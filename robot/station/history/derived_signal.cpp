@@ -14,14 +14,14 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct DerivationText {
     Q_DECLARE_TR_FUNCTIONS(DerivedSignal)
 };
 
 constexpr double kNoResult = std::numeric_limits<double>::quiet_NaN();
 constexpr double kShortestStretch = 0.001;  // [s]
-constexpr double kLongestStretch = 60;
+constexpr double kMaxStretch = 60;
 
 Error wrong(const QString& why) {
     return {ErrorCode::InvalidArgument, DerivationText::tr("compute a signal"), why};
@@ -39,10 +39,10 @@ QString fromParser(const mu::string_type& text) {
     return QString::fromStdString(text);
 }
 
-/// An expression whose names in braces are replaced by words that the parser takes for names.
+/// An expression in which the names in braces are replaced by identifiers that the parser accepts.
 struct Plain {
     QString expression;
-    QStringList braced;  ///< the names, in their order
+    QStringList braced;  ///< in order of appearance
 
     explicit Plain(const QString& text) {
         static const QRegularExpression kBraced(QStringLiteral("\\{([^{}]+)\\}"));
@@ -53,14 +53,14 @@ struct Plain {
             if (known < 0) {
                 braced.append(match.captured(1));
             }
-            // Between blanks: what stands beside a name must not become part of it.
+            // The surrounding blanks keep an adjacent name from merging with the identifier.
             expression += text.mid(done, match.capturedStart() - done) + QLatin1Char(' ') +
                           word(known < 0 ? braced.size() - 1 : known) + QLatin1Char(' ');
             done = match.capturedEnd();
         }
         expression += text.mid(done);
     }
-    /// The name that a word of the expression stands for.
+    /// Returns the original name of an identifier in the expression.
     QString nameOf(const QString& given) const {
         for (qsizetype i = 0; i < braced.size(); ++i) {
             if (given == word(i)) {
@@ -69,7 +69,7 @@ struct Plain {
         }
         return given;
     }
-    /// What the parser says, in the names that were given to it.
+    /// Replaces the identifiers in a parser message by the original names.
     QString inNames(QString words) const {
         for (qsizetype i = braced.size(); i-- > 0;) {
             words.replace(word(i), braced[i]);
@@ -81,10 +81,10 @@ private:
     static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
 };
 
-/// An expression over the values of one moment.
+/// An expression over the values of one sample.
 class Expression : public DerivedSignal {
 public:
-    /// Returns  what is wrong; empty: nothing
+    /// Returns  the error; empty if none
     QString read(const Plain& plain, const std::function<bool(const QString&)>& exists) {
         try {
             parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
@@ -102,7 +102,7 @@ public:
                 }
                 inputs_.append(key);
             }
-            if (inputs_.isEmpty() || inputs_.size() > kMostInputs) {
+            if (inputs_.isEmpty() || inputs_.size() > kMaxInputs) {
                 return inputs_.isEmpty() ? DerivationText::tr("The expression contains no signal.")
                                          : DerivationText::tr("The expression contains too many signals.");
             }
@@ -132,7 +132,7 @@ public:
             const double result = parser_.Eval();
             return std::isfinite(result) ? result : kNoResult;
         } catch (const mu::Parser::exception_type&) {
-            return kNoResult;  // a division by nothing, in versions that say so
+            return kNoResult;  // some muParser versions throw on division by zero
         }
     }
 
@@ -141,7 +141,7 @@ private:
     std::vector<double> values_;
 };
 
-/// Over a stretch of time that ends with the sample.
+/// A value computed over a time window that ends with the sample.
 class Stretch : public DerivedSignal {
 public:
     Stretch(const QString& input, double seconds, bool mean) : seconds_(seconds), mean_(mean) {
@@ -153,7 +153,7 @@ public:
     double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                    std::int64_t sample) override {
         const double value = history.value(columns[0], sample);
-        // Begins anew where the samples do not go on from the last one.
+        // Restart the window where the samples are not consecutive.
         if (sample != next_ || history.gapBefore(sample) || std::isnan(value)) {
             points_.clear();
             sum_ = 0;
@@ -165,13 +165,13 @@ public:
         points_.push_back({history.time(sample), value});
         sum_ += value;
         const double since = points_.back().time - seconds_ * (1 + 1e-9);
-        // The rate of change needs the point at the far end, the mean only those inside.
+        // The rate of change needs the point at the far end of the window, the mean only the points inside.
         while (points_.size() > 2 && (mean_ ? points_.front().time : points_[1].time) < since) {
             sum_ -= points_.front().value;
             points_.pop_front();
         }
         if (mean_) {
-            if (sample % kSumAnew == 0) {
+            if (sample % kSumAgainEvery == 0) {
                 sum_ = 0;
                 for (const Point& point : points_) {
                     sum_ += point.value;
@@ -184,7 +184,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t kSumAnew = 4096;  // rounding does not add up
+    static constexpr std::int64_t kSumAgainEvery = 4096;  // limits accumulated rounding errors
 
     struct Point {
         double time, value;
@@ -211,7 +211,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     static const QRegularExpression kStretch(
         QStringLiteral("^(deriv|mean)\\(\\s*([A-Za-z_][\\w.]*)\\s*,\\s*([0-9.]+)\\s*\\)$"));
     const auto tooLong = [] { return wrong(DerivationText::tr("The text is too long.")); };
-    if (text.size() > kLongestText) {
+    if (text.size() > kMaxTextLength) {
         return tooLong();
     }
     const QRegularExpressionMatch form = kForm.match(text);
@@ -221,11 +221,11 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // The parser would write into the signal.
+    // A single "=" would make the parser assign to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
-        return wrong(DerivationText::tr("There is one equals sign too many. For a comparison, use =="));
+        return wrong(DerivationText::tr("Too many equals signs. For a comparison, use =="));
     }
     std::shared_ptr<DerivedSignal> made;
     if (const QRegularExpressionMatch stretch = kStretch.match(plain.expression); stretch.hasMatch()) {
@@ -236,7 +236,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
             return wrong(
                 DerivationText::tr("There is no signal “%1”. See the signal list for the names.").arg(input));
         }
-        if (!isNumber || seconds < kShortestStretch || seconds > kLongestStretch) {
+        if (!isNumber || seconds < kShortestStretch || seconds > kMaxStretch) {
             return wrong(DerivationText::tr("The time window must be between 0.001 and 60 seconds."));
         }
         made = std::make_shared<Stretch>(input, seconds, stretch.captured(1) == QLatin1String("mean"));
@@ -252,9 +252,9 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     made->text_ = made->unit_.isEmpty()
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
-    // It is read from its own spelling too.
-    return made->text_.size() > kLongestText ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
-                                             : Result<std::shared_ptr<DerivedSignal>>(made);
+    // The normalized text must be accepted as input too, so it has the same length limit.
+    return made->text_.size() > kMaxTextLength ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
+                                               : Result<std::shared_ptr<DerivedSignal>>(made);
 }
 
 }  // namespace tiller

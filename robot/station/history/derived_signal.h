@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A signal that is computed from others, sample by sample. Written as
+// A signal that is computed from others, sample by sample. Example:
 //     |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1, actual_TCP_force_2)
-// name and unit as one likes, the unit may be left out; then an expression over signals by the names recordings use,
-// with + - * / ^, comparisons, min, max, abs, sqrt, sin, exp and what else muParser knows, norm(a, b, ...) and the
-// constants pi and e; or, for itself alone,
-//     deriv(signal, seconds)   its rate of change over that stretch [per s]
-//     mean(signal, seconds)    its mean over that stretch
-// A name with other characters than letters, digits, _ and . stands in braces, as those of a recording do:
+// Name and unit are free, and the unit is optional. The expression uses signals by their names in recordings,
+// + - * / ^, comparisons, min, max, abs, sqrt, sin, exp and the other functions of muParser, norm(a, b, ...)
+// and the constants pi and e. Alternatively, the whole expression is one of:
+//     deriv(signal, seconds)   rate of change over the time window [per s]
+//     mean(signal, seconds)    mean over the time window
+// Names with characters other than letters, digits, _ and . are written in braces, e.g. signals of a
+// recording:
 //     |F| [N] = norm({run 1.mcap/actual_TCP_force_0}, {run 1.mcap/actual_TCP_force_1})
-// What lies across a gap, or has no value in one of its signals, has none.
+// A sample has no value if its window contains a gap or if one of the input signals has no value.
 
 #include <QString>
 #include <QStringList>
@@ -28,27 +29,28 @@ class DerivedSignal {
 public:
     virtual ~DerivedSignal() = default;
 
-    /// The text it was made from, in its own spelling: a signal's key.
+    /// The normalized source text, which is also the key of the signal.
     const QString& text() const { return text_; }
     const QString& name() const { return name_; }
     const QString& unit() const { return unit_; }
-    /// The signals that it is computed from, by their keys.
+    /// Keys of the input signals.
     const QStringList& inputs() const { return inputs_; }
 
-    /// So many seconds of samples before one have a say in its value, and one sample before those.
+    /// Length of the window before a sample that affects its value [s]. The last sample before the window is
+    /// needed too.
     virtual double lookBack() const { return 0; }
-    /// columns  where the inputs are in the history
+    /// columns  history columns of the inputs
     virtual double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                            std::int64_t sample) = 0;
 
-    /// exists  whether there is a signal with this key
-    /// Errors  InvalidArgument, saying what is wrong with the text and where
+    /// exists  returns whether a signal with this key exists
+    /// Errors  InvalidArgument, with the error in the text and its position
     static Result<std::shared_ptr<DerivedSignal>> make(const QString& text,
                                                        const std::function<bool(const QString&)>& exists);
     /// A signal's key as it is written in an expression.
     static QString written(const QString& key);
-    static constexpr int kMostInputs = 24;
-    static constexpr qsizetype kLongestText = 1500;
+    static constexpr int kMaxInputs = 24;
+    static constexpr qsizetype kMaxTextLength = 1500;
 
 protected:
     QString text_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A stretch of the history as a file.
+// Exports a time range of the history as a file.
 
 #include <QString>
 #include <cstdint>
@@ -13,11 +13,13 @@ namespace tiller {
 
 class SignalStore;
 
-/// Every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal named as in recordings. The rows
-/// are those of the stream that comes anyway; what was asked for besides has the value that held then. A value the robot does not send is an empty cell; a lost sample is a missing row, as in recordings.
-/// Returns  rows written
-/// Errors   FileNotWritable, DiskFull; InvalidArgument when there is no sample in the range. The file that was
-///          there before stays in every one of these cases
+/// Writes every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal, named as in
+/// recordings. Rows are the samples of the standard stream; additionally requested signals have the value
+/// that was valid at that time. A value that the robot does not send is an empty cell; a lost sample is a
+/// missing row, as in recordings.
+/// Returns  number of rows written
+/// Errors   FileNotWritable, DiskFull; InvalidArgument when there is no sample in the range. An existing file
+/// stays unchanged on any error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path);
 

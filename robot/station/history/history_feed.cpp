@@ -11,9 +11,10 @@ namespace tiller {
 
 namespace {
 
-/// Where nothing tells how long the silence was, the first sample behind it is put this far behind the last. [s]
+/// Minimum time between the last sample and the first one after an interruption [s].
 constexpr double kRestartDistance = 0.1;
-/// A hole of more than this many times the last distance is one, whoever counted what.
+/// A step of more than this many times the previous sample distance is a gap, independent of lost-packet
+/// counts.
 constexpr double kHole = 3.5;
 
 }  // namespace
@@ -75,8 +76,8 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
             return false;
         }
         if (forward <= 0 || gapPending_) {
-            // The controller began its time anew, or it is the time of another one: only the clock of this
-            // computer knows how long nothing came.
+            // The controller restarted its clock or another controller is connected: only the host clock
+            // knows how long the data were missing.
             const double silence =
                 static_cast<double>(sample.hostTimeNs - lastHostNs_) / static_cast<double>(kNsPerSecond);
             offset_ = newest + std::max(kRestartDistance, silence) - robotTime;
@@ -96,7 +97,7 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
         return false;
     }
     live_.rows.push_back({time, gap});
-    if (any_ && time - newest > kNoticeableSilence) {
+    if (any_ && time - newest > kNoticeableGap) {
         silences_.push_back({newest, time});
     }
     any_ = true;
@@ -106,7 +107,7 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
 }
 
 int HistoryFeed::takeExtra(const SampleBatch& batch) {
-    // Its time is placed by the stream that comes anyway: before that has begun, nothing can be.
+    // The standard stream defines the time axis, so extra samples can be placed only after it has started.
     if (batch.samples.empty() || !any_ || gapPending_) {
         return 0;
     }

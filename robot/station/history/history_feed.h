@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots: the time
-// stamps of the controller, and the time of this computer for a silence in which the controller may have restarted.
+// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots: the
+// time stamps of the controller, and the host time for interruptions in which the controller may have
+// restarted.
 
 #include <cstdint>
 #include <memory>
@@ -20,37 +21,37 @@ class HistoryFeed {
 public:
     explicit HistoryFeed(SignalStore& store) : store_(store) {}
 
-    /// Data from now on belong to another robot. The history stays, with a gap of the actual duration.
+    /// The following data belong to another robot. The history is kept, with a gap of the actual duration.
     void beginLink();
-    /// Returns  how many rows were added
+    /// Returns  number of rows added
     int take(const SampleBatch& batch);
     /// The same for additionally requested fields.
     int takeExtra(const SampleBatch& batch);
 
-    /// A time stamp of the controller on the plots' time axis [s].
+    /// Converts a time stamp of the controller to the plots' time axis [s].
     double plotTime(double robotTime) const { return robotTime + offset_; }
-    /// A stretch of the plots' time axis without data that the eye can see [s].
+    /// A range of the plots' time axis that is visibly without data [s].
     struct Silence {
         double from = 0;
         double to = 0;
     };
-    static constexpr double kNoticeableSilence = 0.3;  ///< [s]
-    /// Those that ended since the last call.
-    std::vector<Silence> takeSilences() { return std::exchange(silences_, {}); }
+    static constexpr double kNoticeableGap = 0.3;  ///< [s]
+    /// The interruptions that ended since the last call.
+    std::vector<Silence> takeDataGaps() { return std::exchange(silences_, {}); }
 
-    /// Rows lost because the screen was too slow for the ring.
+    /// Rows lost because the window was too slow for the ring buffer.
     std::uint64_t overrun() const { return overrun_; }
-    /// Gaps in the history so far, whatever their cause.
+    /// Number of gaps in the history so far, whatever their cause.
     std::uint64_t gaps() const { return gaps_; }
 
 private:
     /// Signals added to a history from each batch.
     struct Intake {
-        std::shared_ptr<const receive::SampleLayout> layout;  ///< that `places` is for
-        std::vector<std::size_t> places;                      ///< of each column in a sample
+        std::shared_ptr<const receive::SampleLayout> layout;  ///< layout for which `places` is valid
+        std::vector<std::size_t> places;                      ///< index of each column in a sample
         std::size_t timestamp = 0;
         std::vector<SeriesBuffer::Row> rows;
-        std::vector<const receive::Sample*> samples;  ///< of the rows
+        std::vector<const receive::Sample*> samples;  ///< samples of the rows
 
         void follow(const std::shared_ptr<const receive::SampleLayout>& now,
                     const std::vector<std::string>& columns);

@@ -12,20 +12,20 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
-/// Two minutes at 500 Hz are read as fast as they are looked up.
+/// Recordings up to this size (two minutes at 500 Hz) are read faster as a whole than in pieces.
 constexpr std::uint64_t kShort = 60'000;
-/// So many rows are fetched before they are drawn, and so many piece by piece afterwards.
+/// Number of rows that are read before the first drawing, and in later steps.
 constexpr std::int64_t kRowsAtOnce = 8'000;
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;
 constexpr std::int64_t kDraftColumns = 4;
-/// As a whole it is drawn from so many extents at first, if it is that long.
-constexpr std::int64_t kLeastExtents = 1000;
-/// Of these the rows stay in memory.
+/// Minimum number of extents from which a long recording is first drawn as a whole.
+constexpr std::int64_t kMinExtents = 1000;
+/// Number of blocks whose rows stay in memory.
 constexpr std::size_t kBlocksKept = 64;
 
-/// The marks of the file, and two more at each gap, between which no rows come.
+/// The time marks of the file, plus two at each gap, because no rows exist between them.
 std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
                                         const std::vector<recording::TimeMark>& known, double begin) {
     std::vector<SeriesBuffer::Mark> marks;
@@ -77,7 +77,7 @@ Result<std::unique_ptr<HistoryFile>> HistoryFile::make(const recording::Recordin
     for (const std::uint64_t rows : file.summaryRows()) {
         const auto each = static_cast<std::int64_t>(rows);
         if (each % SeriesColumn::kSummary == 0 && (kBlock % each == 0 || each % kBlock == 0) &&
-            static_cast<std::int64_t>(file.rows()) / each >= kLeastExtents) {
+            static_cast<std::int64_t>(file.rows()) / each >= kMinExtents) {
             made->levels_.push_back(each);
         }
     }
@@ -99,7 +99,7 @@ Result<void> HistoryFile::readExtents(std::span<const Column> columns, recording
     for (const Column& column : columns) {
         wanted.push_back(column.file);
     }
-    // Asked for so many of them the file answers with those it keeps, or, where a crash has left none, with finer ones.
+    // The file returns its stored extents for this count or, if a crash left none, finer ones.
     const auto each = static_cast<std::uint64_t>(rowsEach);
     const auto read = file_.summaries(wanted, range, std::max<std::uint64_t>(1, range.count / each));
     if (!read) {
@@ -179,14 +179,15 @@ void HistoryFile::forgetRows() {
 }
 
 bool HistoryFile::isFilled(std::int64_t block) const {
-    return std::all_of(columns_.begin(), columns_.end(),
-                       [&](const Column& column) { return history_.grainOf(column.column, block) == 1; });
+    return std::all_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+        return history_.resolutionOf(column.column, block) == 1;
+    });
 }
 
-std::int64_t HistoryFile::grainOf(std::int64_t block) const {
+std::int64_t HistoryFile::resolutionOf(std::int64_t block) const {
     std::int64_t grain = 1;
     for (const Column& column : columns_) {
-        grain = std::max(grain, history_.grainOf(column.column, block));
+        grain = std::max(grain, history_.resolutionOf(column.column, block));
     }
     return grain;
 }
@@ -229,10 +230,10 @@ void HistoryFile::fill(std::int64_t block) {
 
 bool HistoryFile::readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach,
                               std::int64_t mostExtents) {
-    while (first <= last && grainOf(first) <= rowsEach) {
+    while (first <= last && resolutionOf(first) <= rowsEach) {
         ++first;
     }
-    while (first <= last && grainOf(last) <= rowsEach) {
+    while (first <= last && resolutionOf(last) <= rowsEach) {
         --last;
     }
     first -= rowsEach > kBlock ? first % (rowsEach / kBlock) : 0;
@@ -283,11 +284,11 @@ bool HistoryFile::sharpen(std::int64_t begin, std::int64_t end, int pixelColumns
     };
     const std::int64_t wanted = coarsest(perColumn);
     if (effort == Effort::Draft) {
-        // What is drawn at once may be some columns wide; what is missing comes while that is being looked at.
+        // The first drawing may be several columns coarse; the rest is read in the following calls.
         readExtents(first, last, coarsest(kDraftColumns * perColumn),
                     std::numeric_limits<std::int32_t>::max());
         for (std::int64_t block = first; block <= last; ++block) {
-            if (grainOf(block) > wanted || (rows <= kRowsInTheEnd && !isFilled(block))) {
+            if (resolutionOf(block) > wanted || (rows <= kRowsInTheEnd && !isFilled(block))) {
                 return true;
             }
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A long recording behind a history: hours open at once, because summaries that the file keeps are enough to draw them, and
-// the rows themselves are fetched when somebody comes near or asks for a value.
+// A history backed by a long recording. Hours of data open at once because the summaries stored in the file
+// are sufficient to draw them. Rows are read only when the user zooms in or a value is requested.
 
 #include <cstdint>
 #include <list>
@@ -18,38 +18,38 @@ namespace tiller {
 /// Threads  GUI
 class HistoryFile : public SampleFile {
 public:
-    /// A file that is read as a whole sooner than it is looked at piece by piece, or keeps no summaries, is not worth it.
+    /// False for files without summaries, and for files so short that reading them as a whole is faster.
     static bool isWorthIt(const recording::Recording& file);
 
-    /// begin  where the first row stands on the time axis [s]
+    /// begin  time of the first row on the time axis [s]
     /// Errors those of Recording
     static Result<std::unique_ptr<HistoryFile>> make(const recording::Recording& file, SeriesBuffer& history,
                                                      double begin);
 
-    /// Columns of the file become columns of the history.
-    /// Returns  their numbers there, in their order
+    /// Adds columns of the file as columns of the history.
+    /// Returns  their column numbers in the history, in the same order
     /// Errors   those of Recording
     Result<std::vector<int>> add(std::span<const std::size_t> fileColumns,
                                  std::span<const Precision> precisions);
 
-    /// A column of what is computed from columns of the file. Nothing is known of it but where rows are fetched, until the
-    /// history is given its extents: all rows must be read for that.
-    /// Returns  its number there
+    /// Adds a column computed from columns of the file. Its values are known only where rows have been read,
+    /// until its extents are set in the history, which requires reading all rows.
+    /// Returns  its column number in the history
     int addComputed(const RecordedSignal& signal);
 
-    /// How much sharpen() may take.
+    /// Maximum work per call of sharpen().
     enum class Effort {
-        Draft,  ///< what a picture needs: extents of no more samples than four columns have, or the rows of a near one
-        Turn,  ///< the next piece of what is still missing
+        Draft,  ///< enough for a first picture: extents up to four pixel columns wide, or rows when zoomed in
+        Turn,   ///< the next part of the missing data
     };
-    /// Fetches what is needed to draw these samples in so many pixel columns.
-    /// Returns  true when another turn makes it sharper
+    /// Reads the data needed to draw these samples with this number of pixel columns.
+    /// Returns  true when another call would improve the resolution
     bool sharpen(std::int64_t begin, std::int64_t end, int pixelColumns, Effort effort);
 
     void fill(std::int64_t block) override;
-    /// Where the first row stands on the time axis [s].
+    /// Time of the first row on the time axis [s].
     double begin() const { return begin_; }
-    /// What could not be read, the last one; empty: nothing.
+    /// The last read error; empty if none.
     const QString& problem() const { return problem_; }
 
 private:
@@ -65,16 +65,16 @@ private:
         : file_(file), history_(history), begin_(begin) {}
     std::int64_t blocks() const;
     bool isFilled(std::int64_t block) const;
-    /// Blocks get columns that have been added with the next look at them.
+    /// Newly added columns are filled when a block is next accessed.
     void forgetRows();
-    /// The coarsest grain of any column in this block.
-    std::int64_t grainOf(std::int64_t block) const;
-    /// Brings blocks first ... last to extents of so many rows; at most so many of them at once.
+    /// The coarsest resolution of any column in this block [rows].
+    std::int64_t resolutionOf(std::int64_t block) const;
+    /// Reads extents of `rowsEach` rows for the blocks first ... last, `mostExtents` extents at most.
     /// Returns  true when something was read
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);
     Result<void> readExtents(std::span<const Column> columns, recording::RowRange range,
                              std::int64_t rowsEach);
-    /// The same from the rows themselves.
+    /// Computes the extents from the rows.
     Result<void> readExtentsOfRows(std::span<const Column> columns, recording::RowRange range,
                                    std::int64_t rowsEach);
 
@@ -83,8 +83,8 @@ private:
     double begin_;
     std::vector<Column> columns_;
     std::vector<Computed> computed_;
-    std::vector<std::int64_t> levels_;  ///< rows of an extent the file keeps, the finest first
-    std::list<std::int64_t> filled_;    ///< blocks, the last used first
+    std::vector<std::int64_t> levels_;  ///< available extent sizes in the file [rows], finest first
+    std::list<std::int64_t> filled_;    ///< blocks, most recently used first
     QString problem_;
 };
 

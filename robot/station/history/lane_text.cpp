@@ -7,7 +7,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct StateLaneText {
     Q_DECLARE_TR_FUNCTIONS(StateLane)
 };
@@ -67,6 +67,9 @@ LaneEntry noDataEntry() {
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.hasData()) {
         return noDataEntry();
+    }
+    if (!state.isFresh()) {
+        return {LaneKind::NoData, StateLaneText::tr("Late data")};  // the arm may move
     }
     if (!allowsMotion(state.safetyMode) && state.safetyMode != SafetyMode::Undefined) {
         return {LaneKind::Stopped, safetyWord(state.safetyMode)};

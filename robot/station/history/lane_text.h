@@ -15,7 +15,7 @@ struct LaneEntry {
     QString label;
 };
 
-/// jogLabel  the held key, "X+"; empty when not known
+/// jogLabel  the pressed key, "X+"; empty if unknown
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
 /// For a period without data of the robot.
 LaneEntry noDataEntry();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Range of a signal: its smallest and its largest value over some samples.
+// Range of a signal: its minimum and maximum over some samples.
 
 #include <limits>
 
 namespace tiller {
 
-/// min > max: there was no value.
+/// min > max means: no value.
 struct MinMax {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -17,7 +17,7 @@ struct MinMax {
         min = other.min < min ? other.min : min;
         max = other.max > max ? other.max : max;
     }
-    /// NaN is no value.
+    /// NaN is ignored.
     void add(double value) {
         min = value < min ? value : min;
         max = value > max ? value : max;

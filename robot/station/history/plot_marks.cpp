@@ -12,7 +12,7 @@ void PlotMarks::mark(PlotMark mark) {
     const auto later = std::upper_bound(marks_.begin(), marks_.end(), mark.time,
                                         [](double time, const PlotMark& one) { return time < one.time; });
     marks_.insert(later, std::move(mark));
-    if (marks_.size() > kMostMarks) {
+    if (marks_.size() > kMaxMarks) {
         marks_.pop_front();
     }
     Q_EMIT marksChanged();
@@ -58,7 +58,7 @@ void PlotMarks::setThresholds(const QVector<Threshold>& thresholds) {
     for (const Threshold& threshold : thresholds) {
         const int signal = store_.find(threshold.key);
         if (signal >= 0 && !store_.info(signal).isState() && std::isfinite(threshold.limit) &&
-            !wanted.contains(threshold) && wanted.size() < kMostThresholds) {
+            !wanted.contains(threshold) && wanted.size() < kMaxThresholds) {
             wanted.append(threshold);
         }
     }
@@ -114,7 +114,7 @@ void PlotMarks::check() {
                 mark({time, words(threshold), true});
                 Q_EMIT crossed(threshold, time);
                 if (i >= thresholds_.size() || thresholds_[i] != threshold) {
-                    return;  // somebody who heard of it has changed them
+                    return;  // a connected slot has changed the thresholds
                 }
             }
         } else {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What stands on the time axis besides the curves: notes of the operator, and thresholds with the moments at which a
-// signal crossed them.
+// Marks on the time axis of the plots: notes of the operator, and thresholds with the times at which a signal
+// crossed them.
 
 #include <QObject>
 #include <QString>
@@ -21,12 +21,12 @@ struct Threshold {
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };
 
-/// A moment with words.
+/// A text at a point in time.
 struct PlotMark {
     double time = 0;  ///< on the plots' time axis [s]
     QString text;
     bool alarm = false;
-    QString recording{};  ///< it is of; empty: it stands on all pages
+    QString recording{};  ///< the recording the mark belongs to; empty: shown on all pages
 };
 
 class PlotMarks : public QObject {
@@ -37,25 +37,25 @@ public:
         : QObject(parent), store_(store) {}
 
     void addNote(double time, const QString& text);
-    /// In a recording, until forgetOf().
+    /// Adds a mark to a recording, until forgetOf().
     void addOf(const QString& recording, PlotMark mark);
     void forgetOf(const QString& recording);
     void forgetRecordings();
     const std::deque<PlotMark>& marks() const { return marks_; }
-    void forgetBefore(double time);  ///< But for those of recordings.
+    void forgetBefore(double time);  ///< Marks of recordings are kept.
 
     const QVector<Threshold>& thresholds() const { return thresholds_; }
     void setThresholds(const QVector<Threshold>& thresholds);
     void add(const Threshold& threshold);
     void remove(const Threshold& threshold);
-    /// Looks at the samples that came since the last call. An alarm comes when a signal goes beyond a limit, and
-    /// again only after it has been back.
+    /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit,
+    /// and again only after it has been back within the limit.
     void check();
     /// "Fz above 50.0 N"
     QString words(const Threshold& threshold) const;
 
-    static constexpr int kMostThresholds = 48;
-    static constexpr std::size_t kMostMarks = 2000;
+    static constexpr int kMaxThresholds = 48;
+    static constexpr std::size_t kMaxMarks = 2000;
 
 Q_SIGNALS:
     void thresholdsChanged();
@@ -65,7 +65,7 @@ Q_SIGNALS:
 private:
     struct Watch {
         int signal = -1;
-        std::int64_t seen = -1;  ///< the next sample to look at; -1: from now on
+        std::int64_t seen = -1;  ///< the next sample to check; -1: start with the next new sample
         bool beyond = false;
     };
     void mark(PlotMark mark);

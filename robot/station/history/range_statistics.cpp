@@ -11,9 +11,9 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kSumRows = SeriesColumn::kBlockRows;
-/// So many blocks of what is in memory are summed up at once: some milliseconds.
+/// Maximum number of blocks in memory summed per call, which takes some milliseconds.
 constexpr std::int64_t kBlocksAtOnce = 300;
-/// So few of a file are read on the spot.
+/// Maximum number of blocks of a file that are read synchronously.
 constexpr std::int64_t kFewBlocks = 4;
 
 }  // namespace
@@ -70,7 +70,7 @@ std::optional<RangeStatistics> Moments::statistics() const {
     return all;
 }
 
-/// What the worker is at.
+/// The current job of the worker.
 struct RangeStatisticsCache::Reading {
     std::vector<int> of;
     std::int64_t firstBlock = 0;
@@ -148,7 +148,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         std::int64_t first = std::numeric_limits<std::int64_t>::max();
         std::int64_t end = 0;
     };
-    std::map<QString, Missing> files;  // by the recording
+    std::map<QString, Missing> files;  // by recording name
     std::int64_t asked = 0;
     std::int64_t missing = 0;
     bool isMemoryMissing = false;
@@ -200,7 +200,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         QMetaObject::invokeMethod(this, &RangeStatisticsCache::known, Qt::QueuedConnection);
     }
     if (!files.empty()) {
-        // One file after the other.
+        // Files are read one after the other.
         const auto& [recording, next] = *files.begin();
         if (!reading_ || !reading_->covers(next.of, next.first, next.end)) {
             read(recording, next.of, next.first, next.end);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the samples of a stretch of time have in common. Sums of whole blocks are kept, so that a cursor that moves over an
-// hour costs no more than one that moves over a second; those of a long recording are made by a worker, which reads the file
-// for them once.
+// Statistics of the samples in a time range. Sums of whole blocks are cached, so that moving a cursor over an
+// hour costs no more than over a second. For a long recording, a worker computes them and reads the file
+// once.
 
 #include <QHash>
 #include <QObject>
@@ -30,14 +30,14 @@ struct RangeStatistics {
     double max = 0;
     double mean = 0;
     double rms = 0;
-    double deviation = 0;  ///< standard deviation, of the samples themselves (divided by count)
-    double slope = 0;      ///< of the line that fits best [per s]; 0 for a single moment
+    double deviation = 0;  ///< standard deviation of the population (divided by count)
+    double slope = 0;      ///< of the least-squares line [per s]; 0 for a single point in time
 
     double peakToPeak() const { return max - min; }
 };
 
-/// Sums over samples. Means and moments about them are carried along, so that a small ripple on a large value is not lost in
-/// rounding.
+/// Sums over samples. Means and central moments are updated incrementally, so that a small ripple on a large
+/// value is not lost to rounding.
 struct Moments {
     std::int64_t count = 0;
     double min = std::numeric_limits<double>::infinity();
@@ -48,9 +48,9 @@ struct Moments {
     double timeSquares = 0;  ///< about the mean
     double products = 0;     ///< about both means
 
-    /// NaN is no value.
+    /// NaN is ignored.
     void add(double time, double value);
-    /// Those of other samples.
+    /// Merges the sums of other samples.
     void add(const Moments& other);
     std::optional<RangeStatistics> statistics() const;
 };
@@ -64,31 +64,32 @@ public:
     explicit RangeStatisticsCache(const SignalStore& store, QObject* parent = nullptr);
     ~RangeStatisticsCache() override;
 
-    /// These signals are asked about next, in the samples with from <= time <= to, whichever of both is earlier. Computes
-    /// some of what is missing and has the rest computed: known() says when to ask again.
+    /// Selects the signals and the range of the next queries: the samples between `from` and `to`, in either
+    /// order. Computes a part of the missing sums now and the rest later; known() is emitted when results
+    /// have changed.
     void want(std::span<const int> wanted, double from, double to);
-    /// What of it is known: 0 ... 1.
+    /// Fraction of the sums that is available: 0 ... 1.
     double part() const { return part_; }
-    /// Why some of it is not known, or not of all rows; empty: it is, or will be.
+    /// The reason why sums are missing or incomplete; empty if they are available or still being computed.
     const QString& problem() const { return problem_; }
-    /// Nothing where there is no value, or while part() is below 1.
+    /// Returns nothing if there is no value, or while part() is below 1.
     std::optional<RangeStatistics> statistics(int signal, double from, double to) const;
 
 Q_SIGNALS:
     void known();
 
 private:
-    using Blocks = std::vector<std::optional<Moments>>;  ///< by their numbers
+    using Blocks = std::vector<std::optional<Moments>>;  ///< by block number
     struct Range {
-        std::int64_t begin, end;  ///< samples
-        /// Whole blocks of it.
+        std::int64_t begin, end;  ///< sample numbers
+        /// The whole blocks in the range.
         std::int64_t firstBlock() const;
         std::int64_t endBlock() const;
     };
     struct Reading;
     std::optional<Range> rangeOf(int signal, double from, double to) const;
     Moments sum(int signal, std::int64_t begin, std::int64_t end) const;
-    /// Blocks first ... end - 1 of these signals in the file; takes the place of what was being read.
+    /// Reads blocks first ... end - 1 of these signals from the file, and replaces the current job.
     void read(const QString& recording, const std::vector<int>& wanted, std::int64_t firstBlock,
               std::int64_t endBlock);
     void endReading();
@@ -98,9 +99,9 @@ private:
     std::map<int, Blocks> blocks_;  ///< by signal
     double part_ = 1;
     QString problem_;
-    QHash<QString, QString> failed_;    ///< of these recordings, why
+    QHash<QString, QString> failed_;    ///< error by recording
     std::shared_ptr<Reading> reading_;  ///< null: nothing is being read
-    SerialExecutor worker_;             ///< last: its jobs end before the rest
+    SerialExecutor worker_;             ///< last member: its jobs end before the others are destroyed
 };
 
 }  // namespace tiller

@@ -12,9 +12,9 @@ namespace tiller {
 namespace {
 
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
-/// So many are read at once: a block of the history, of which a recording keeps all it has unpacked.
+/// Rows read per step: one block of the history, the amount that a recording keeps decompressed.
 constexpr std::uint64_t kRowsAtATime = static_cast<std::uint64_t>(SeriesColumn::kBlockRows);
-/// Where many rows before have a say, more at once: those before are read for all of them.
+/// With look-back, larger steps are used because each step reads the rows before it again.
 constexpr std::uint64_t kRowsWithLookBack = 8 * kRowsAtATime;
 
 }  // namespace
@@ -45,7 +45,7 @@ RecordedRows::RecordedRows(const recording::Recording& file, double begin, std::
         }
         std::shared_ptr<DerivedSignal>& derivation = derivations_.emplace_back();
         if (!signal.derivation.isEmpty()) {
-            // Its inputs were looked up by whoever asks for it.
+            // The caller has already resolved the inputs.
             derivation = DerivedSignal::make(signal.derivation, [](const QString&) { return true; }).value();
             lookBack_ = std::max(lookBack_, derivation->lookBack());
         }
@@ -125,7 +125,7 @@ Result<void> RecordedRows::readAll(recording::RowRange range, const CancelToken&
         if (cancel.isCancelled()) {
             return Error{ErrorCode::Cancelled, QStringLiteral("read %1").arg(file_.path()), {}};
         }
-        // Up to a multiple of it: what is made of whole blocks meets whole blocks.
+        // Steps end at multiples of the step size so that they align with blocks.
         const std::uint64_t next = std::min(end, (at / atATime + 1) * atATime);
         const Result<Rows> rows = read({at, next - at});
         if (!rows) {
@@ -149,7 +149,7 @@ Result<void> RecordedStretch::readAll(
     const QString context = QStringLiteral("read %1").arg(path);
     if ((*file)->rows() < rows.first + rows.count || (*file)->startUtcNs() != startUtcNs ||
         (*file)->columns().size() != columns) {
-        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has taken its place")};
+        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has replaced it")};
     }
     const qsizetype before = (*file)->problems().size();
     auto read = RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);

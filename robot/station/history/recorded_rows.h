@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The values of some signals of a recording, row by row, for whoever goes through many of them: as the file has them, a bit
-// of them, or computed from them. What it takes to read them can be given to a worker, which opens the file for itself.
+// Reads the values of some signals of a recording row by row: stored columns, single bits, or computed
+// signals. RecordedStretch describes such a read for a worker, which opens the file itself.
 
 #include <QString>
 #include <cstdint>
@@ -19,23 +19,23 @@
 
 namespace tiller {
 
-/// A signal, as what it is made from in the file.
+/// A signal, described by its source columns in the file.
 struct RecordedSignal {
-    std::vector<std::size_t> columns;  ///< of the file; of what is computed the inputs, in their order
-    int bit = -1;                      ///< of the only column; -1: all of it
-    QString derivation{};              ///< the text of what is computed; empty: nothing is
+    std::vector<std::size_t> columns;  ///< of the file; for a computed signal its inputs, in order
+    int bit = -1;                      ///< of the only column; -1: the whole value
+    QString derivation{};              ///< expression of a computed signal; otherwise empty
 };
 
-/// Times of rows as they stand on the plots' axis: never back, neither for a clock that was set back nor for what could not
-/// be read.
-/// seconds  of the recording's own axis; rows that lack follow the last one
+/// Row times on the plots' time axis. They never decrease, even if a clock was set back or rows could not be
+/// read.
+/// seconds  on the recording's own axis; missing rows repeat the last value
 std::vector<double> axisOf(std::vector<double> seconds, double begin, std::uint64_t rows);
 
-/// Threads  one at a time; a recording of its own for each
+/// Threads  one at a time; each thread needs its own recording
 class RecordedRows {
 public:
     /// file     must outlive it
-    /// begin    where its first row stands on the plots' time axis [s]
+    /// begin    time of its first row on the plots' time axis [s]
     RecordedRows(const recording::Recording& file, double begin, std::vector<RecordedSignal> wanted);
 
     struct Rows {
@@ -45,8 +45,8 @@ public:
     /// Errors  those of Recording
     Result<Rows> read(recording::RowRange range);
 
-    /// Reads rows in the order they lie in, some at a time.
-    /// each    takes them, with the number of the first one; false: enough
+    /// Reads the rows in file order, in several steps.
+    /// each    receives the rows and the number of the first one; returns false to stop
     /// Errors  those of Recording; Cancelled
     Result<void> readAll(recording::RowRange range, const CancelToken& cancel,
                          const std::function<bool(std::uint64_t first, const Rows& rows)>& each);
@@ -57,23 +57,24 @@ private:
     const recording::Recording& file_;
     double begin_;
     std::vector<RecordedSignal> signals_;
-    std::vector<std::shared_ptr<DerivedSignal>> derivations_;  ///< null: it is not computed
+    std::vector<std::shared_ptr<DerivedSignal>> derivations_;  ///< null: not computed
     std::vector<std::size_t> columns_;                         ///< of the file, each once
-    std::vector<std::vector<std::size_t>> places_;             ///< of each signal's columns in those
-    double lookBack_ = -1;                                     ///< [s]; negative: nothing is computed
+    std::vector<std::vector<std::size_t>> places_;             ///< index of each signal's columns in columns_
+    double lookBack_ = -1;                                     ///< [s]; negative: no computed signal
 };
 
-/// What a worker needs to read signals of a recording.
+/// Describes the read of some signals of a recording for a worker.
 struct RecordedStretch {
     QString path;
-    double begin = 0;  ///< where the first row stands on the plots' time axis [s]
+    double begin = 0;  ///< time of the first row on the plots' time axis [s]
     recording::RowRange rows;
     std::optional<std::int64_t>
-        startUtcNs;  ///< and columns: of the file that is meant, not of one that took its place
+        startUtcNs;  ///< with `columns`, detects that another file replaced the recording
     std::size_t columns = 0;
     std::vector<RecordedSignal> wanted;
 
-    /// As RecordedRows::readAll(); opens the file. Rows that cannot be read have no values, and are told in the end.
+    /// Like RecordedRows::readAll(), but opens the file. Unreadable rows have no values, and the error is
+    /// returned at the end.
     /// Errors   FileCorrupt, FileNotReadable, Cancelled
     /// Threads  any
     Result<void> readAll(

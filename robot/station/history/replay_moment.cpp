@@ -9,7 +9,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ReplayText {
     Q_DECLARE_TR_FUNCTIONS(Replay)
 };
@@ -17,7 +17,7 @@ struct ReplayText {
 }  // namespace
 
 QString ReplayMoment::words() const {
-    // Where there is little room the name of the file is what is cut.
+    // The file name comes last, so it is elided first when space is limited.
     QStringList parts{ReplayText::tr("REPLAY")};
     if (wallTime.isValid()) {
         parts << wallTime.toString(QStringLiteral("HH:mm:ss.zzz"));

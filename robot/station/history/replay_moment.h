@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A moment of what was, which view, inputs and outputs, and log show together: of an opened recording, or of the
-// history while the plots are held still. What is live goes on beside it, and jogging knows nothing of it.
+// A past point in time that view, inputs and outputs, and log show together: of an opened recording, or of
+// the history while the plots are paused. Live data continue in the background, and jogging is not affected.
 
 #include <QDateTime>
 #include <QString>
@@ -18,17 +18,17 @@ namespace tiller {
 struct ReplayMoment {
     QString source;          ///< name of the recording; empty: the history
     double time = 0;         ///< on the plots' time axis [s]
-    QDateTime wallTime;      ///< not valid: nobody knows
-    receive::Sample sample;  ///< empty: there were no data then
+    QDateTime wallTime;      ///< invalid: unknown
+    receive::Sample sample;  ///< empty: no data at that time
     double seconds = 0;      ///< since the recording's first row; 0 for the history
-    /// The recording's log; null: this is the history, whose log the window has.
+    /// The recording's log; null for the history, whose log is that of the window.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 
-    /// "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap": what every part that shows it says.
+    /// "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap": label shown by every view in replay.
     QString words() const;
 };
 
-/// Nothing: live.
+/// Empty: live data.
 using Replay = std::optional<ReplayMoment>;
 
 }  // namespace tiller

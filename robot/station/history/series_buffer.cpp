@@ -93,7 +93,8 @@ std::int64_t SeriesBuffer::lowerBound(double time) const {
     if (file_ == nullptr) {
         return rough;
     }
-    // With the blocks around it in memory, and once more where that has moved it into another one.
+    // Load the blocks around the sample; repeat once because the exact times may move the result to another
+    // block.
     std::int64_t found = rough;
     for (int turn = 0; turn < 2; ++turn) {
         for (const std::int64_t sample : {found - 1, found}) {
@@ -123,7 +124,7 @@ bool SeriesBuffer::hasRows(int column, std::int64_t begin, std::int64_t end) con
     const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
     for (std::int64_t block = begin >> SeriesColumn::kBlockBits;
          block <= (end - 1) >> SeriesColumn::kBlockBits; ++block) {
-        if (values.grainOf(block) != 1) {
+        if (values.resolutionOf(block) != 1) {
             return false;
         }
     }
@@ -182,7 +183,7 @@ std::int64_t SeriesBuffer::lowerBoundNear(double time, std::int64_t guess) const
     const std::int64_t oldest = first();
     std::int64_t low = std::clamp(guess, oldest, end_);
     std::int64_t high = low;
-    // Widen until low is known to be before the answer, or the oldest, and high not before it.
+    // Widen the range until `low` is before the result, or the oldest sample, and `high` is not before it.
     for (std::int64_t step = 1; high < end_ && roughTime(high) < time; step *= 2) {
         low = high + 1;
         high = std::min(end_, high + step);
@@ -209,7 +210,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         grid.width == width && grid.columns() == columns && std::abs(shift - std::round(shift)) < 1e-6 &&
         std::abs(shift) < static_cast<double>(count) && grid.end <= end_ && grid.revision == revision_;
     const auto by = sameRaster ? static_cast<std::ptrdiff_t>(std::lround(shift)) : 0;
-    // An edge stays where it was if it had samples on both sides and still has.
+    // An edge stays valid if it had samples on both sides and still has.
     const auto keeps = [&](std::int64_t edge) {
         return edge > first() && edge > grid.first && edge < grid.end;
     };
@@ -224,7 +225,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         } else if (i == 0) {
             edges[i] = lowerBoundBetween(start, first_, end_);
         } else {
-            // This column holds about as many samples as the one before.
+            // Guess that this column holds about as many samples as the one before.
             const std::int64_t previous = i == 1 ? 0 : edges[i - 1] - edges[i - 2];
             edges[i] = lowerBoundNear(start + static_cast<double>(i) * width, edges[i - 1] + previous);
         }

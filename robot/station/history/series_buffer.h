@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The history behind the plots: one column of times, and one column of values per signal with levels of minima and
-// maxima. Whatever is asked of it costs as much as there are pixel columns in the answer, not as there are samples
-// in the history. The oldest samples fall out when they are older, or all of them more, than the limits say.
+// The history behind the plots: one column of times, and one column of values per signal with levels of
+// minima and maxima. The cost of a query depends on the number of pixel columns, not on the number of
+// samples. The oldest samples are dropped when they exceed the limits of age or memory.
 //
-// The samples may lie in a file instead: then only outlines of them are in memory, and a block of rows is fetched when one
-// of them is asked for.
+// The samples may be stored in a file instead: only summaries are in memory, and a block of rows is read when
+// one of its rows is requested.
 
 #include <cstdint>
 #include <memory>
@@ -18,8 +18,8 @@
 
 namespace tiller {
 
-/// Which samples belong to which pixel column. Column i holds the samples edges[i] ... edges[i + 1] - 1,
-/// those with start + i * width <= time < start + (i + 1) * width. Made once a frame and shared by all
+/// Assignment of samples to pixel columns. Column i holds the samples edges[i] ... edges[i + 1] - 1, those
+/// with start + i * width <= time < start + (i + 1) * width. Computed once per frame and shared by all
 /// curves.
 struct ColumnGrid {
     double start = 0;  ///< time of the left edge of column 0 [s]
@@ -27,7 +27,7 @@ struct ColumnGrid {
     std::vector<std::int64_t> edges;
     std::vector<std::uint8_t> gapBefore;  ///< samples were lost right before one of this column's samples
 
-    std::int64_t first = 0;  ///< of the history when the grid was cut
+    std::int64_t first = 0;  ///< of the history when the grid was computed
     std::int64_t end = 0;
     std::uint64_t revision = 0;
 
@@ -35,18 +35,18 @@ struct ColumnGrid {
     bool empty() const { return edges.empty() || edges.front() == edges.back(); }
 };
 
-/// What a history may take before its oldest samples fall out.
+/// Limits beyond which a history drops its oldest samples.
 struct HistoryLimits {
-    /// Half an hour, and a block so that it is whole.
+    /// Half an hour, plus a margin for the block that is dropped as a whole.
     double seconds = 30 * 60 + 10;
     std::size_t bytes = std::size_t{1} << 30;
 };
 
-/// Where the samples are that a history has no values of.
+/// Source of the samples whose values are not in memory.
 class SampleFile {
 public:
     virtual ~SampleFile() = default;
-    /// Gives the history times and values of a block: SeriesBuffer::setTimes(), setRows().
+    /// Sets times and values of a block in the history: SeriesBuffer::setTimes(), setRows().
     virtual void fill(std::int64_t block) = 0;
 };
 
@@ -56,27 +56,27 @@ public:
     explicit SeriesBuffer(int columns = 0, const HistoryLimits& limits = {});
 
     int columnCount() const { return static_cast<int>(columns_.size()); }
-    /// A signal that has no values until the next row comes.
-    /// Returns  its number
+    /// Adds a signal, which has no values until the next row is appended.
+    /// Returns  its column number
     int addColumn(Precision precision = Precision::Single);
     const HistoryLimits& limits() const { return limits_; }
-    /// Takes effect at once.
+    /// Takes effect immediately.
     void setLimits(const HistoryLimits& limits);
-    /// All that the samples take [bytes].
+    /// Memory used by all samples [bytes].
     std::size_t memoryBytes() const;
 
-    /// One row. NaN, or a column beyond the values: this signal has no value at this time.
-    /// time       [s], later than that of the row before
-    /// gapBefore  samples between this row and the one before were lost
-    /// Returns    false, and keeps nothing, if the time does not go forward or is not finite
+    /// Appends one row. NaN, or a column beyond the values: the signal has no value at this time.
+    /// time       [s], later than that of the previous row
+    /// gapBefore  samples between this row and the previous one were lost
+    /// Returns    false, without appending, if the time does not increase or is not finite
     bool append(double time, std::span<const float> values, bool gapBefore = false);
     struct Row {
         double time = 0;
         bool gapBefore = false;
     };
-    /// Many rows, column by column, which is several times as fast. Their times go forward and are later than
-    /// lastTime().
-    /// source(column, row)  gives each value
+    /// Appends many rows column by column, which is several times as fast. Their times must increase and be
+    /// later than lastTime().
+    /// source(column, row)  returns each value
     template <class Source>
     void appendRows(std::span<const Row> rows, Source source) {
         for (const Row& row : rows) {
@@ -87,7 +87,7 @@ public:
         }
         trim();
     }
-    /// Writes a column again for all samples: source(sample).
+    /// Replaces the values of a column for all samples by source(sample).
     template <class Source>
     void fillColumn(int column, Source source) {
         SeriesColumn filled(columns_[static_cast<std::size_t>(column)].precision());
@@ -97,36 +97,37 @@ public:
         columns_[static_cast<std::size_t>(column)] = std::move(filled);
     }
 
-    // In a file. Nothing can be appended then; the limits do not hold.
+    // For a history stored in a file. Nothing can be appended; the limits do not apply.
 
-    /// When a sample is, roughly: to be refined by setTimes().
+    /// Approximate time of a sample, refined by setTimes().
     struct Mark {
         std::int64_t sample = 0;
         double time = 0;  ///< [s]
     };
     /// file   must outlive the history
-    /// marks  the first and the last sample among them; between two of them samples come evenly
-    /// gaps   before these samples others were lost, in order
+    /// marks  include the first and the last sample; samples between two marks are assumed to be evenly
+    /// spaced
+    /// gaps   samples before which others were lost, ascending
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);
     bool isInFile() const { return file_ != nullptr; }
-    /// Counts changes of the known part of a history in a file.
+    /// Incremented with each change of the known part of a history in a file.
     std::uint64_t revision() const { return revision_; }
     /// All values of these samples are in memory.
     bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
-    /// See SeriesColumn. The column that outlineColumn() made has its values in the file.
+    /// See SeriesColumn. The values of a column added by outlineColumn() are stored in the file.
     int outlineColumn(Precision precision);
     void setExtents(int column, std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
-    std::int64_t grainOf(int column, std::int64_t block) const {
-        return columns_[static_cast<std::size_t>(column)].grainOf(block);
+    std::int64_t resolutionOf(int column, std::int64_t block) const {
+        return columns_[static_cast<std::size_t>(column)].resolutionOf(block);
     }
     void setTimes(std::int64_t block, std::span<const double> times);
     void setRows(int column, std::int64_t block, std::span<const double> values);
     /// Releases times and values of a block.
     void forget(std::int64_t block);
 
-    /// Samples are numbered from the first one ever appended: first() is the oldest still kept, end() the
-    /// next one to come.
+    /// Samples are numbered from the first one ever appended: first() is the oldest sample kept, end() is one
+    /// past the newest.
     std::int64_t first() const { return first_; }
     std::int64_t end() const { return end_; }
     bool isEmpty() const { return end_ == 0; }
@@ -144,7 +145,7 @@ public:
     double value(int column, std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const SeriesColumn& values = columns_[static_cast<std::size_t>(column)];
-        if (file_ != nullptr && values.grainOf(row >> SeriesColumn::kBlockBits) != 1) {
+        if (file_ != nullptr && values.resolutionOf(row >> SeriesColumn::kBlockBits) != 1) {
             fetch(row);
         }
         return values.value(row);
@@ -159,15 +160,15 @@ public:
                     (at % 64) &
                 1) != 0;
     }
-    /// The first sample at or after this time; end() if there is none.
+    /// The first sample at or after this time; end() if none.
     std::int64_t lowerBound(double time) const;
-    /// The last sample at or before this time, or -1 if there is none.
+    /// The last sample at or before this time; -1 if none.
     std::int64_t lastBefore(double time) const;
 
-    /// Cuts start ... start + columns * width into columns. A grid that was cut from this history before and
-    /// lies on the same raster of time keeps what has not changed: a moving view costs only its new columns.
+    /// Divides start ... start + columns * width into columns. A grid of this history on the same time raster
+    /// keeps the unchanged columns, so that a scrolling view computes only its new columns.
     void cut(double start, double width, int columns, ColumnGrid& grid) const;
-    /// Minimum and maximum per column of the grid, exactly.
+    /// Exact minimum and maximum per column of the grid.
     void envelope(int column, const ColumnGrid& grid, std::vector<MinMax>& out) const;
     std::vector<MinMax> envelope(int column, double t0, double t1, int columns) const;
     /// Over the samples begin ... end - 1.
@@ -192,7 +193,7 @@ private:
 
     void addTime(const Row& row);
     void trim();
-    /// Known part only, without reading the file.
+    /// Approximate time from the known data, without reading the file.
     double roughTime(std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
@@ -200,7 +201,7 @@ private:
     }
     double timeByMarks(std::int64_t row) const;
     void fetch(std::int64_t row) const;
-    /// First sample whose rough time is >= time, looking outwards from a guess.
+    /// First sample whose approximate time is >= time, searched outwards from a guess.
     std::int64_t lowerBoundNear(double time, std::int64_t guess) const;
     std::int64_t lowerBoundBetween(double time, std::int64_t low, std::int64_t high) const;
 

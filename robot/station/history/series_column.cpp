@@ -21,7 +21,7 @@ void* SeriesColumn::OnCacheLine::operator new(std::size_t size, std::align_val_t
     static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
     auto* const given = static_cast<std::byte*>(::operator new(size + kCacheLine));
     std::byte* const line = given + (kCacheLine - reinterpret_cast<std::uintptr_t>(given) % kCacheLine);
-    std::memcpy(line - sizeof given, &given, sizeof given);  // to be given back
+    std::memcpy(line - sizeof given, &given, sizeof given);  // for operator delete
     return line;
 }
 
@@ -31,7 +31,7 @@ void SeriesColumn::OnCacheLine::operator delete(void* at, std::align_val_t) {
     ::operator delete(given);
 }
 
-/// NaN is no value: the comparisons leave it out.
+/// Comparisons with NaN are false, so NaN is ignored.
 template <class Value>
 struct SeriesColumn::RunningExtent {
     Value min = std::numeric_limits<Value>::infinity();
@@ -41,7 +41,7 @@ struct SeriesColumn::RunningExtent {
         min = low < min ? low : min;
         max = high > max ? high : max;
     }
-    /// What some entries of a level say together.
+    /// Adds the extents of several entries of a level.
     void add(const Extent<Value>* entries, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {
@@ -53,7 +53,7 @@ struct SeriesColumn::RunningExtent {
             add(entries[i].min, entries[i].max);
         }
     }
-    /// In four strands, so that a step need not wait for the one before.
+    /// Four independent accumulators shorten the dependency chain.
     static RunningExtent of(const Value* rows, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {
@@ -78,7 +78,7 @@ struct SeriesColumn::RunningExtent {
 
 #ifdef __SSE2__
 private:
-    /// Two entries at a time.
+    /// Two entries per iteration.
     void addFloats(const Extent<float>* entries, std::size_t count) {
         __m128 low = _mm_set1_ps(min);
         __m128 high = _mm_set1_ps(max);
@@ -95,7 +95,8 @@ private:
             add(entries[count - 1].min, entries[count - 1].max);
         }
     }
-    /// Eight at a time. Of a NaN and a number these instructions give their second operand: the number.
+    /// Eight values per iteration. With one NaN operand these instructions return the second operand, the
+    /// number.
     static RunningExtent ofFloats(const float* rows, std::size_t count) {
         const RunningExtent none;
         __m128 min[2] = {_mm_set1_ps(none.min), _mm_set1_ps(none.min)};
@@ -282,14 +283,14 @@ void SeriesColumn::setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t
     const std::size_t end = at + rows;
     std::fill(levels->fine.begin() + static_cast<std::ptrdiff_t>(at >> kFineBits),
               levels->fine.begin() + static_cast<std::ptrdiff_t>(end >> kFineBits), entry);
-    // A coarse entry is made anew with each of its parts, and is whole with the last.
+    // A coarse entry is recomputed for each of its parts, and is complete with the last one.
     for (std::size_t coarse = at >> kCoarseBits; coarse <= (end - 1) >> kCoarseBits; ++coarse) {
         completeCoarse(*levels, coarse);
     }
 }
 
 void SeriesColumn::setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents) {
-    // In parts of a block at most.
+    // Process at most one block per step.
     const std::int64_t step = std::min(rowsEach, kBlockRows);
     const std::int64_t end = std::min(rows_, first + static_cast<std::int64_t>(extents.size()) * rowsEach);
     for (std::int64_t row = first; row < end; row += step) {

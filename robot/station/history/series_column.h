@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The values of one signal, block by block, with levels of minima and maxima inside each block. A block whose values
-// are all the same holds that value and nothing else: registers, modes and words of bits cost next to nothing.
+// The values of one signal in blocks, with levels of minima and maxima inside each block. A block with a
+// constant value stores only that value: registers, modes and bit fields need almost no memory.
 //
-// Of a column that lies in a file only outlines may be known: the extents of so many rows each. What is asked about rows
-// that are not there is answered from them, and may then be the extent of more rows than were asked for, never of fewer.
+// A column stored in a file may be known only by extents of several rows each. Queries about rows that are
+// not in memory are answered from these extents, which then cover the requested rows and possibly more, never
+// fewer.
 
 #include <array>
 #include <bit>
@@ -23,7 +24,7 @@ namespace tiller {
 
 enum class Precision : std::uint8_t {
     Single,  ///< as float: measured values
-    Exact,   ///< as double: integers, words of bits
+    Exact,   ///< as double: integers, bit fields
 };
 
 /// Rows are counted from the oldest one kept.
@@ -32,14 +33,14 @@ class SeriesColumn {
 public:
     static constexpr int kBlockBits = 12;
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
-    /// A stretch of rows that begins and ends at multiples of this is answered from summaries alone.
+    /// Row ranges that begin and end at multiples of this number are evaluated from summaries alone.
     static constexpr std::int64_t kSummary = 32;
-    /// The same, and from far fewer of them.
+    /// As kSummary, but with far fewer summaries to read.
     static constexpr std::int64_t kCoarseSummary = 256;
-    /// More rows than any extent has.
+    /// Larger than the number of rows of any extent.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
-    /// rowsBefore  rows that the columns beside it have already: no values here
+    /// rowsBefore  rows that the other columns already have; this column has no values there
     explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
 
     Precision precision() const { return precision_; }
@@ -47,7 +48,7 @@ public:
     /// Memory of the values and their levels [bytes].
     std::size_t bytes() const { return bytes_; }
 
-    /// source(row) returns each value; NaN: none.
+    /// source(row) returns each value; NaN: no value.
     template <class Source>
     void add(std::size_t count, Source source) {
         if (precision_ == Precision::Single) {
@@ -56,22 +57,25 @@ public:
             addAs<double>(count, source);
         }
     }
-    /// The oldest block falls out.
+    /// Drops the oldest block.
     void dropBlock();
 
-    // Of a column in a file.
+    // For a column stored in a file.
 
-    /// Rows that lie in the file: nothing is known of them yet. The column has no others.
+    /// Adds rows that are stored in the file and not known yet. The column must have no other rows.
     void outline(std::int64_t rows);
-    /// Extents of `rowsEach` rows each, from a row on that is a multiple of it; an empty one where there are no values.
-    /// rowsEach  a multiple of kSummary that divides a block, or of a block
+    /// Sets extents of `rowsEach` rows each, starting at a multiple of rowsEach; an empty extent means no
+    /// values.
+    /// rowsEach  a multiple of kSummary that divides the block size, or a multiple of the block size
     void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
     /// Sets the values of a block.
     void setRows(std::int64_t block, std::span<const double> values);
-    /// Restores the state before setRows().
+    /// Releases the values of a block and restores the state before setRows().
     void forgetRows(std::int64_t block);
-    /// How many rows an extent that is known of this block has: kUnknown at first, and 1 when its rows are there.
-    std::int64_t grainOf(std::int64_t block) const { return blocks_[static_cast<std::size_t>(block)].grain; }
+    /// Rows per known extent of this block: kUnknown at first, 1 when its rows are in memory.
+    std::int64_t resolutionOf(std::int64_t block) const {
+        return blocks_[static_cast<std::size_t>(block)].grain;
+    }
 
     double value(std::int64_t row) const {
         const Block& block = blocks_[static_cast<std::size_t>(row >> kBlockBits)];
@@ -80,8 +84,8 @@ public:
                : block.exact ? block.exact->rows[at]
                              : block.constant;
     }
-    /// Has what minMax() reads about this row on its way from the memory. Rows that lie far apart are each waited for
-    /// otherwise.
+    /// Prefetches the memory that minMax() reads for this row. Otherwise each access to distant rows waits
+    /// for a cache miss.
     void fetchAhead(std::int64_t row) const {
 #if defined(__GNUC__)
         if (row < 0 || row >= rows_) {
@@ -102,11 +106,12 @@ public:
         }
 #endif
     }
-    /// Over the rows begin ... end - 1, exactly.
+    /// Exact minimum and maximum over the rows begin ... end - 1.
     MinMax minMax(std::int64_t begin, std::int64_t end) const;
 
 private:
-    // Rows per entry of the first level; eight of these entries form one of the next.
+    // log2 of the rows per entry of the first level; eight of these entries form one entry of the second
+    // level.
     static constexpr int kFineBits = 5;
     static_assert(std::int64_t{1} << kFineBits == kSummary);
     static constexpr int kCoarseBits = 8;
@@ -119,13 +124,14 @@ private:
         Value min, max;
     };
     static constexpr std::size_t kCacheLine = 64;
-    /// Begins with a cache line. By way of the ordinary allocator: glibc's for aligned memory hardly ever uses again what
-    /// was given back, and a history in which the oldest block makes room for the next would grow for days.
+    /// Allocates memory aligned to a cache line through the ordinary allocator. The aligned allocation of
+    /// glibc hardly reuses freed memory, so that a history that drops old blocks and adds new ones would grow
+    /// for days.
     struct OnCacheLine {
         static void* operator new(std::size_t size, std::align_val_t);
         static void operator delete(void* at, std::align_val_t);
     };
-    /// The fine entries of a coarse one are a cache line.
+    /// The fine entries of one coarse entry fill one cache line.
     template <class Value>
     struct alignas(kCacheLine) Levels : OnCacheLine {
         std::array<Extent<Value>, kFineEntries> fine;
@@ -138,16 +144,16 @@ private:
     };
     template <class Value>
     struct RunningExtent;
-    /// Summary of a block in a file without its rows.
+    /// Summary of a block in a file while its rows are not in memory.
     struct Outline {
-        /// Of equal parts of the block, as many as it is worth without levels.
+        /// Two halves of the block, which are sufficient while there are no levels.
         std::array<MinMax, 2> halves;
         std::unique_ptr<Levels<float>> single;
         std::unique_ptr<Levels<double>> exact;
         std::int64_t grain = kUnknown;
     };
     struct Block {
-        double constant = 0;  ///< of every row, while there are no values
+        double constant = 0;  ///< the value of every row while `single` and `exact` are null
         std::unique_ptr<Values<float>> single;
         std::unique_ptr<Values<double>> exact;
         MinMax whole;                      ///< of a full block
@@ -195,7 +201,7 @@ private:
         }
     }
     void beginBlock();
-    /// The block gets room for values that differ.
+    /// Allocates storage for a block whose values differ.
     template <class Value>
     void spread(Block& block, std::size_t rows);
     template <class Value>

@@ -20,14 +20,14 @@ using receive::FieldInfo;
 using receive::FieldKind;
 using receive::FieldModes;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct SignalText {
     Q_DECLARE_TR_FUNCTIONS(SignalInfo)
 };
 
 enum class Axes { None, Cartesian, Joints };
 
-/// Some components of a field that are shown side by side.
+/// Components of a field that are shown side by side.
 struct Family {
     const char* field;
     int first;

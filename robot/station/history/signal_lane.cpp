@@ -16,18 +16,19 @@ bool isSame(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// What one column holds.
+/// State within one pixel column.
 struct ColumnState {
     double first = kUnknown;
     double last = kUnknown;
-    int changes = 0;  ///< two are as good as many
+    int changes = 0;  ///< counted up to two
 };
 
 ColumnState stateOf(const SignalStore& store, int signal, std::int64_t begin, std::int64_t end) {
     const SeriesBuffer& history = *store.buffer(signal);
     ColumnState state;
     if (!history.hasRows(store.column(signal), begin, end)) {
-        // Of a long recording its extent is known. Where that is one value, it held.
+        // For rows that are not in memory only the extent is known. If it is a single value, the state was
+        // constant.
         const MinMax extent = history.minMax(store.column(signal), begin, end);
         state.changes = extent.isEmpty() || extent.min == extent.max ? 0 : 2;
         if (!extent.isEmpty() && extent.min == extent.max) {
@@ -90,13 +91,13 @@ std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, co
         const std::int64_t end = grid.edges[at + 1];
         const double start = grid.start + i * grid.width;
         if (begin == end) {
-            // Between two samples the last state holds, but not over a gap, nor behind the newest.
+            // Between two samples the last state holds, but not across a gap or after the newest sample.
             const bool holds = begin < history->end() && !history->gapBefore(begin);
             add(segmentOf(info, holds ? now : kUnknown, start, start + grid.width));
             continue;
         }
         const ColumnState state = stateOf(store, signal, begin, end);
-        // A change that falls between two columns belongs to the later one.
+        // A change between two columns is attributed to the later one.
         const int between = std::isnan(now) || isSame(now, state.first) ? 0 : 1;
         if (state.changes + between > 1) {
             add({start, start + grid.width, LaneKind::Varied, {}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A bit or a mode over time, as stretches of one state each.
+// A bit or a mode over time, as segments of constant state.
 
 #include <vector>
 
@@ -12,8 +12,8 @@ namespace tiller {
 
 class SignalStore;
 
-/// What the columns of a grid show of a state. A column in which the state changes more than once is Varied: no
-/// change is lost, however far it is zoomed out.
+/// Segments for the columns of a grid. A column in which the state changes more than once is Varied, so that
+/// changes remain visible at any zoom level.
 std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, const ColumnGrid& grid);
 
 }  // namespace tiller

@@ -14,10 +14,10 @@ namespace tiller {
 namespace {
 
 constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
-/// Behind the newest sample its value holds for as long [s].
+/// Time for which the value of the newest sample remains valid [s].
 constexpr double kHolds = 0.05;
 
-/// The rows of a recording become samples without values.
+/// Adds the row times of a recording as samples without values.
 Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, double begin) {
     const Result<std::vector<double>> times = file.times({0, file.rows()});
     if (!times) {
@@ -124,7 +124,7 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
     if (buffer == nullptr) {
         return found;
     }
-    // Stretches in which the whole column is the same are stepped over.
+    // Ranges in which the whole column is constant are skipped.
     constexpr std::int64_t kStretch = 256;
     const auto differs = [](double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); };
     const int column = this->column(signal);
@@ -136,7 +136,8 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
         const bool same =
             !extent.isEmpty() && extent.min == extent.max && !std::isnan(buffer->value(column, at - 1));
         if (same || extent.isEmpty()) {
-            // NaN hides in an extent: a stretch that begins with a value and ends with one may have a hole.
+            // Extents ignore NaN: a range that begins and ends with a value may still contain a sample
+            // without value.
             if (extent.isEmpty() || !std::isnan(buffer->value(column, to - 1))) {
                 at = to;
                 continue;
@@ -164,7 +165,7 @@ Result<int> SignalStore::derive(const QString& text) {
     if (const int known = find(derivation->text()); known >= 0) {
         if (Signal& one = signals_[static_cast<std::size_t>(known)];
             one.computedPart < 1 && !one.isComputing) {
-            compute(known);  // what failed may do now
+            compute(known);  // retry after an earlier failure
         }
         return known;
     }
@@ -268,7 +269,7 @@ void SignalStore::compute(int signal) {
     computed.isComputing = true;
     const std::array<int, 1> itself = {signal};
     const RecordedStretch stretch = *stretchOf(itself, 0, table.buffer->end());
-    // All rows have to be looked at for it, which takes seconds by the hour: the plots go on meanwhile.
+    // All rows have to be read, which takes several seconds per hour of data, so this runs on the worker.
     worker_.post(this, [this, signal, stretch, closing = closing_](const CancelToken& ending) {
         if (closing.isCancelled()) {
             return std::function<void()>();
@@ -362,7 +363,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
         wanted_ = wanted;
         return true;
     }
-    constexpr qsizetype kTimestamp = 10;  // with its comma
+    constexpr qsizetype kTimestamp = 10;  // including its comma
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
         problem_ = tr("The robot cannot send so many signals at once: remove other signals first.");
@@ -396,7 +397,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     } else if (const Result<void> read = readTimes(*file, *history, begin); !read) {
         return read.error();
     }
-    // As it can be written into an expression.
+    // Braces are reserved for names in expressions.
     QString plain = QFileInfo(file->path()).fileName();
     plain.replace(QLatin1Char('{'), QLatin1Char('(')).replace(QLatin1Char('}'), QLatin1Char(')'));
     QString name = plain;
@@ -411,7 +412,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     table.buffer = std::move(history);
     table.pieces = std::move(pieces);
     table.name = name;
-    // What the robot's own signals are called is what they are called here.
+    // Recorded signals get the same display names as the robot's own signals.
     QHash<QString, QVector<int>> known;
     const int robots = count();
     for (int i = 0; i < robots; ++i) {
@@ -458,7 +459,7 @@ std::optional<std::size_t> SignalStore::fileColumnOf(int signal) const {
     return table.file->indexOf(wanted.info.field.toStdString());
 }
 
-bool SignalStore::hasRoomFor(int signal, std::size_t bytes) {
+bool SignalStore::hasCapacityFor(int signal, std::size_t bytes) {
     if (memoryBytes() + bytes <= limits_.bytes) {
         return true;
     }
@@ -490,7 +491,7 @@ bool SignalStore::loadOutlines(const QSet<int>& shown) {
             const std::size_t extent =
                 2 * (precisions.back() == Precision::Single ? sizeof(float) : sizeof(double));
             bytes += table.file->rows() / static_cast<std::uint64_t>(SeriesColumn::kSummary) * extent;
-            if (!hasRoomFor(signal, bytes)) {
+            if (!hasCapacityFor(signal, bytes)) {
                 return false;
             }
         }
@@ -530,7 +531,7 @@ bool SignalStore::load(int signal) {
     }
     const std::uint64_t rows = table.file->rows();
     const std::size_t size = wanted.info.precision() == Precision::Single ? sizeof(float) : sizeof(double);
-    if (!hasRoomFor(signal, rows * size)) {
+    if (!hasCapacityFor(signal, rows * size)) {
         return false;
     }
     const std::optional<std::size_t> column = fileColumnOf(signal);
@@ -558,7 +559,7 @@ bool SignalStore::load(int signal) {
     table.derived.push_back(-1);
     wanted.column = added;
     if (!failure.isEmpty()) {
-        problem_ = failure;  // what can be read is shown
+        problem_ = failure;  // the readable part is shown
     }
     return true;
 }
@@ -640,7 +641,7 @@ std::vector<int> SignalStore::signalsOf(const QString& recording) const {
 void SignalStore::closeRecordings() {
     closing_.cancel();
     closing_ = {};
-    // Their numbers stay taken: they are nobody's now.
+    // Signal numbers are never reused: these remain empty.
     for (Signal& signal : signals_) {
         if (signal.table >= kFirstRecording) {
             byKey_.remove(signal.info.key);
@@ -657,7 +658,7 @@ void SignalStore::setLimits(const HistoryLimits& limits) {
 }
 
 void SignalStore::share() {
-    // Times count as two columns.
+    // The time stamps count as two columns.
     const auto weight = [](const Table& table) { return static_cast<double>(table.columns.size() + 2); };
     const double all =
         weight(tables_[kLive]) + (tables_[kFurther].columns.empty() ? 0 : weight(tables_[kFurther]));

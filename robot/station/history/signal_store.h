@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All signals there are to see, and where their values lie: those that the robot sends anyway, those it was asked
-// for besides, and those made here from others. A signal keeps its number as long as the store lives.
+// All signals that can be displayed, and the location of their values: standard fields of the robot,
+// additionally requested fields, and signals computed from others. A signal keeps its number as long as the
+// store exists.
 
 #include <QHash>
 #include <QObject>
@@ -34,7 +35,7 @@ public:
 
     int count() const { return static_cast<int>(signals_.size()); }
     const SignalInfo& info(int signal) const { return signals_[static_cast<std::size_t>(signal)].info; }
-    /// False: it is computed here, or from a recording.
+    /// False: computed here, or from a recording.
     bool isRobots(int signal) const {
         const Signal& one = signals_[static_cast<std::size_t>(signal)];
         return one.table < kFirstRecording && !one.derivation;
@@ -45,69 +46,71 @@ public:
     bool isRecorded(int signal) const {
         return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
     }
-    /// -1: there is none.
+    /// -1 if not found.
     int find(const QString& key) const { return byKey_.value(key, -1); }
 
-    /// A signal computed from others, as DerivedSignal describes the text; the samples there are get it too. What is computed
-    /// from a long recording grows in from its beginning: a worker reads the file for that.
-    /// Returns  its number; that of the one there is, where it was made before
-    /// Errors   InvalidArgument, saying what is wrong with the text; those of Recording
+    /// Adds a signal computed from others (see DerivedSignal for the text), including values for existing
+    /// samples. For a long recording, a worker reads the file and the values become available from its
+    /// beginning on.
+    /// Returns  its number; the existing one if the signal was added before
+    /// Errors   InvalidArgument, with the error in the text; those of Recording
     Result<int> derive(const QString& text);
-    /// The reason why derive() failed for an entry of a menu.
+    /// Reports why derive() failed for a menu entry.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// Returns the signal with this key; a derived signal, whose key is its text, is created if necessary. -1:
-    /// impossible.
+    /// Returns the signal with this key; a derived signal, whose key is its text, is created if necessary.
+    /// -1: not possible.
     int findOrDerive(const QString& key);
 
-    /// Null: the robot was never asked for it.
+    /// Null: the field was never requested from the robot.
     const SeriesBuffer* buffer(int signal) const;
     int column(int signal) const { return signals_[static_cast<std::size_t>(signal)].column; }
-    /// Of the column, or of its bit; NaN: none.
+    /// Value of the column, or of its bit; NaN: no value.
     double value(int signal, std::int64_t sample) const;
-    /// The value at this time, which is that of the last sample before; none in a gap or without data.
+    /// The value of the last sample at or before this time; nothing in a gap or without data.
     std::optional<double> valueAt(int signal, double time) const;
     /// All samples in begin ... end - 1 at which the value differs from the previous one.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
 
-    /// A recording beside what is live: its signals stand in a group of their own, their keys behind its name. Values
-    /// are read from the file when somebody wants them.
-    /// begin    where its first row stands on the plots' time axis [s]
-    /// Returns  its name, which is the file's
-    /// Errors   those of Recording; InvalidArgument when there is no row in it
+    /// Adds a recording to the live signals. Its signals form a separate group, and their keys start with the
+    /// name of the recording. Values are read from the file on demand.
+    /// begin    time of its first row on the plots' time axis [s]
+    /// Returns  the name of the recording, derived from the file name
+    /// Errors   those of Recording; InvalidArgument when it contains no row
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
-    /// The recording a signal is of; empty: it is live.
+    /// The recording that a signal belongs to; empty: live.
     QString recordingOf(int signal) const;
-    /// An opened recording; null if there is none of that name.
+    /// An opened recording; null if none has that name.
     const recording::Recording* recorded(const QString& recording) const;
-    /// The times of its rows on the time axis of the plots: samples without values. Null if there is none of that
-    /// name.
+    /// The row times of a recording on the time axis of the plots, as samples without values. Null if no
+    /// recording has that name.
     const SeriesBuffer* timesOf(const QString& recording) const;
-    /// What the robot sent last at this time, whole: of a recording, or, with no name, of what is live. Empty in a gap
-    /// and where there are no data.
+    /// The complete sample of the robot at this time: of a recording or, without a name, of the live data.
+    /// Empty in a gap and where there are no data.
     receive::Sample sampleAt(const QString& recording, double time) const;
-    /// Before these samples are drawn in so many pixel columns: a long recording fetches what is needed.
-    /// Returns  true when another turn makes it sharper
+    /// To be called before these samples are drawn with this number of pixel columns: reads the required data
+    /// of a long recording.
+    /// Returns  true when another call would improve the resolution
     bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
                  HistoryFile::Effort effort);
     /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Releases all recordings. They must no longer be displayed.
+    /// Closes all recordings. They must no longer be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
-    /// Where samples of these signals lie in the file of one long recording, and what a worker needs to read them.
+    /// Describes the read of samples of these signals from the file of a long recording, for a worker.
     /// begin, end  the samples begin ... end - 1
-    /// Returns  nothing where they are not all of one long recording
+    /// Returns  nothing unless all signals belong to the same long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
-    /// Processed part of a signal calculated from a long recording: 0 ... 1.
+    /// Fraction of a signal computed from a long recording that is available: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
-    /// Why the last want() failed: more signals than a robot sends, or more memory than the budget has.
+    /// The reason why the last want() failed: too many signals for the robot, or for the memory budget.
     const QString& problem() const { return problem_; }
 
-    /// Signals of every packet, and additionally requested ones.
+    /// Histories of the standard fields and of the additionally requested ones.
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
-    /// New rows of either; source(column, row) gives each value that is the robot's.
+    /// Appends rows; source(column, row) returns each value of the robot's own signals.
     template <class Source>
     void appendLive(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kLive], rows, source);
@@ -116,13 +119,14 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
-    /// The components in the order of the columns: "actual_q_0".
+    /// Components in column order: "actual_q_0".
     const std::vector<std::string>& liveColumns() const { return tables_[kLive].columns; }
     const std::vector<std::string>& furtherColumns() const { return tables_[kFurther].columns; }
 
-    /// Somebody shows these signals and no others any more: what the robot does not send anyway shall be asked for.
-    /// who      told apart by its address only
-    /// Returns  false, and changes nothing, if they are more than a robot takes at once
+    /// Sets the signals that a client shows, so that fields outside the standard stream can be requested.
+    /// Replaces the earlier set of this client.
+    /// who      identified by its address only
+    /// Returns  false, without change, if the robot cannot send so many signals
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
 
@@ -133,11 +137,11 @@ public:
 Q_SIGNALS:
     /// Fields to request from the robot in addition.
     void furtherFieldsChanged(const QStringList& fields);
-    /// A further signal was derived.
+    /// A derived signal was added.
     void signalAdded(int signal);
-    /// A further part of a signal calculated from a long recording is known.
+    /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);
-    /// A signal could not be computed, or not to its end.
+    /// A signal could not be computed, or only in part.
     void computationFailed(const QString& why);
 
 private:
@@ -145,13 +149,13 @@ private:
     struct Table {
         std::unique_ptr<SeriesBuffer> buffer;
         std::vector<std::string> columns;
-        std::vector<int> derived;  ///< the signal whose column it is; -1: it is the robot's
+        std::vector<int> derived;  ///< the derived signal of each column; -1: a field of the robot
         QString name{};            ///< of a recording
         std::unique_ptr<recording::Recording> file{};
-        std::unique_ptr<HistoryFile> pieces{};  ///< of a long one, which is not read as a whole
-        /// What sampleAt() makes of it.
+        std::unique_ptr<HistoryFile> pieces{};  ///< of a long recording, which is not read as a whole
+        /// Layout of the samples returned by sampleAt().
         std::shared_ptr<const receive::SampleLayout> layout{};
-        std::vector<std::size_t> places{};  ///< of the file's columns in a sample
+        std::vector<std::size_t> places{};  ///< index of the file's columns in a sample
         std::vector<std::size_t> fileColumns{};
     };
     struct Signal {
@@ -159,17 +163,17 @@ private:
         int table = kNowhere;
         int column = -1;
         std::shared_ptr<DerivedSignal> derivation;
-        std::vector<int> inputs;        ///< signals
+        std::vector<int> inputs;        ///< signal numbers
         std::vector<int> inputColumns;  ///< of the same table
-        double computedPart = 1;        ///< of a long recording
+        double computedPart = 1;        ///< for a long recording
         bool isComputing = false;
     };
 
-    /// The sample whose values apply at this time; none in a gap or without data.
+    /// The sample whose values apply at this time; nothing in a gap or without data.
     static std::optional<std::int64_t> heldAt(const SeriesBuffer& buffer, double time);
     static void prepareSamples(Table& table);
     const Table* tableOf(const QString& recording) const;
-    /// Gives every component of the field a column.
+    /// Adds a column for every component of the field.
     void addField(int table, const QString& field);
     double derivedAt(const SeriesBuffer& history, int signal, std::int64_t sample) {
         Signal& derived = signals_[static_cast<std::size_t>(signal)];
@@ -179,7 +183,7 @@ private:
     void append(Table& table, std::span<const SeriesBuffer::Row> rows, Source source) {
         SeriesBuffer& history = *table.buffer;
         const std::int64_t begin = history.end();
-        // A derived column follows its inputs, which already have their values.
+        // Derived columns come after their inputs, which already have their values here.
         history.appendRows(rows, [&](std::size_t column, std::size_t row) {
             const int derived = table.derived[column];
             return derived < 0 ? static_cast<double>(source(column, row))
@@ -188,14 +192,14 @@ private:
     }
     void share();
     bool load(int signal);
-    /// A derived one of a long recording: the outline of its column.
+    /// Computes the summary of a derived signal of a long recording.
     void compute(int signal);
     void takeExtents(int signal, std::int64_t first, std::span<const MinMax> extents);
     RecordedSignal recordedSignal(int signal) const;
-    /// Outlines of those that are of long recordings, all at once.
+    /// Reads the summaries of the shown signals of long recordings together.
     bool loadOutlines(const QSet<int>& shown);
     std::optional<std::size_t> fileColumnOf(int signal) const;
-    bool hasRoomFor(int signal, std::size_t bytes);
+    bool hasCapacityFor(int signal, std::size_t bytes);
     QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
 
     HistoryLimits limits_;
@@ -205,8 +209,8 @@ private:
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;
-    CancelToken closing_;    ///< of the recordings that are open
-    SerialExecutor worker_;  ///< last: its jobs end before the rest
+    CancelToken closing_;    ///< of the open recordings
+    SerialExecutor worker_;  ///< last member: its jobs end before the others are destroyed
 };
 
 }  // namespace tiller

@@ -14,13 +14,13 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct SpectrumText {
     Q_DECLARE_TR_FUNCTIONS(Spectrum)
 };
 
-/// A finer one says nothing more on a screen.
-constexpr std::size_t kLongestSegment = 8192;
+/// Longer segments give a resolution that is not visible on a screen.
+constexpr std::size_t kMaxSegment = 8192;
 
 struct FreePlan {
     void operator()(kiss_fftr_cfg plan) const { kiss_fftr_free(plan); }
@@ -32,14 +32,14 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const auto refuse = [](const QString& why) {
         return Error{ErrorCode::InvalidArgument, SpectrumText::tr("compute a spectrum"), why};
     };
-    if (values.size() < kLeastForSpectrum || !(period > 0)) {
+    if (values.size() < kMinSpectrumSamples || !(period > 0)) {
         return refuse(SpectrumText::tr("There are fewer than %1 samples: select a longer range.")
-                          .arg(kLeastForSpectrum));
+                          .arg(kMinSpectrumSamples));
     }
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
         return refuse(SpectrumText::tr("Values are missing in this range: select a range without gaps."));
     }
-    const std::size_t length = std::min(std::bit_floor(values.size()), kLongestSegment);
+    const std::size_t length = std::min(std::bit_floor(values.size()), kMaxSegment);
     std::vector<double> window(length);
     double sum = 0;
     for (std::size_t i = 0; i < length; ++i) {
@@ -50,7 +50,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const std::unique_ptr<kiss_fftr_state, FreePlan> plan(
         kiss_fftr_alloc(static_cast<int>(length), 0, nullptr, nullptr));
     if (!plan) {
-        return refuse(SpectrumText::tr("Not enough memory."));
+        return refuse(SpectrumText::tr("Not enough memory: select a shorter range."));
     }
     double mean = 0;
     for (const double value : values) {
@@ -75,7 +75,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
         ++spectrum.segments;
     }
     for (std::size_t i = 0; i < power.size(); ++i) {
-        // A line has half its strength at its negative frequency, but for the first and the last one.
+        // Half of the power of a line is at its negative frequency, except for the first and the last line.
         const double sides = i == 0 || i + 1 == power.size() ? 1 : 2;
         spectrum.amplitude.push_back(sides * std::sqrt(power[i] / spectrum.segments) / sum);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How strong each frequency is in a stretch of samples, by Welch's method: neighbouring segments that overlap by half,
-// each through a Hann window, and the mean of their powers.
+// Amplitude spectrum of a range of samples by Welch's method: segments with 50 % overlap, a Hann window for
+// each, and the mean of their powers.
 
 #include <span>
 #include <vector>
@@ -13,14 +13,16 @@ namespace tiller {
 
 struct Spectrum {
     double resolution = 0;          ///< between two lines [Hz]
-    int segment = 0;                ///< samples in each
-    int segments = 0;               ///< the mean of so many
-    std::vector<double> amplitude;  ///< peak value of each line, from 0 Hz on, in the signal's unit
+    int segment = 0;                ///< samples per segment
+    int segments = 0;               ///< number of averaged segments
+    std::vector<double> amplitude;  ///< peak value of each line, from 0 Hz, in the signal's unit
 };
 
-/// values  one every `period` seconds, without a gap; what is constant in them is left out but for the first line
-/// Errors  InvalidArgument, saying what to do: fewer than kLeast samples, no period, a value that is none
+/// values  one every `period` seconds, without a gap; their mean is removed and appears only in the first
+/// line
+/// Errors  InvalidArgument with the suggested action: fewer than kMinSpectrumSamples samples, no period, a
+/// value that is not finite
 Result<Spectrum> spectrumOf(std::span<const double> values, double period);
-inline constexpr int kLeastForSpectrum = 16;
+inline constexpr int kMinSpectrumSamples = 16;
 
 }  // namespace tiller

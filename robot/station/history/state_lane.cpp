@@ -17,7 +17,7 @@ void StateLane::add(double time, LaneKind kind, const QString& label) {
         }
     }
     segments_.push_back({time, time, kind, label});
-    if (segments_.size() > kMostSegments) {
+    if (segments_.size() > kMaxSegments) {
         segments_.pop_front();
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Activity of the robot as time segments with one word each: the data of the strip below the plots.
+// Activity of the robot as labelled time segments: the data of the lane below the plots.
 
 #include <QString>
 #include <deque>
@@ -15,8 +15,8 @@ enum class LaneKind {
     Idle,
     Moving,
     Stopped,
-    High,    ///< a bit that is set
-    Low,     ///< one that is not
+    High,    ///< the bit is set
+    Low,     ///< the bit is not set
     Varied,  ///< more than one state within a pixel
 };
 
@@ -29,9 +29,9 @@ struct LaneSegment {
 
 class StateLane {
 public:
-    static constexpr std::size_t kMostSegments = 20000;
+    static constexpr std::size_t kMaxSegments = 20000;
 
-    /// From this moment on it was so. The same kind and label prolong the last segment.
+    /// The state from this time on. The same kind and label extend the last segment.
     void add(double time, LaneKind kind, const QString& label);
     /// Removes segments that ended before this time.
     void forgetBefore(double time);
@@ -42,7 +42,7 @@ public:
     double endTime() const { return segments_.empty() ? 0 : segments_.back().end; }
     /// Whole segments, from oldest to newest; the last one ends where it was last confirmed.
     const std::deque<LaneSegment>& segments() const { return segments_; }
-    /// The segments inside t0 ... t1, cut to it. Those narrower than `least` [s] are joined to their
+    /// The segments within t0 ... t1, clipped to it. Segments shorter than `least` [s] are merged with their
     /// successor.
     std::vector<LaneSegment> visible(double t0, double t1, double least) const;
 

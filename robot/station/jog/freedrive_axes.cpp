@@ -9,7 +9,7 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct FreedriveText {
     Q_DECLARE_TR_FUNCTIONS(Freedrive)
 };
@@ -25,9 +25,9 @@ QString freedriveAxesText(FreedriveAxes axes) {
         case FreedriveAxes::Orientation:
             return FreedriveText::tr("Orientation only");
         case FreedriveAxes::Plane:
-            return FreedriveText::tr("Plane X Y");
+            return FreedriveText::tr("XY plane");
         case FreedriveAxes::Line:
-            return FreedriveText::tr("Line Z");
+            return FreedriveText::tr("Z only");
     }
     return {};
 }
@@ -35,7 +35,7 @@ QString freedriveAxesText(FreedriveAxes axes) {
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
     control::Freedrive freedrive;
     if (axes == FreedriveAxes::All) {
-        return freedrive;  // without a frame, so that older software knows it too
+        return freedrive;  // without a frame, so that older software accepts it too
     }
     switch (axes) {
         case FreedriveAxes::All:
@@ -59,7 +59,7 @@ control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base
 
 QString payloadDoubt(const SessionState& state) {
     if (state.moving) {
-        return FreedriveText::tr("Wait until the arm is at standstill before Freedrive.");
+        return FreedriveText::tr("Wait for standstill before you start Freedrive.");
     }
     const double force = state.tcpForce.force.norm();
     const double torque = state.tcpForce.torque.norm();

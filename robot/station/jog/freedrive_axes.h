@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Axes that the hand may move in freedrive, and the check whether the arm can hold its load meanwhile.
+// Axes that can be moved by hand in freedrive, and the check whether the arm can hold its load meanwhile.
 
 #include <QString>
 #include <array>
@@ -27,7 +27,7 @@ QString freedriveAxesText(FreedriveAxes axes);
 /// R_base_frame  axes of the chosen frame; the origin is the TCP
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp);
 
-/// Force and torque that an arm at rest may measure without contact: above the noise of every model.
+/// Maximum force and torque measured by an arm at rest without contact: above the noise of every model.
 inline constexpr double kPayloadForce = 12;  ///< [N]
 inline constexpr double kPayloadTorque = 2;  ///< [Nm]
 

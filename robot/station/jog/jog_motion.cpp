@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-// A step shall neither crawl nor jump: it has the acceleration of the jog.
+// Steps use the acceleration of the jog, so only the speed is limited here.
 double capped(double speed, double cap) {
     return std::min(speed, cap);
 }
@@ -24,19 +24,19 @@ Eigen::Vector3d unit(int axis, int direction) {
     return v;
 }
 
-/// Looking for contact is never sped up.
+/// Modifier keys never increase the speed of a motion until contact.
 double allowed(const JogSelection& selection, double factor) {
     return selection.motion == MotionChoice::UntilContact ? std::min(factor, 1.0) : factor;
 }
 
-/// The speed to give a linear move that only turns [m/s].
+/// The speed for a linear move that is a pure rotation [m/s].
 double turnSpeed(double rotation, const control::MotionLimits& limits) {
     return std::min(capped(rotation, limits.tcpRotationSpeed) * kinematics::kTurnRadius, limits.tcpSpeed);
 }
 
 double contactForce(const JogSelection& selection) {
     return selection.motion == MotionChoice::UntilContact
-               ? std::clamp(selection.contactForce, kLeastContactForce, kMostContactForce)
+               ? std::clamp(selection.contactForce, kMinContactForce, kMaxContactForce)
                : 0;
 }
 
@@ -149,7 +149,8 @@ MoveRequest jointStep(const JogSelection& selection, int joint, int direction, d
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits) {
     const control::JogTarget target = jointJog(selection, joint, 1, factor, limits);
-    // The distances of TCP and elbow from the axis of the joint do not change while it turns alone.
+    // Distances of TCP and elbow from the axis of the joint are constant while only this joint rotates, so
+    // any target gives the same bound.
     JointPositions to = from;
     to[joint] += 1;
     return std::min(target.qd[joint],

@@ -21,7 +21,7 @@ constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct LimiterAdviceText {
     Q_DECLARE_TR_FUNCTIONS(LimiterAdvice)
 };
@@ -29,7 +29,7 @@ struct LimiterAdviceText {
 LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
-        int joint;  ///< as the controller's limiter names it
+        int joint;  ///< number used by the controller's limiter
         bool near;
         QString what;
         QString slowed;
@@ -42,24 +42,25 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
     const Kind kinds[] = {
         {Singularity::Elbow, 2, degrees(measure.elbow) < kSineWarnDegrees,
          LimiterAdviceText::tr("Elbow almost straight"),
-         LimiterAdviceText::tr("Elbow almost straight: %1 of the speed"),
-         LimiterAdviceText::tr("bend the elbow"), LimiterAdviceText::tr("jog %1 or bend the elbow")},
+         LimiterAdviceText::tr("Elbow almost straight: %1 speed"), LimiterAdviceText::tr("bend the elbow"),
+         LimiterAdviceText::tr("jog %1 or bend the elbow")},
         {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
          LimiterAdviceText::tr("Wrist above the base axis"),
-         LimiterAdviceText::tr("Wrist above the base axis: %1 of the speed"),
-         LimiterAdviceText::tr("move outwards"), LimiterAdviceText::tr("jog %1 or rotate the base")},
+         LimiterAdviceText::tr("Wrist above the base axis: %1 speed"), LimiterAdviceText::tr("move outwards"),
+         LimiterAdviceText::tr("jog %1 or rotate the base")},
         {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
-         LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 of the speed"),
-         LimiterAdviceText::tr("rotate wrist 2"), LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // What slows the jog down comes first; after it ended there the controller still says so.
+         LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 speed"), LimiterAdviceText::tr("rotate wrist 2"),
+         LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
+    // The limit that slows the jog down has priority; the controller still reports it after the jog has ended
+    // there.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {
             if (slowing ? !slowed || kind.joint != state.limiter.joint : !kind.near) {
                 continue;
             }
-            const int key = wayOutOf(state, R_base_frame, kind.singularity);
+            const int key = escapeKeyFrom(state, R_base_frame, kind.singularity);
             return {slowing ? kind.slowed.arg(format::percent(state.limiter.scale)) : kind.what,
                     key < 0 ? kind.advice : kind.orElse.arg(travelKeyName(key))};
         }
@@ -72,23 +73,23 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// What is as near as it may be, or nearly; while it slows a jog down, with the share of the speed.
+/// Bodies at or near the safety distance; while they slow a jog down, with the remaining speed in percent.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
-    constexpr double kWarnBeyond = 0.010;  // the safety distance [m]
+    constexpr double kWarnBeyond = 0.010;  // [m] added to the safety distance
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the jog has ended the arm may have been moved by others.
+    // After the end of the jog the arm may have been moved by another program.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {
         return {};
     }
     const collision::Surroundings& around = state.check->surroundings();
-    const int key = nearest ? wayOutOf(state, R_base_frame, nearest->pair) : -1;
+    const int key = nearest ? escapeKeyFrom(state, R_base_frame, nearest->pair) : -1;
     const QString advice = key < 0 ? LimiterAdviceText::tr("move away from it")
                                    : LimiterAdviceText::tr("jog %1").arg(travelKeyName(key));
     if (slowed) {
-        return {LimiterAdviceText::tr("%1 is %2 from %3: %4 of the speed")
+        return {LimiterAdviceText::tr("%1 is %2 from %3: %4 speed")
                     .arg(linkText(limiter.link), format::length(limiter.distance, 0),
                          limiterText(limiter, around), format::percent(limiter.scale)),
                 advice};
@@ -118,7 +119,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
     if (nearest >= 0) {
         const QString name = jointName(nearest);
         const QString back = state.q[nearest] > 0 ? QStringLiteral("−") : QStringLiteral("+");
-        const int key = wayOut(state, R_base_frame, nearest);
+        const int key = escapeKey(state, R_base_frame, nearest);
         return {LimiterAdviceText::tr("%1 %2° from its limit").arg(name).arg(std::max(0.0, least), 0, 'f', 0),
                 key < 0
                     ? LimiterAdviceText::tr("rotate %1 %2").arg(name, back)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names the limit that affects the arm now, and the key that leads away from it.
+// Names the limit that currently affects the arm, and the key that leads away from it.
 
 #include <QString>
 
@@ -9,15 +9,15 @@
 
 namespace tiller {
 
-/// The limit and the suggested action; both empty without a limit.
+/// The limit and the suggested action; both empty if there is none.
 struct LimiterAdvice {
     QString what;
     QString advice;
 };
 
-/// The nearest limit worth a word: a joint within 15 deg of its range, or a singularity close by.
+/// The nearest relevant limit: a joint within 15 deg of its range, or a nearby singularity.
 /// Threads  any
-/// R_base_frame  the axes the keys of the pad move in, for the way out
+/// R_base_frame  axes of the keys of the pad, for the suggested key
 LimiterAdvice nearestLimiter(const SessionState& state,
                              const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 

@@ -9,12 +9,12 @@
 namespace tiller {
 namespace {
 
-/// How near to the beginning is there [rad].
+/// Tolerance for having reached the start of the trail [rad].
 constexpr double kThere = 0.001;
-/// A place counts as reached this long before the arm is there, because the picture of the arm is some
-/// hundredths of a second old [s].
+/// A position counts as reached this long before the arm arrives, because the reported positions are delayed
+/// by some hundredths of a second [s].
 constexpr double kAhead = 0.08;
-/// Slowing down at the end of the way [rad/s per rad].
+/// Deceleration at the end of the trail [rad/s per rad].
 constexpr double kApproach = 4.0;
 
 double apart(const JointPositions& a, const JointPositions& b) {
@@ -54,13 +54,13 @@ Result<control::JogTarget> RetracePath::next() {
     const double reach =
         std::max(1.5 * kSpacing, (trail_.empty() ? 0 : speed_(now_, trail_.back())) * kAhead);
     while (trail_.size() > 1 && apart(trail_.back(), now_) < reach) {
-        trail_.pop_back();  // the beginning stays known
+        trail_.pop_back();  // the start of the trail is kept
         ++revision_;
     }
     const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
     if (left < kThere) {
         return Error{ErrorCode::Rejected,
-                     QCoreApplication::translate("RetracePath", "go back: no recorded motion left"),
+                     QCoreApplication::translate("RetracePath", "back: no recorded motion left"),
                      {}};
     }
     const double speed = speed_(now_, trail_.back());
@@ -75,14 +75,14 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     if (isEmpty()) {
         return std::nullopt;
     }
-    // The newest place may be where the arm stands.
+    // The newest position may be the current one.
     const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
         return apart(q, now_) >= kSpacing / 2;
     });
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
-/// The cell may be another one than when the arm came: then a jog would end in front of what is there now.
+/// The cell may have changed since the arm moved there: a jog would then end in front of an obstacle.
 Result<void> RetracePath::permits() const {
     return port_.permitsPath ? port_.permitsPath(std::vector<JointPositions>(trail_.rbegin(), trail_.rend()))
                              : Result<void>();
@@ -94,7 +94,8 @@ double RetracePath::speed() const {
 }
 
 HoldBounds RetracePath::bounds() const {
-    // How fast the arm may go differs from place to place; to ask at each of thousands takes too long.
+    // The permitted speed varies along the trail; evaluating it at thousands of positions would take too
+    // long.
     constexpr std::size_t kAsked = 32;
     const std::size_t stride = trail_.size() / kAsked + 1;
     double seconds = 0;
@@ -110,7 +111,7 @@ HoldBounds RetracePath::bounds() const {
         seconds += apart(*from, *place) / speed;
         from = &*place;
     }
-    return {HoldBounds::longestOf(seconds), HoldBounds::silenceAt(0, fastest)};
+    return {HoldBounds::longestOf(seconds), HoldBounds::holdTimeoutAt(0, fastest)};
 }
 
 HoldMotion RetracePath::motion() {
@@ -135,7 +136,7 @@ HoldMotion RetracePath::motion() {
                     port_.endMotion(id, control::StopCause::Completed);
                     return false;
                 }
-                // Whatever ended the jog was a stop, and a stop is final.
+                // Any end of the jog counts as a stop, and a stop is final.
                 if (!port_.holdWith(id, *target)) {
                     going_ = 0;
                 }

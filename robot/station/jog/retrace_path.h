@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The past path of the arm as joint positions, and the motion back along it while a key is held: the only way out
-// of a narrow space that is known to be free.
+// The past path of the arm as joint positions, and the motion back along it while a key is held: the only
+// path out of a narrow space that is known to be free.
 
 #include <cstdint>
 #include <deque>
@@ -20,18 +20,18 @@ public:
     using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
 
     /// port   moves the arm
-    /// speed  on the way back, queried at each turn
+    /// speed  on the way back, queried for each segment
     RetracePath(const MotionPort& port, Speed speed);
 
-    /// Adds the position of the arm, except while it goes back. After a jump the path between is unknown: the trail
-    /// is restarted.
+    /// Adds the position of the arm, except while it moves back. After a jump the path in between is unknown,
+    /// so the trail is restarted.
     void record(const JointPositions& q);
     /// The arm was moved by another program, or the connection has changed: the trail is invalid.
     void clear();
     bool isEmpty() const;
-    /// The speed of a press now; 0 if there is nothing to undo.
+    /// The speed of a press now; 0 if no trail is left.
     double speed() const;
-    /// Target of the next turn; nothing if there is nothing to undo.
+    /// Target of the next segment; nothing if no trail is left.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
     /// Positions of the trail, the oldest first, which is the final target.
@@ -39,15 +39,15 @@ public:
     /// Changes whenever the positions change.
     std::uint64_t revision() const { return revision_; }
 
-    /// For the key: a joint jog between the positions of the trail, with the time to live, the limits and the stops
-    /// of a jog. It ends at the start of the trail; any stop ends it at its position, and the rest of the trail is
-    /// kept.
+    /// The motion for the key: a joint jog between the positions of the trail, with the heartbeat timeout,
+    /// limits and stops of a jog. It ends at the start of the trail; a stop ends it earlier, and the rest of
+    /// the trail is kept.
     HoldMotion motion();
 
-    /// Places nearer than this to the one before are not kept [rad].
+    /// Positions closer than this to the previous one are not recorded [rad].
     static constexpr double kSpacing = 0.0087;
     static constexpr int kCapacity = 4000;
-    /// Further between two pictures of the arm than it can go [rad].
+    /// A larger change between two reported positions is a jump [rad].
     static constexpr double kJump = 0.15;
 
 private:

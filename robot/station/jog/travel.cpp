@@ -12,9 +12,9 @@ namespace tiller {
 namespace {
 
 constexpr int kPadKeys = 12;
-/// Which leads out has at least so far to go.
-constexpr double kWayRoom = 0.030;     ///< [m]
-constexpr double kWayTurnRoom = 0.10;  ///< [rad]
+/// Minimum remaining travel of a key that leads out of a limit.
+constexpr double kMinTravel = 0.030;      ///< [m]
+constexpr double kMinTravelAngle = 0.10;  ///< [rad]
 
 Vector6 twistOf(int key, const Eigen::Matrix3d& R_base_frame) {
     const int axis = key / 2;
@@ -29,12 +29,12 @@ control::JogReach jogFollowed(const SessionState& state, const Vector6& directio
                              direction, farthest);
 }
 
-bool hasWayRoom(const SessionState& state, const Vector6& direction, int key) {
-    const double room = key < kPadKeys / 2 ? kWayRoom : kWayTurnRoom;
+bool hasTravelLeft(const SessionState& state, const Vector6& direction, int key) {
+    const double room = key < kPadKeys / 2 ? kMinTravel : kMinTravelAngle;
     return jogFollowed(state, direction, room).distance >= room;
 }
 
-/// The key with the largest gain, of those with room and more than `least`.
+/// The key with the largest gain above `least` and sufficient travel.
 /// gain  of a joint velocity [1/s]
 int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, double least,
             const std::function<double(const Vector6& qd)>& gain) {
@@ -45,9 +45,9 @@ int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, doub
     int best = -1;
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
-        // A metre counts as much as a radian: either is a good second of jogging.
+        // A metre and a radian are weighted equally: either takes about one second of jogging.
         const double gained = gain(solver.solve(twist));
-        if (gained > least && hasWayRoom(state, twist, key)) {
+        if (gained > least && hasTravelLeft(state, twist, key)) {
             least = gained;
             best = key;
         }
@@ -77,49 +77,49 @@ std::optional<NearestBodies> nearestBodies(const SessionState& state, double bey
     return nearest;
 }
 
-int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint) {
+int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint) {
     const double away = state.q[joint] > 0 ? -1.0 : 1.0;
-    constexpr double kLeast = 0.05;  // [rad/m] less does not lead anywhere
-    return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) { return away * qd[joint]; });
+    constexpr double kMinValue = 0.05;  // [rad/m] smaller gains are ignored
+    return bestKey(state, R_base_frame, kMinValue, [&](const Vector6& qd) { return away * qd[joint]; });
 }
 
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
-             const collision::CollisionCheck::Pair& pair) {
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
+                  const collision::CollisionCheck::Pair& pair) {
     const collision::CollisionCheck& check = *state.check;
     const double here = check.distance(pair, check.place(state.q));
-    constexpr double kLeast = 0.1;  // [m/m] less does not lead anywhere
-    return bestKey(state, R_base_frame, kLeast, [&](const Vector6& qd) {
+    constexpr double kMinValue = 0.1;  // [m/m] smaller gains are ignored
+    return bestKey(state, R_base_frame, kMinValue, [&](const Vector6& qd) {
         constexpr double kMoment = 1e-3;  // [s]
         const JointPositions next(Vector6(state.q.values + kMoment * qd));
         return (check.distance(pair, check.place(next)) - here) / kMoment;
     });
 }
 
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity) {
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity) {
     const auto measure = [&](const JointPositions& at) {
         const auto near = kinematics::singularityMeasure(state.dh, at);
         return singularity == Singularity::Wrist   ? near.wrist
                : singularity == Singularity::Elbow ? near.elbow
                                                    : near.shoulder;
     };
-    constexpr double kJump = 0.5;  // of a joint: another posture [rad]
+    constexpr double kJump = 0.5;  // of a joint: a different configuration [rad]
     const double here = measure(state.q);
     const Pose start = kinematics::forwardTcp(state.dh, state.q, state.tcpOffset);
     int best = -1;
-    double most = 0.01;  // less does not lead anywhere
+    double most = 0.01;  // smaller gains are ignored
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
         Pose pose = start;
-        pose.position += twist.head<3>() * kWayRoom;
+        pose.position += twist.head<3>() * kMinTravel;
         if (key >= kPadKeys / 2) {
-            pose.rotation = rotationVector(Eigen::AngleAxisd(kWayTurnRoom, twist.tail<3>()) *
+            pose.rotation = rotationVector(Eigen::AngleAxisd(kMinTravelAngle, twist.tail<3>()) *
                                            rotationMatrix(start.rotation));
         }
         const auto next = kinematics::inverseNearest(state.dh, pose, state.tcpOffset, state.q);
         if (!next || (next->values - state.q.values).cwiseAbs().maxCoeff() > kJump) {
             continue;
         }
-        if (const double gain = measure(*next) - here; gain > most && hasWayRoom(state, twist, key)) {
+        if (const double gain = measure(*next) - here; gain > most && hasTravelLeft(state, twist, key)) {
             most = gain;
             best = key;
         }

@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// A jog is not followed further than this.
+/// Maximum distance over which a jog is evaluated.
 inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
@@ -21,27 +21,27 @@ inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 /// Threads    any. Takes about a millisecond
 control::JogReach travelLeft(const SessionState& state, const Vector6& direction);
 
-/// The arm's bodies that are nearest to each other or to the cell, measured against the distance that they keep.
+/// The pair of bodies that is closest relative to its safety distance.
 struct NearestBodies {
     collision::CollisionCheck::Pair pair;
     double distance = 0;  ///< [m]
 };
-/// Nothing when no two are nearer than the safety distance and `beyond` [m].
+/// Returns nothing if no pair is closer than its safety distance plus `beyond` [m].
 std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond);
 
-// The one of the twelve keys (X-, X+, Y-, Y+, ... Rz-, Rz+) that leads out of a limit fastest, with remaining
-// travel; -1 if none.
+// The key of the twelve (X-, X+, Y-, Y+, ... Rz-, Rz+) that leads out of a limit fastest with sufficient
+// remaining travel; -1 if none.
 // R_base_frame  the axes of the keys
 
-/// Takes this joint away from its limit.
-int wayOut(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
+/// Moves this joint away from its limit.
+int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
 /// Leads out of a singularity.
 enum class Singularity { Wrist, Elbow, Shoulder };
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
-/// Takes these two apart.
-int wayOutOf(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
-             const collision::CollisionCheck::Pair& pair);
-/// "Z\u2212" for the number of a key.
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
+/// Separates this pair of bodies.
+int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
+                  const collision::CollisionCheck::Pair& pair);
+/// Label of a key by its number: "Z\u2212".
 QString travelKeyName(int key);
 
 }  // namespace tiller

@@ -16,12 +16,12 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Outputs as the robot numbers their bits. On closes; with two of them the other is off meanwhile.
+    /// Outputs by their bit numbers. On closes; with two outputs, the other one is off meanwhile.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 
     bool usesOutputs() const { return kind == Kind::OneOutput || kind == Kind::TwoOutputs; }
-    /// Its outputs, as bits.
+    /// Bit mask of its outputs.
     std::uint32_t outputs() const {
         return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
     }
@@ -31,7 +31,7 @@ struct GripperChoice {
     }
     /// "robotiq|2F-85", "outputs|16|17"; empty: none
     QString toText() const;
-    /// Unreadable text gives no gripper.
+    /// Invalid text gives no gripper.
     static GripperChoice fromText(const QString& text);
     friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
 };

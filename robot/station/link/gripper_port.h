@@ -13,7 +13,7 @@
 namespace tiller {
 
 struct GripperPort {
-    /// The choice of the operator; outputs are set by the caller.
+    /// The choice of the operator. The caller sets the outputs of an output gripper itself.
     std::function<GripperChoice()> choice = [] { return GripperChoice(); };
     /// Robotiq: the reason why it cannot be moved now, as a sentence; empty if it can.
     std::function<QString()> obstacle = {};
@@ -22,8 +22,8 @@ struct GripperPort {
     std::function<void(bool close, const CancelToken& token)> move = {};
     /// Robotiq: stops the fingers; a held object stays held.
     std::function<void()> stop = {};
-    /// Robotiq: nothing while it moves towards the target of `close`, then the result. Holding an object is a
-    /// result too.
+    /// Robotiq: nothing while it moves towards the target of `close`, then the result. Holding an object is
+    /// also a result.
     std::function<std::optional<Result<void>>(bool close)> outcome = {};
 };
 

@@ -8,20 +8,20 @@ namespace tiller {
 
 std::int64_t HoldBounds::longestOf(double seconds) {
     constexpr double kSpare = 5;
-    constexpr double kMax = 3600;  // an invalid number must not allow an endless hold
+    constexpr double kMax = 3600;  // limits the hold even for an invalid number
     const double sane = std::isfinite(seconds) ? std::clamp(seconds, 0.0, kMax) : 0.0;
     return static_cast<std::int64_t>((sane + kSpare) * kNsPerSecond);
 }
 
-std::int64_t HoldBounds::silenceAt(double linear, double angular) {
-    double seconds = static_cast<double>(kMaxSilenceNs) / kNsPerSecond;
+std::int64_t HoldBounds::holdTimeoutAt(double linear, double angular) {
+    double seconds = static_cast<double>(kMaxHoldTimeoutNs) / kNsPerSecond;
     if (linear > 0) {
-        seconds = std::min(seconds, kSilentLength / linear);
+        seconds = std::min(seconds, kUnconfirmedLength / linear);
     }
     if (angular > 0) {
-        seconds = std::min(seconds, kSilentAngle / angular);
+        seconds = std::min(seconds, kUnconfirmedAngle / angular);
     }
-    return std::max(kMinSilenceNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
+    return std::max(kMinHoldTimeoutNs, static_cast<std::int64_t>(seconds * kNsPerSecond));
 }
 
 }  // namespace tiller

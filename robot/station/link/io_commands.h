@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Permitted commands for inputs, outputs and registers of the robot, and their other owners.
+// Commands for inputs, outputs and registers of the robot, and the other clients that may occupy them.
 
 #include <QString>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tiller {
 
-/// A general purpose input register and what a program on the robot shall read from it. The control program
-/// and this interface's own channels keep integers 24-33 and numbers 24-41.
+/// A general purpose input register and the value that a program on the robot is to read from it. The control
+/// program and this interface's own channels reserve integers 24-33 and numbers 24-41.
 struct RegisterValue {
     enum class Kind { Int, Double, Bit };
     Kind kind = Kind::Int;
@@ -22,7 +22,7 @@ struct RegisterValue {
     static constexpr int last(Kind kind) { return kind == Kind::Bit ? 127 : 47; }
 };
 
-/// "DI 0", "CO 3", "TO 1": the letters printed beside the controller's terminals.
+/// "DI 0", "CO 3", "TO 1": the labels printed next to the controller's terminals.
 /// channel  0-7 standard, 8-15 configurable, 16-17 tool
 QString ioTerminal(bool output, int channel);
 

@@ -27,7 +27,7 @@ struct MotionPort {
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
     /// Keeps a jog alive with another target; false when it has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
-    /// Like those of RobotSession: for several motions of one press.
+    /// As in RobotSession: for several motions of one press.
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
     std::function<std::uint64_t()> stops = {};
     std::function<Result<control::MotionProgress>(Id)> progress = {};
@@ -35,7 +35,7 @@ struct MotionPort {
     std::function<Result<void>(std::span<const JointPositions>)> permitsPath = {};
 };
 
-/// The port of a session, which must outlive it.
+/// Returns the port of a session, which must outlive it.
 MotionPort motionPort(RobotSession& session);
 
 }  // namespace tiller

@@ -14,31 +14,32 @@
 namespace tiller {
 namespace {
 
-constexpr double kLeastFraction = 0.02;  // of the slider
-/// Slower than this the TCP turns more than it goes [m/s].
-constexpr double kHardlyMoves = 0.0005;
-constexpr double kNoWay = 1e-4;  // [rad], or [m] of a line: what an arm at rest trembles by
+constexpr double kMinFraction = 0.02;  // of the slider
+/// Below this speed the motion counts as a pure rotation of the TCP [m/s].
+constexpr double kMinShownSpeed = 0.0005;
+constexpr double kMinMotion = 1e-4;  // [rad], or [m] of a line: above the jitter of an arm at rest
 
-struct LineWay {
+struct LineDistance {
     double distance = 0;  ///< of the TCP [m]
     double turn = 0;      ///< [rad]
-    double length = 0;    ///< what its speed counts for [m]
+    double length = 0;    ///< path length that the commanded speed refers to [m]
 };
 
-LineWay lineWay(const Pose& from, const Pose& to) {
+LineDistance lineDistance(const Pose& from, const Pose& to) {
     return {(to.position - from.position).norm(),
             rotationVector(rotationMatrix(from.rotation).transpose() * rotationMatrix(to.rotation)).norm(),
             kinematics::lineLength(from, to)};
 }
 
-/// How fast such a line may be, in what its speed counts for, so that TCP and elbow keep below `cap` [m/s].
+/// Maximum commanded speed of the line that keeps TCP and elbow below `cap` [m/s].
 double lineBound(const SessionState& state, const Pose& to, double cap) {
     if (!std::isfinite(cap)) {
         return std::numeric_limits<double>::infinity();
     }
-    // Where the model has the TCP, not where the robot says: both figures shall be of one line.
+    // Use the TCP of the model instead of the reported one, so that distance and speed bound refer to the
+    // same line.
     const DhParameters& dh = state.dh;
-    const LineWay way = lineWay(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
+    const LineDistance way = lineDistance(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
     const double tcp = kinematics::lineSpeedBound(dh, state.q, to, state.tcpOffset, cap,
                                                   std::numeric_limits<double>::infinity())
                            .speed;
@@ -55,31 +56,31 @@ double moveSeconds(const MoveRequest& request, const SessionState& state) {
         distance = kinematics::lineLength(state.tcpPose, request.pose);
     }
     return kinematics::moveDuration(distance, request.speed, request.acceleration) /
-           std::max(state.speedFraction, kLeastFraction);
+           std::max(state.speedFraction, kMinFraction);
 }
 
 QString moveSpeedText(const MoveRequest& request, const SessionState& state) {
-    const double fraction = std::max(state.speedFraction, kLeastFraction);
+    const double fraction = std::max(state.speedFraction, kMinFraction);
     double tcp = 0;   // [m/s]
     double turn = 0;  // [rad/s]
     if (request.kind == MoveRequest::Kind::MoveJ) {
-        if ((request.q.values - state.q.values).cwiseAbs().maxCoeff() < kNoWay) {
+        if ((request.q.values - state.q.values).cwiseAbs().maxCoeff() < kMinMotion) {
             return {};
         }
-        // The bound is in proportion to the cap: for a cap of 1 m/s it is the way of the joint per metre.
+        // The bound is proportional to the cap. For a cap of 1 m/s it is the joint travel per metre.
         const kinematics::SpeedBound bound =
             kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, 1.0);
         tcp = request.speed / bound.speed;
         turn = request.speed;
     } else {
-        const LineWay way = lineWay(state.tcpPose, request.pose);
-        if (way.length < kNoWay) {
+        const LineDistance way = lineDistance(state.tcpPose, request.pose);
+        if (way.length < kMinMotion) {
             return {};
         }
         tcp = request.speed * way.distance / way.length;
         turn = request.speed * way.turn / way.length;
     }
-    return tcp < kHardlyMoves ? format::degreesPerSecond(turn * fraction) : format::speed(tcp * fraction);
+    return tcp < kMinShownSpeed ? format::degreesPerSecond(turn * fraction) : format::speed(tcp * fraction);
 }
 
 MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionState& state) {
@@ -89,13 +90,13 @@ MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionS
              kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, speed.tcp).speed});
         return request;
     }
-    // The longer of way and turn leads a line; each keeps below its own speed.
-    const LineWay way = lineWay(state.tcpPose, request.pose);
-    if (way.distance > kNoWay) {
+    // The speed of a line refers to the longer of distance and rotation; each stays below its own limit.
+    const LineDistance way = lineDistance(state.tcpPose, request.pose);
+    if (way.distance > kMinMotion) {
         request.speed = std::min({request.speed, speed.tcp * way.length / way.distance,
                                   lineBound(state, request.pose, speed.tcp)});
     }
-    if (way.turn > kNoWay) {
+    if (way.turn > kMinMotion) {
         request.speed = std::min(request.speed, speed.rotation * way.length / way.turn);
     }
     return request;

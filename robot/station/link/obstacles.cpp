@@ -8,7 +8,7 @@
 namespace tiller {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ReasonsText {
     Q_DECLARE_TR_FUNCTIONS(Reasons)
 };
@@ -72,10 +72,9 @@ QString serviceObstacle(const SessionState& state) {
     }
     const bool withoutApi = state.version.isPolyScopeX() && state.version < SoftwareVersion{10, 11, 0, 0} &&
                             state.service == dashboard::ServiceKind::Unknown;
-    return withoutApi ? QCoreApplication::translate(
-                            "Texts",
-                            "PolyScope X before 10.11 does not accept such commands over the network: use "
-                            "the teach pendant.")
+    return withoutApi ? QCoreApplication::translate("Texts",
+                                                    "PolyScope X before 10.11 does not accept these commands "
+                                                    "over the network: use the teach pendant.")
                       : QString();
 }
 

@@ -13,12 +13,13 @@ namespace tiller {
 /// The reason given by the session, or one derived from link and modes; empty exactly if state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
-/// The cause that ends a motion when the arm can no longer be moved.
+/// The stop cause to use when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 
-/// Why this robot accepts no commands for power, recovery and programs over the network; empty when it does.
+/// The reason why this robot accepts no commands for power, recovery and programs over the network; empty if
+/// it does.
 QString serviceObstacle(const SessionState& state);
-/// The same for one command, which some kinds of robot do not have.
+/// The same for one command, because some robots do not support all of them.
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
 
 }  // namespace tiller

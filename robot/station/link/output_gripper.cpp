@@ -6,7 +6,7 @@
 namespace tiller {
 namespace {
 
-/// After this long without the robot's word, "pending" would be a lie.
+/// Without confirmation by the robot, a command is shown as "pending" no longer than this.
 constexpr std::int64_t kGripperConfirmNs = 2 * kNsPerSecond;
 
 bool isOn(const SessionState& state, int output) {

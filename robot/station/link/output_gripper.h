@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A gripper on one or two digital outputs: its reported state, the outputs for closing and opening, and reasons
-// that prevent them. With one output, on closes; with two, one closes and the other opens, never both.
+// A gripper on one or two digital outputs: its reported state, the output levels for closing and opening, and
+// the reasons that prevent them. With one output, on closes; with two, one closes and the other opens, never
+// both.
 
 #include <QCoreApplication>
 #include <QString>
@@ -26,16 +27,18 @@ public:
     };
 
     void choose(const GripperChoice& choice);
-    /// Takes the reported state. Commands without confirmation after two seconds are no longer pending.
+    /// Updates the state from the robot. Commands without confirmation after two seconds are no longer
+    /// pending.
     void follow(const SessionState& state, std::int64_t nowNs);
-    /// Outputs for closing or opening; pending until the robot reports them.
+    /// Returns the outputs for closing or opening, and marks the command as pending until the robot reports
+    /// them.
     Command command(bool close, std::int64_t nowNs);
 
     /// "close requested", "pending…", "unknown"
     QString text() const;
-    /// Why it cannot be closed or opened, of the outputs themselves; empty when it can.
+    /// The reason why its outputs prevent closing or opening; empty if none.
     QString obstacle(const OutputHolders& holders) const;
-    /// The newest command, when the robot did not confirm it, as a sentence; else empty.
+    /// If the robot did not confirm the newest command, a sentence about it; otherwise empty.
     const QString& complaint() const { return complaint_; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace tiller {
 
-/// Said now.
+/// With the current time stamp.
 recording::RecordedNote recordedNote(Severity severity, const QString& text, Origin origin);
 
 }  // namespace tiller

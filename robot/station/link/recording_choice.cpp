@@ -13,17 +13,17 @@ namespace tiller {
 
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct RecordingChoiceText {
     Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
 };
 
-constexpr qsizetype kLongestName = 120;
-constexpr int kMostNumber = 99'999;
+constexpr qsizetype kMaxNameLength = 120;
+constexpr int kMaxFileNumber = 99'999;
 constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
 const QString kNumber = QStringLiteral("{number}");
 
-/// What some file system takes for something else.
+/// Characters that are not allowed in file names on some file systems.
 bool isForbidden(QChar c) {
     return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c);
 }
@@ -45,15 +45,15 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
     name.replace(QStringLiteral("{robot}"), robot);
     std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
-    // As the name of a robot may be: empty, or one that would be hidden.
+    // Robot names can be empty, or start with a dot, which would hide the file.
     if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
         name.prepend(QLatin1Char('_'));
     }
-    return name.left(kLongestName);
+    return name.left(kMaxNameLength);
 }
 
-/// What is in the folder, hidden and broken ones too. In one look: a file that is asked for by its name each
-/// takes its time on a network drive. Some file systems know no capital letters.
+/// All entries of the folder, including hidden and broken ones, in lower case because some file systems
+/// ignore case. Listing once is faster on a network drive than testing each file name.
 QSet<QString> namesIn(const QDir& folder) {
     QSet<QString> names;
     const QStringList entries =
@@ -99,14 +99,14 @@ QString patternProblem(const QString& pattern) {
     if (forbidden != name.end()) {
         return RecordingChoiceText::tr("A file name cannot contain “%1”.").arg(*forbidden);
     }
-    return name.size() > kLongestName ? RecordingChoiceText::tr("This name is too long.") : QString();
+    return name.size() > kMaxNameLength ? RecordingChoiceText::tr("This name is too long.") : QString();
 }
 
 RecordingChoice RecordingChoice::sane() const {
     RecordingChoice out = *this;
     out.folder = folder.trimmed();
-    out.every = std::clamp(every, 1, kMostSparse);
-    out.keepFree = std::clamp(keepFree, 0, kMostKeptFree);
+    out.every = std::clamp(every, 1, kMaxDecimation);
+    out.keepFree = std::clamp(keepFree, 0, kMaxKeptFree);
     if (!patternProblem(pattern).isEmpty()) {
         out.pattern = defaultPattern();
     }
@@ -128,7 +128,7 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
         return !taken.contains(file.toLower());
     };
     if (name.contains(kNumber)) {
-        for (int number = 1; number <= kMostNumber; ++number) {
+        for (int number = 1; number <= kMaxFileNumber; ++number) {
             const QString counted =
                 QString(name).replace(kNumber, QStringLiteral("%1").arg(number, 3, 10, QLatin1Char('0'))) +
                 ending;

@@ -10,13 +10,13 @@
 namespace tiller {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct RecoveryGuideText {
     Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
 };
 
-/// After the safety system let go: the ordinary way up.
-RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
+/// After the safety system is back to normal: the usual steps to power on.
+RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;
     guide.title = RecoveryGuideText::tr("Safety is normal again");
@@ -47,7 +47,7 @@ RecoveryGuide wayUp(const SessionState& state, RecoveryStep next) {
     return guide;
 }
 
-/// The step as the safety system asks for it.
+/// The step that the safety state requires.
 RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     RecoveryGuide guide;
     if (!state.hasData() || state.link != LinkState::Live) {
@@ -59,7 +59,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     const SafetyStatus status = state.safety();
     const RecoveryStep next = dashboard::nextRecoveryStep(status, state.robotMode);
     if (allowsMotion(status)) {
-        return wayUp(state, next);
+        return powerUpGuide(state, next);
     }
     const ModeWords words = safetyWords(status);
     guide.title = words.text;
@@ -68,7 +68,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     switch (next) {
         case RecoveryStep::Unlock: {
             guide.checks = {
-                RecoveryGuideText::tr("I inspected the arm: no one touches it and nothing is trapped."),
+                RecoveryGuideText::tr("I inspected the arm: no one is touching it and nothing is trapped."),
                 RecoveryGuideText::tr("The cause of the stop is known and removed."),
                 RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
             const double left = dashboard::kUnlockAfter - sinceStop;

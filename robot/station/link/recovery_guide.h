@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recovery from a safety stop in words: a checklist and one button. The steps follow robot/dashboard/recovery.h;
-// widgets/status/recovery_page.h shows them.
+// Texts for the recovery from a safety stop: a checklist and one button. The steps follow
+// robot/dashboard/recovery.h; widgets/status/recovery_page.h shows them.
 
 #include <QStringList>
 
@@ -16,14 +16,14 @@ using dashboard::RecoveryStep;
 struct RecoveryGuide {
     QString title;  ///< "Protective stop"
     QString what;   ///< meaning and suggested action, as sentences
-    /// Checks to be ticked by the operator before `step` can be taken; empty if nothing is unlocked.
+    /// Checks that the operator must confirm before `step` can be executed; empty if nothing is unlocked.
     QStringList checks;
     RecoveryStep step = RecoveryStep::Look;  ///< the next step; its button is labelled keyText()
-    bool takesControl = false;               ///< Completed on the robot: control has to be taken next
-    QString waiting;    ///< why the step cannot be taken yet although all is ticked; empty when it can
-    int countdown = 0;  ///< [s] left of the controller's lock, rounded up
+    bool takesControl = false;               ///< Completed by the robot: take control next
+    QString waiting;  ///< why the step is not possible yet although all checks are confirmed; empty if it is
+    int countdown = 0;  ///< [s] remaining lock time of the controller, rounded up
 
-    /// "Unlock", the label of the button; empty if the PC cannot do anything.
+    /// "Unlock", the label of the button; empty if the PC cannot help.
     QString keyText() const;
 };
 

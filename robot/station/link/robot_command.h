@@ -12,12 +12,12 @@ namespace tiller {
 
 using dashboard::RobotCommand;
 
-/// "Power on", as on the key that asks for it and in the log.
+/// "Power on", the label of the button and the name in the log.
 QString commandText(RobotCommand command);
 
-/// The operator's explicit word that the arm has been looked at. Only the page on which that word is given
-/// can make one, so that nothing else in the program can unlock a protective stop: the manufacturer forbids
-/// automatic reset.
+/// Confirmation by the operator that the arm has been inspected. Only the page that asks for it can create
+/// one, so that no other part of the program can unlock a protective stop: the manufacturer forbids automatic
+/// reset.
 class UnlockConsent {
     friend class RecoveryPage;
     UnlockConsent() = default;

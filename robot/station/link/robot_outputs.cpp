@@ -21,11 +21,11 @@ using std::chrono::milliseconds;
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
-/// A pulse that goes on for so much longer than asked for has not been ended by the robot.
+/// If a pulse is longer than requested by more than this, the robot has failed to end it.
 constexpr milliseconds kPulseGrace{300};
 
 QString holderOf(const Result<void>& can) {
-    // Not connected is no holder: setting tries to connect by itself.
+    // An unconnected state does not count as an obstacle, because setting an output connects automatically.
     return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
 }
 
@@ -34,33 +34,33 @@ milliseconds lengthOf(double seconds) {
     return milliseconds(std::llround(seconds * kMsPerSecond));
 }
 
-/// Outputs, their levels during a pulse and after it.
+/// Outputs, and their levels during and after a pulse.
 struct PulseLevels {
     std::uint32_t mask;
     std::uint32_t during;
     std::uint32_t after;
 };
 
-/// What a pulse needs while the link goes away.
+/// Shared objects that keep a pulse running safely while the link is closed.
 struct PulseLink {
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<receive::Receiver> receiver;
     std::shared_ptr<io::Outputs> outputs;
 };
 
-/// Begins a pulse and waits for its end, which the robot brings about. Ends it before where the key was released, and
-/// switches the outputs back over RTDE where the robot did not.
-/// leaving  the connection ends: the rest has to be quick
-/// ended    taken back, or leaving
+/// Starts a pulse and waits until the robot ends it. Ends it early when the key is released, and restores the
+/// outputs over RTDE if the robot did not.
+/// leaving  the connection is being closed, so the remaining steps must be quick
+/// ended    the order was cancelled, or `leaving`
 Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
                           const Clock& clock, const CancelToken& leaving, const CancelToken& ended) {
-    constexpr std::int64_t kMuteNs = 200 * kNsPerMs;
+    constexpr std::int64_t kHoldGapNs = 200 * kNsPerMs;
     control::OutputPulses pulses(*link.controller);
     const milliseconds length = lengthOf(pulse.seconds);
     const Result<void> begun = pulses.begin(levels.mask, levels.during, length, control::Holding::Held,
                                             Deadline::after(kConfirmTime, ended));
     if (!begun && begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
-        return begun;  // it was refused
+        return begun;  // rejected
     }
     bool isOver = false;
     if (begun) {
@@ -80,7 +80,7 @@ Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, cons
                 isSeen = isSeen || (*levelsNow & levels.mask) == levels.during;
                 isOver = isSeen && (*levelsNow & levels.mask) == levels.after;
             }
-            return isOver || nowNs >= overdueNs || nowNs - heldNs > kMuteNs;
+            return isOver || nowNs >= overdueNs || nowNs - heldNs > kHoldGapNs;
         });
     }
     if (isOver) {
@@ -88,7 +88,7 @@ Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, cons
     }
     const Deadline quick = Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime);
     (void)pulses.end(levels.mask,
-                     quick);  // not in control, or answered no more: the outputs are switched back below
+                     quick);  // fails without control or response; the outputs are restored below
     const Result<void> back = link.outputs->setDigitalOutputs(levels.mask, levels.after, quick);
     return begun ? back : begun;
 }
@@ -163,7 +163,7 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
 }
 
 void RobotOutputs::writeDigitalOutput(int output, bool on) {
-    // Set by hand, it is no pulse any more.
+    // A manually set output is no longer a pulse.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
@@ -219,7 +219,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
                             link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
                                const CancelToken& token) {
         Result<void> result = Error{ErrorCode::Cancelled, done, {}};
-        // Taken back while it connects, it is not sent either.
+        // Not sent if it is cancelled while connecting.
         const CancelToken either(
             [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
         if (!either.isCancelled()) {
@@ -321,7 +321,7 @@ void RobotOutputs::setRegister(const RegisterValue& value) {
     if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
         return;
     }
-    // A connection of its own, only as long as it takes: nobody else shall be kept from the register.
+    // A temporary connection, so that the register is not blocked for other clients.
     io::InputRegistersOptions options;
     options.host = d_.address.host;
     options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
@@ -362,7 +362,7 @@ void RobotOutputs::setSpeedSlider(double fraction) {
         return;
     }
     if (sliderBusy_) {
-        // A slider is dragged faster than the robot confirms: only the newest wish counts.
+        // The slider moves faster than the robot confirms, so only the newest value is kept.
         sliderWanted_ = fraction;
         return;
     }
@@ -387,10 +387,10 @@ void RobotOutputs::setSpeedSlider(double fraction) {
     });
 }
 
-// Whoever moved it; once it has come to rest, because a hand that draws it passes many places.
+// Logs slider changes of any client, but only after the slider has come to rest.
 void RobotOutputs::reportSlider() {
     constexpr std::int64_t kRestNs = 500 * kNsPerMs;
-    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // so long a place asked for may take to be there
+    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // time for a requested value to take effect
     constexpr double kSame = 0.005;
     const std::int64_t now = d_.clock->nowNs();
     const double fraction = d_.state.speedFraction;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the session sets on the robot besides motion: outputs, registers, the speed slider. Whatever waits for the
-// robot does so on the session's worker; the outcome comes as a message and with the next state.
+// Commands of the session other than motion: outputs, registers, the speed slider. Operations that wait for
+// the robot run on the session's worker; the result is reported by a message and shown in the next state.
 
 #include <QCoreApplication>
 #include <QMap>
@@ -21,21 +21,23 @@ namespace tiller {
 class RobotSession;
 struct SessionBackend;
 
-/// For a command that somebody waits for, or may take back while it waits for its turn.
+/// For a command whose result the caller needs, or that it may cancel while it is queued.
 struct OutputOrder {
-    /// For a time only, which the robot measures: then the outputs go back, whatever this program does meanwhile. Needs
-    /// control.
+    /// A temporary change: the robot measures the time and then restores the outputs, independent of this
+    /// program. Needs control.
     struct Pulse {
         double seconds = 0;
-        /// Asked on the worker. Grows while the key is held: when it has not for 200 ms, the pulse ends. It also ends
-        /// with the heartbeat of this program.
+        /// Called on the worker. The value must change while the key is held: the pulse ends when it has not
+        /// changed for 200 ms. It also ends when the heartbeat of this program stops.
         std::function<std::uint32_t()> holds;
     };
 
-    /// Cancelled: it is not sent any more. What has been sent is not undone, but for a pulse, which ends.
+    /// Cancelled: the command is not sent any more. A command already sent is not undone, except that a pulse
+    /// ends.
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
-    /// What came of it, in the window's thread: Cancelled when it was not sent. May be empty: the log tells anyway.
+    /// Receives the result in the GUI thread: Cancelled when the command was not sent. May be empty, because
+    /// the result is logged in any case.
     std::function<void(const Result<void>&)> done = {};
 };
 
@@ -45,34 +47,36 @@ class RobotOutputs {
 public:
     RobotOutputs(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    /// fraction  0.02 ... 1; others are refused with a message
+    /// fraction  0.02 ... 1; other values are refused with a message
     void setSpeedSlider(double fraction);
     /// output  0-7 standard, 8-15 configurable, 16-17 tool
     void setDigitalOutput(int output, bool on);
-    /// Those of the mask at once, all or none.
-    /// what  for the log, before the outputs: "Gripper: close"
+    /// Sets all outputs of the mask at once, or none.
+    /// what  prefix in the log: "Gripper: close"
     void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                            const OutputOrder& order = {});
-    /// Switches it on, and off after that time, which the robot measures. Refused with a message while not in control.
+    /// Switches the output on, and off after `seconds`, measured by the robot. Refused with a message while
+    /// not in control.
     void pulseDigitalOutput(int output, double seconds);
-    /// Why outputs cannot be pulsed now, as a sentence; empty where they can.
+    /// The reason why outputs cannot be pulsed now, as a sentence; empty if they can.
     QString pulseObstacle() const;
     /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
     const OutputHolders& holders() const;
-    /// The operator's own names, by terminal ("DO 0", "AO 1"): messages use them.
+    /// The operator's names by terminal ("DO 0", "AO 1"), used in messages.
     void setNames(const QMap<QString, QString>& names);
 
-    // For the session.
-    /// Connects the outputs, for the first time or again.
+    // Used by the session.
+    /// Connects the outputs, or reconnects them.
     void connect();
     void reportSlider();
-    /// Switches back outputs whose pulse the robot did not end, because its control program was ended or paused.
+    /// Restores outputs whose pulse the robot did not end because its control program was ended or paused.
     void followPulses();
-    /// Switches off what a pulse may have left on, also in monitor-only: the pulse was ours.
+    /// Switches off outputs that a pulse may have left on, even in monitor-only mode, because this program
+    /// started the pulse.
     void endPulses();
-    /// The robot is gone: nothing of it is remembered but the names.
+    /// Clears everything known about the robot except the names.
     void forget();
 
 private:
@@ -84,20 +88,20 @@ private:
     SessionBackend& d_;
     OutputHolders holders_;
     QMap<QString, QString> names_;
-    /// Pulses that the robot times without a key that is held.
+    /// Pulses that the robot times, without a held key.
     struct RunningPulse {
         int output = 0;
-        std::int64_t dueNs = 0;  ///< from then on the robot has ended it
+        std::int64_t dueNs = 0;  ///< the robot has ended the pulse by this time
     };
     void writeDigitalOutput(int output, bool on);
 
     std::vector<RunningPulse> pulses_;
-    std::optional<double> sliderWanted_;  ///< newest wish while one is being carried out
+    std::optional<double> sliderWanted_;  ///< newest request while another one is executed
     bool sliderBusy_ = false;
-    std::optional<double> sliderLogged_;  ///< its place as the log knows it
-    double sliderSeen_ = 0;               ///< where it was in the last frame,
-    std::int64_t sliderMovedNs_ = 0;      ///< and when it got there
-    std::int64_t sliderAskedNs_ = 0;      ///< when we asked for another place last; 0: never
+    std::optional<double> sliderLogged_;  ///< last logged value
+    double sliderSeen_ = 0;               ///< value in the last frame
+    std::int64_t sliderMovedNs_ = 0;      ///< time of its last change
+    std::int64_t sliderAskedNs_ = 0;      ///< time of our last request; 0: never
 };
 
 }  // namespace tiller

@@ -17,13 +17,13 @@ using dashboard::ServiceKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReplyTime{3000};
-/// The Robot API may answer only when it is done.
+/// The Robot API may answer only after the command has been completed.
 constexpr milliseconds kDoneTime{10'000};
-/// Half of the second within which a switch to Local is to be noticed.
+/// A switch to Local is to be detected within one second, so the state is queried every half second.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
 
 /// Sends one command and reports a refusal.
-/// after  hears whether it was carried out
+/// after  receives whether the command was executed
 template <class Call>
 void send(
     RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call,
@@ -72,13 +72,18 @@ QString commandText(RobotCommand command) {
     return {};
 }
 
-void RobotServices::perform(RobotCommand command) {
+void RobotServices::perform(RobotCommand command, bool confirmed) {
     if (session_.refusesCommand(commandText(command))) {
         Q_EMIT session_.commandDone(command, false);
         return;
     }
     if (const QString why = serviceObstacle(d_.state, command); !why.isEmpty()) {
         Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        Q_EMIT session_.commandDone(command, false);
+        return;
+    }
+    if (command == RobotCommand::PowerOff && !confirmed && d_.state.foreignProgramRuns()) {
+        Q_EMIT session_.powerOffQuestion();
         Q_EMIT session_.commandDone(command, false);
         return;
     }
@@ -124,7 +129,7 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
 
 void RobotServices::stopOnEveryRoute(control::StopCause cause) {
     unconfirmed_.reset();
-    // In this order: what the taking still sends is stopped too.
+    // Cancel taking control first, so that the stop also applies to anything it still sends.
     d_.taking.cancel();
     d_.link->foreignStop->request(cause, *d_.link->receiver);
 }
@@ -160,7 +165,7 @@ void RobotServices::followForeignStop(const SampleBatch& batch) {
 
 void RobotServices::ask() {
     const std::int64_t now = d_.clock->nowNs();
-    // Leaving Remote, a controller ends its script connections: the first sign there is.
+    // When the controller leaves Remote it closes its script connections, which is the earliest sign.
     const bool primary = d_.link->primary->isConnected();
     const bool sign = std::exchange(primarySeen_, primary) && !primary;
     if (d_.state.link != LinkState::Live || reportAsked_ || (now - reportAskedNs_ < kAskEveryNs && !sign)) {
@@ -175,7 +180,7 @@ void RobotServices::ask() {
                                  return;
                              }
                              reportAsked_ = false;
-                             // Which service it is stays known while it does not answer.
+                             // The kind of service remains known while it does not answer.
                              dashboard::ServiceReport silent;
                              silent.kind = d_.report.kind;
                              d_.report = result ? *result : silent;
@@ -188,14 +193,14 @@ void RobotServices::followReport(const dashboard::ServiceReport& report) {
     if (!report.remoteControl) {
         return;
     }
-    // A robot that never was in Remote has remote control switched off, and may be controlled as it is.
+    // A robot that was never in Remote has remote control disabled, and can be controlled as it is.
     const bool was = std::exchange(remoteSeen_, *report.remoteControl);
     if (was && !remoteSeen_) {
         leaveForLocal();
     } else if (!was && remoteSeen_) {
         d_.localRefuses = true;
         if (d_.state.control == ControlState::Refused) {
-            d_.refusal.clear();  // what it was refused for is over, or shows again at the next attempt
+            d_.refusal.clear();  // the cause is gone, or reappears at the next attempt
         }
         d_.link->foreignStop->reconnect();
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the session asks of the controller itself: power, recovery and programs, the program of others that is to be
-// stopped, and what RTDE does not tell: the control mode, the operational mode and the loaded program. Outcomes come
-// as messages and with the next state.
+// Requests of the session to the controller: power, recovery and programs, stopping external programs, and
+// the values that RTDE does not report: control mode, operational mode and loaded program. Results are
+// reported by messages and shown in the next state.
 
 #include <QCoreApplication>
 #include <QString>
@@ -29,23 +29,25 @@ class RobotServices {
 public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    void perform(RobotCommand command);
-    /// Only ever on the operator's explicit word.
+    /// confirmed  the operator knows that the command ends a program of another client: without it, PowerOff while such
+    ///            a program runs emits RobotSession::powerOffQuestion() and does nothing else
+    void perform(RobotCommand command, bool confirmed = false);
+    /// Only on the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);
-    /// name  as the controller's programs folder has it
+    /// name  relative to the controller's programs folder
     void loadProgram(const QString& name);
 
-    // For the session.
-    /// A stop by STOP, Esc or Space: to a program of others, and to our own on every route where nothing confirms
-    /// that the control program has obeyed.
+    // Used by the session.
+    /// Handles a stop by STOP, Esc or Space: stops external programs, and our own program on all routes
+    /// unless a confirmation arrives that the control program has obeyed.
     /// epoch  of the stop: Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
-    /// Such a stop would be sent at once: its connection is open.
+    /// True if such a stop could be sent at once because its connection is open.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Queries the values not available over RTDE about twice a second.
     void ask();
-    /// A stop before this time does not apply to later programs.
+    /// Discards a pending stop so that it does not affect programs started later.
     void forgetStop() { unconfirmed_.reset(); }
     void forget();
 
@@ -56,7 +58,7 @@ private:
 
     RobotSession& session_;
     SessionBackend& d_;
-    /// A stop while in control that nothing has confirmed yet.
+    /// A stop while in control that has not been confirmed yet.
     struct Unconfirmed {
         control::StopCause cause;
         control::StopConfirmation confirmation;
@@ -64,7 +66,7 @@ private:
     std::optional<Unconfirmed> unconfirmed_;
     std::int64_t reportAskedNs_ = 0;
     bool reportAsked_ = false;
-    bool remoteSeen_ = false;   ///< the robot was in Remote control when it was asked last
+    bool remoteSeen_ = false;   ///< the robot was in Remote control at the last query
     bool primarySeen_ = false;  ///< its primary interface was connected in the last frame
 };
 

@@ -28,7 +28,7 @@ QString stopSentence(const control::StopMeasurement& stop) {
         .arg(format::length(stop.distanceMm / 1e3, 1));
 }
 
-/// "C157A1 Collision noticed by a joint (elbow)"
+/// "C157A1 Collision detected by a joint (elbow)"
 QString codeTitle(const script::ControllerMessage& message, const CodeWords& words) {
     const QString name = message.codeName() + QLatin1Char(' ');
     if (message.text.isEmpty()) {
@@ -38,8 +38,8 @@ QString codeTitle(const script::ControllerMessage& message, const CodeWords& wor
                        : name + message.text;
 }
 
-/// A stop that the operator asked for by letting go, by a key or by STOP.
-bool isByHand(control::StopCause cause) {
+/// True for stops caused by the operator: releasing the key, a stop key, or STOP.
+bool isOperatorStop(control::StopCause cause) {
     using control::StopCause;
     return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
@@ -113,7 +113,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.clock = d_->clock;
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
-    static_cast<void>(link->receiver->start());  // what it refuses is its lastError(), which readLink() shows
+    static_cast<void>(link->receiver->start());  // failures are in its lastError(), which readLink() shows
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;
@@ -164,7 +164,7 @@ void RobotSession::disconnectFromRobot() {
     ++d_->generation;
     d_->controlling.cancelAll();
     d_->worker.cancelAll();
-    // Joining the link's threads takes some tenths of a second: not here.
+    // Joining the threads of the link takes some tenths of a second, so the worker does it.
     d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
         link->controller->release();
         link->outputs->disconnect();
@@ -220,7 +220,7 @@ void RobotSession::setMonitorOnly(bool on) {
         return;
     }
     if (on) {
-        outputs_.endPulses();  // the program that times them ends with control
+        outputs_.endPulses();  // the control program that times them is ended
         stop(control::StopCause::ControlLost);
         releaseControl();
     }
@@ -255,7 +255,7 @@ void RobotSession::takeControl(ForeignProgram program) {
         return;
     }
     if (program == ForeignProgram::Ask && !d_->state.hasData()) {
-        // Whether a program of others runs is not known.
+        // It is unknown whether an external program runs.
         Q_EMIT message(Severity::Warning, d_->state.controlReason);
         return;
     }
@@ -421,7 +421,7 @@ void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath
 
 namespace {
 
-/// Begins it where it is held, once it is there, and keeps it alive from then on.
+/// Starts the path once it has been sent, if it is still held, and then keeps it alive.
 bool holdPath(RobotLink& link) {
     PathStart& path = link.path;
     if (path.phase == PathStart::Phase::Ready) {
@@ -513,7 +513,7 @@ void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
         link.controller->end(motion, cause);
     } else if (motion == link.path.ticket &&
                (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {
-        // What has no number yet only a stop reaches: it does not begin any more.
+        // A path without motion number can only be prevented by a stop.
         link.controller->stop(cause);
         link.path.phase = PathStart::Phase::Failed;
         link.path.error = {ErrorCode::Stopped, QStringLiteral("start a path"), {}};
@@ -534,11 +534,12 @@ void RobotSession::stop(control::StopCause cause) {
 // -----------------------------------------------------------------------------------------------------
 
 void RobotSession::refresh() {
-    // Taken out for this frame: whoever hears of it may let events run, and with them another frame.
+    // Moved out of the member for this frame, because a connected slot may process events and so start
+    // another frame.
     std::vector<receive::Sample> room = std::move(d_->room);
     const std::uint64_t connection = d_->sample.connection;
     const SampleBatch batch = d_->drain(room);
-    const bool isConnectedAnew = d_->sample.connection != connection;
+    const bool isNewConnection = d_->sample.connection != connection;
     d_->read();
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
@@ -552,7 +553,7 @@ void RobotSession::refresh() {
     reportChanges();
     if (d_->link) {
         services_.followForeignStop(batch);
-        if (isConnectedAnew) {
+        if (isNewConnection) {
             Q_EMIT connected();
         }
         services_.ask();
@@ -567,7 +568,7 @@ void RobotSession::reportChanges() {
         d_->stopsSeen = state.lastStop.count;
         Q_EMIT motionStopped(state.lastStop);
         Q_EMIT message(Severity::Info, stopSentence(state.lastStop),
-                       isByHand(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
+                       isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {

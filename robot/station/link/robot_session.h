@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one object through which the interface sees and moves a robot. It makes and ends the link, takes control, turns
-// the state of all into one SessionState a frame, and what the hand does into motion; outputs, services and recording
-// are parts of it. Widgets hold it by reference and never talk to the backend themselves.
+// The central object through which the user interface monitors and moves a robot. It opens and closes the
+// connection, takes control, combines all state into one SessionState per frame, and converts operator input
+// into motion; outputs, services and recording are parts of it. Widgets hold a reference to it and never
+// access the backend directly.
 
 #include <QObject>
 #include <QSet>
@@ -59,9 +60,10 @@ struct MoveRequest {
     Pose pose;                  ///< MoveL: target TCP pose in the base frame
     double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
-    /// For motions of one press: begins only if there were no further stops since.
+    /// For motions of one press: the motion starts only if no further stop has occurred since.
     std::optional<std::uint64_t> stops = {};
-    /// To a place of the project: it does not begin while the project guard of the session has an objection.
+    /// The target is a position of the project: the motion does not start while the project guard of the
+    /// session objects.
     bool toProject = false;
 };
 
@@ -69,16 +71,17 @@ class RobotSession : public QObject {
     Q_OBJECT
 
 public:
-    /// clock  drives every expiry and age in the session; the steady clock unless a test brings its own
+    /// clock  for all timeouts and ages in the session; the steady clock except in tests
     explicit RobotSession(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~RobotSession() override;
 
     const SessionState& state() const;
-    /// For clients with their own pace; null while disconnected. For display use samplesReceived and stateChanged.
+    /// For clients with their own update rate; null while disconnected. For display use samplesReceived and
+    /// stateChanged.
     receive::Receiver* receiver() const;
-    /// The same for another thread, which may keep it slightly longer than the connection.
+    /// The same for another thread, which may keep it slightly longer than the connection exists.
     std::shared_ptr<const receive::Receiver> sharedReceiver() const;
-    /// Connected to last.
+    /// The address of the current or last connection.
     const RobotAddress& address() const;
 
     // Connection. Never blocks; the result is reported by stateChanged and message.
@@ -88,7 +91,7 @@ public:
     /// Additional fields requested by parts of the window, for this and later robots; replaces earlier requests.
     /// They are delivered by extraSamplesReceived.
     void followExtraFields(const QStringList& fields);
-    /// Fields that this robot does not send, of those it was asked for or by its software.
+    /// Fields that this robot does not send: requested ones, and fields missing in its software.
     QSet<QString> absentFields() const;
 
     /// Outputs, registers and the speed slider.
@@ -100,8 +103,8 @@ public:
     RobotTooling& tooling() { return tooling_; }
     SessionRecording& recording() { return recording_; }
 
-    /// Refuses every command that changes the robot, by whatever caller, with a message; stop() still works. Control
-    /// that is held is given back first.
+    /// In monitor-only mode every command that changes the robot is refused with a message, whatever the
+    /// caller; stop() still works. Control is released first.
     void setMonitorOnly(bool on);
     bool isMonitorOnly() const;
     /// Every command that changes the robot checks this first, here and in the parts of the session. In monitor-only mode
@@ -118,58 +121,60 @@ public:
     /// Ends the control program; the robot is free for others.
     void releaseControl();
 
-    /// Takes effect at once: jogs slow down and end at the safety distance, moves and paths that would come closer
-    /// are refused.
+    /// Takes effect immediately: jogs slow down and end at the safety distance; moves and paths that would
+    /// come closer are refused.
     /// Warns about objects whose position is unknown; moves are refused until there are none, jogs are not.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// Checks whether these moves, made in sequence from the position of the arm, would be refused.
+    /// Checks whether these moves, executed in sequence from the position of the arm, are permitted.
     /// Errors  NoSolution with a sentence: the two bodies that would come too close, and where
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// The same for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
 
-    // Motion. A motion is started by a press and needs hold() at least every 100 ms until it is ended; the caller
-    // keeps the returned number, and a number that has been stopped never moves the arm again.
+    // Motion. A press starts a motion, which needs hold() at least every 100 ms until it is ended. The caller
+    // keeps the returned number; a number that has been stopped never moves the arm again.
     using MotionId = std::uint64_t;
-    /// guard  asked before every move to a place of the project (MoveRequest::toProject, beginPath()): why it must not
-    ///        begin, as a sentence; empty when it may. Such moves then end with Cancelled and that sentence
+    /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath());
+    /// returns the reason why it must not start, as a sentence; empty if it may. A refused move ends with
+    /// Cancelled and that sentence
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
-    /// Errors  also as permits(): every bounded motion of every key passes here
+    /// Errors  also those of permits(), because every bounded motion of every key passes through here
     Result<MotionId> beginMove(const MoveRequest& request);
-    /// Several moves, blended into each other by the controller. They are sent to it first, which takes some tenths
-    /// of a second, in which the motion counts as under way: it can be held, ended and stopped, and then nothing
-    /// moves. What keeps it from beginning is told by motionProgress().
+    /// Several moves, blended by the controller. They are first sent to the controller, which takes some
+    /// tenths of a second. Meanwhile the motion counts as active: it can be held, ended and stopped, but
+    /// nothing moves yet. motionProgress() reports why a path could not start.
     /// stops   as MoveRequest::stops
-    /// Errors  also as permits()
+    /// Errors  also those of permits()
     Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
-    /// How many stops there were on this link, by whomever: see MoveRequest::stops.
+    /// Number of stops on this connection, by any cause: see MoveRequest::stops.
     std::uint64_t stops() const;
-    /// How far a move or a path is, or how it ended.
-    /// Errors  why a path could not begin: those of control::Motions::movePath()
+    /// Progress or result of a move or a path.
+    /// Errors  why a path could not start: those of control::Motions::movePath()
     Result<control::MotionProgress> motionProgress(MotionId motion) const;
-    /// The arm follows the hand.
+    /// Starts freedrive: the arm can be guided by hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
     /// Keeps the motion alive; a jog may change its target during the motion.
-    /// Returns  false if the motion has been stopped: it needs a new press
+    /// Returns  false if the motion has been stopped: a new press is required
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
-    /// Stops any motion, whatever started it. STOP, Esc and Space (by their causes) also stop a foreign program,
-    /// and cancel taking control. Can be called at any time.
+    /// Stops any motion, whatever started it. STOP, Esc and Space (identified by the cause) also stop an
+    /// external program and cancel taking control. Can be called at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
-    /// Maximum speed of TCP and elbow [m/s], above 0. Takes effect at once; a change stops the current motion.
+    /// Maximum speed of TCP and elbow [m/s], above 0. Takes effect immediately; a change stops the current
+    /// motion.
     void setSpeedCap(double metresPerSecond);
 
-    /// One frame: fetches the samples since the last one, makes a new SessionState from the newest one and emits
-    /// it. Called by the frame timer of the session, and directly where a change must be visible at once; tests in
-    /// virtual time call it themselves.
+    /// Processes one frame: fetches the samples since the last one, creates a new SessionState from the
+    /// newest one and emits it. Called by the frame timer of the session, and directly where a change must be
+    /// visible immediately; tests in virtual time call it themselves.
     void refresh();
-    /// Between two frames [ms].
+    /// Frame period [ms].
     static constexpr int kFrameMs = 16;
-    /// Closes the connection and waits for it: at the end of the program. Blocks: at most half a second, longer
-    /// only if a file system does
+    /// Closes the connection and waits until it is closed; used at program end.
+    /// Blocks: half a second at most, longer only if a file system does
     void shutDown();
 
 Q_SIGNALS:
@@ -188,10 +193,12 @@ Q_SIGNALS:
     /// detail  meaning of the text and suggested action, as sentences; may be empty
     void message(tiller::Severity severity, const QString& text,
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// A command to the robot's service was answered, or could not be asked.
+    /// The robot's service has answered a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
     void takeControlQuestion();
+    /// RobotServices::perform(PowerOff) would end a program of another client. Repeat it confirmed if the operator agrees.
+    void powerOffQuestion();
     /// A message of the controller, complete; it is also emitted as message.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

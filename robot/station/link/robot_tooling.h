@@ -31,11 +31,11 @@ public:
         std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
     };
 
-    /// Refused while the arm moves, because its speed would refer to another point.
+    /// Refused while the arm moves, because its speed would refer to a different point.
     /// tcp   T_flange_tcp [m, rad]
     /// name  for the log
     void setTcp(const Pose& tcp, const QString& name);
-    /// As setTcp(): the arm would sag.
+    /// Refused while the arm moves, as setTcp(), because the arm would sag.
     void setPayload(const Load& load, const QString& name);
 
 private:

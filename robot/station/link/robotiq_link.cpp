@@ -22,7 +22,7 @@ constexpr milliseconds kGripperReplyTime{2000};
 constexpr milliseconds kCommandTime{4000};
 constexpr int kActivationMs = 15'000;
 constexpr int kLookEveryMs = 100;
-/// An older answer is none.
+/// Answers older than this are not used.
 constexpr int kFreshMs = 1000;
 constexpr std::array kRetryMs = {500, 1000, 2000, 5000};
 
@@ -98,7 +98,7 @@ int RobotiqLink::position(double opening) const {
     return std::clamp(static_cast<int>(std::lround(closed_ - part * (closed_ - open_))), 0, io::kRobotiqMost);
 }
 
-// ---- looking --------------------------------------------------------------------------------------------
+// ---- state queries --------------------------------------------------------------------------------------
 
 void RobotiqLink::look() {
     if (client_ == nullptr || looking_) {
@@ -112,7 +112,7 @@ void RobotiqLink::look() {
             const Result<void> connected = client->isConnected() ? Result<void>() : client->connect(deadline);
             const Look found = connected ? client->look(deadline) : Look(connected.error());
             if (!found) {
-                client->close();  // what it said may be in the wrong order
+                client->close();  // its replies may be out of order
             }
             return std::function<void()>([this, afterCommand, generation, found] {
                 if (generation == generation_) {
@@ -153,18 +153,18 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
 void RobotiqLink::lose(const QString& reason) {
     state_.reset();
     busy_ = false;
-    next_.reset();  // nothing asked for before moves the fingers when it is back
+    next_.reset();  // no earlier command moves the fingers after a reconnection
     activating_.reset();
     held_ = false;
     ++failures_;
-    // Once for each reason: the attempts that follow say nothing new.
+    // Logged once per reason; further attempts with the same reason are not repeated.
     if (reason != reason_) {
         reason_ = reason;
         Q_EMIT session_.message(Severity::Warning, reason);
     }
 }
 
-// What the log shall tell of it.
+// Logs changes of the gripper state.
 void RobotiqLink::note(const io::RobotiqState& now) {
     if (now.fault != logged_) {
         logged_ = now.fault;
@@ -173,7 +173,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
         }
     }
     if (busy_) {
-        return;  // this was before the command
+        return;  // read before the command was sent
     }
     if (activating_ && now.activation == RobotiqActivation::Active) {
         activating_.reset();
@@ -194,7 +194,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     held_ = now.holds();
 }
 
-// A full stroke with nothing in its way ends where the fingers end.
+// Learns the end positions of the fingers from a full stroke without an object.
 void RobotiqLink::learnEnds(const io::RobotiqState& now) {
     constexpr int kOpenAtMost = 40;
     constexpr int kClosedAtLeast = 180;
@@ -231,7 +231,7 @@ void RobotiqLink::stop(const QString& what) {
         return;
     }
     next_.reset();
-    // Behind what is on its way, not after a look at what that did.
+    // The stop is sent after the current command, without waiting for the next state query.
     post({what, [](io::RobotiqClient& client, const Deadline& deadline) {
               const Result<void> connected = client.isConnected() ? Result<void>() : client.connect(deadline);
               return connected ? client.stop(deadline) : connected;
@@ -253,7 +253,7 @@ void RobotiqLink::post(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
-    // Not while it waits: another command may take its place.
+    // Not while the command is queued, because another one may replace it.
     if (command.activates) {
         activating_.emplace().start();
     }
@@ -261,7 +261,7 @@ void RobotiqLink::post(const Command& command) {
         const CancelToken either(
             [token, own = command.token] { return token.isCancelled() || own.isCancelled(); });
         const Deadline deadline = Deadline::after(kCommandTime, either);
-        // Never over a new connection: what was shown when it was asked for may no longer be so.
+        // Never over a new connection, because the state at the time of the command may have changed.
         const Result<void> result = command.token.isCancelled()
                                         ? Error{ErrorCode::Cancelled, command.what, {}}
                                         : command.call(*client, deadline);
@@ -280,7 +280,7 @@ void RobotiqLink::post(const Command& command) {
                 Q_EMIT session_.message(Severity::Error,
                                         tr("%1 failed. %2").arg(command.what, errorText(result.error())));
             }
-            // What it did shows in the next look, which ends the waiting too.
+            // The next state query shows the effect and ends the busy state.
             lookTimer_.start(0);
             Q_EMIT changed();
         });
@@ -288,7 +288,7 @@ void RobotiqLink::post(const Command& command) {
     Q_EMIT changed();
 }
 
-// ---- words ----------------------------------------------------------------------------------------------
+// ---- texts ----------------------------------------------------------------------------------------------
 
 QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {

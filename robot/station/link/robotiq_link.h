@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Robotiq gripper as the window sees it: asked several times a second what it does, told what it shall do, in
-// a thread of its own, so that a mute gripper makes neither the window nor an output wait. What it does not say
-// is not known, and shown so with the reason. Every command and what came of it goes into the log.
+// The connection of the window to a Robotiq gripper. Its state is queried several times a second, and
+// commands are sent, in a separate thread, so that an unresponsive gripper delays neither the window nor an
+// output. Values that it does not report are shown as unknown, with the reason. Every command and its result
+// is logged.
 //
-// The gripper is no part of the arm's motion: a stop of the arm does not reach it, it goes on holding. What a held
-// key sent it to do ends with the key, by stop().
+// The gripper is not part of the arm's motion: a stop of the arm does not affect it, and it keeps holding. A
+// gripper command started by a held key is ended with the key, by stop().
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -28,36 +29,36 @@ class RobotiqLink : public QObject {
     Q_OBJECT
 
 public:
-    /// session  only for the log
+    /// session  used for the log only
     explicit RobotiqLink(RobotSession& session, QObject* parent = nullptr);
     ~RobotiqLink() override;
 
-    /// Connects to the gripper of this controller, and again whenever it is lost. Never blocks.
+    /// Connects to the gripper of this controller, and reconnects after a loss. Never blocks.
     void follow(const QString& host, int port, GripperChoice::Model model);
     void leave();
-    /// For the first time: nothing is known to be wrong yet.
+    /// True during the first connection attempt.
     bool isConnecting() const { return client_ != nullptr && !state_ && failures_ == 0; }
 
-    /// Nothing while it is not known.
+    /// Empty while unknown.
     std::optional<io::RobotiqState> state() const;
     /// The reason why the state is unknown and the suggested action, as sentences; empty if it is known.
     QString reason() const;
     /// The fault with the suggested action; empty without a fault.
     QString faultText() const;
-    /// Commands given, and not yet seen in a look.
+    /// True while commands have been sent and their effect has not been read back.
     bool isBusy() const { return busy_; }
-    /// Between the fingers [m], for a position of the gripper, and back.
+    /// Converts a position of the gripper to the distance between the fingers [m], and back.
     double opening(int position) const;
     int position(double opening) const;
 
-    /// The fingers open and close once; a held object is released.
+    /// Activates the gripper: the fingers open and close once, and a held object is released.
     void activate();
     /// position, speed, force  0 ... 255
     /// what  for the log: "Gripper: close"
-    /// While a command is on its way the newest one waits for it, and takes the place of one that waits.
-    /// token  cancelled: it is not sent any more
+    /// While a command is being executed, one further command is queued; a newer one replaces it.
+    /// token  cancelled: the command is not sent any more
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
-    /// Stops the fingers, whatever was requested before; opens a new connection if it is lost.
+    /// Stops the fingers and discards queued commands; opens a new connection if it was lost.
     void stop(const QString& what);
 
 Q_SIGNALS:
@@ -93,22 +94,23 @@ private:
     QTimer lookTimer_;
     bool looking_ = false;
     bool busy_ = false;
-    bool carriedOut_ = false;  ///< the newest command: only a look asked for after that shows what it did
+    bool carriedOut_ = false;  ///< the newest command; only a later query shows its effect
     std::optional<Command> next_;
-    int failures_ = 0;  ///< one after the other
+    int failures_ = 0;  ///< consecutive
     std::optional<io::RobotiqState> state_;
     QElapsedTimer answered_;
     QString reason_;
     bool held_ = false;  ///< as shown in the log
     io::RobotiqFault logged_ = io::RobotiqFault::None;
     std::optional<QElapsedTimer> activating_;  ///< since the gripper was commanded
-    // Where the fingers end, in the gripper's own positions: as usual, until they have been there.
+    // End positions of the fingers in positions of the gripper: typical values until the fingers have reached
+    // the ends.
     static constexpr int kUsuallyOpen = 3;
     static constexpr int kUsuallyClosed = 230;
     int open_ = kUsuallyOpen;
     int closed_ = kUsuallyClosed;
 
-    SerialExecutor worker_;  // last: its jobs use what stands above
+    SerialExecutor worker_;  // last member: its jobs use the members above
 };
 
 }  // namespace tiller

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All packets that the frame clock fetched from the receiver since the previous frame, for plots and other users of
-// the full rate. SessionState is made from the last one, so that all parts of the window show the same sample.
+// All packets that the frame timer fetched from the receiver since the previous frame, for plots and other
+// clients that need the full rate. SessionState is created from the last one, so that all parts of the window
+// show the same sample.
 
 #include <QMetaType>
 #include <cstdint>
@@ -13,8 +14,8 @@
 namespace tiller {
 
 struct SampleBatch {
-    std::span<const receive::Sample> samples;  ///< oldest first; valid while the signal that carries it runs
-    std::uint64_t lost = 0;                    ///< overwritten before a frame came to fetch them
+    std::span<const receive::Sample> samples;  ///< oldest first; valid only during the signal
+    std::uint64_t lost = 0;                    ///< lost because the ring buffer was full
 };
 
 }  // namespace tiller

@@ -58,8 +58,8 @@ void SessionRecording::start(const RecordingOrder& order) {
             }
         }
     }
-    // A file system may take its time: the file is opened and closed by the worker for files. What comes meanwhile
-    // waits in the subscription.
+    // File access may be slow, so the file worker opens and closes the file. Meanwhile, samples are kept in
+    // the subscription.
     d_.files.post(&session_, [this, options, mcap, isMcap, robot = d_.address,
                               isCb3 = receiver.version().isCb3(), stream = receiver.subscribe(),
                               layout = receiver.layout()](const CancelToken& cancel) {

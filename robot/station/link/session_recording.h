@@ -17,13 +17,13 @@ namespace tiller {
 class RobotSession;
 struct SessionBackend;
 
-/// A recording to begin.
+/// Settings of a new recording.
 struct RecordingOrder {
     QString path;
-    QStringList fields{};  ///< by their RTDE names; empty: all that ur_rtde records, in MCAP all there are
+    QStringList fields{};  ///< RTDE names; empty: all that ur_rtde records, in MCAP all available ones
     int every = 1;         ///< every n-th packet becomes a row
     RecordingChoice::Format format = RecordingChoice::Format::Csv;
-    std::int64_t keepFree = 200'000'000;  ///< ends in order when less is free on the disk [bytes]
+    std::int64_t keepFree = 200'000'000;  ///< stops recording when less is free on the disk [bytes]
 };
 
 class SessionRecording {
@@ -33,7 +33,7 @@ public:
     SessionRecording(RobotSession& session, SessionBackend& backend);
 
     void start(const RecordingOrder& order);
-    /// As CSV.
+    /// Starts a recording as CSV.
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
@@ -41,7 +41,7 @@ public:
     void setProject(const QString& name, const QByteArray& content);
     void stop();
 
-    // For the session.
+    // Used by the session.
     void reportFailure();
 
 private:

@@ -36,18 +36,18 @@ enum class ControlState {
     Refused,    ///< see SessionState::controlReason
 };
 
-/// Packets of a period.
+/// Packet counts of a time span.
 struct PacketCounts {
     std::uint64_t packets = 0;
-    std::uint64_t late = 0;  ///< came more than half a period after their time
-    std::uint64_t lost = 0;  ///< skipped by the controller, by its time stamps
+    std::uint64_t late = 0;  ///< received more than half a period late
+    std::uint64_t lost = 0;  ///< skipped by the controller, according to its time stamps
 };
 
 struct LinkQuality {
     double rateHz = 0;
-    PacketCounts all;        ///< since the connection was made
-    PacketCounts recent;     ///< of the last ten seconds: present quality of the connection
-    double roundTripMs = 0;  ///< command out to echo back; 0 = not known
+    PacketCounts all;        ///< since the connection was opened
+    PacketCounts recent;     ///< of the last ten seconds: current quality of the connection
+    double roundTripMs = 0;  ///< from command to its echo; 0 = unknown
     double ageMs = 0;        ///< of the newest sample
 };
 
@@ -57,9 +57,9 @@ struct RecordingState {
     std::uint64_t rows = 0;
     double seconds = 0;
     std::int64_t bytes = 0;      ///< size of the file
-    std::uint64_t lost = 0;      ///< packets missing in it, by whatever cause
-    std::int64_t freeBytes = 0;  ///< on its disk
-    QString error;               ///< why the last recording ended, empty if by request
+    std::uint64_t lost = 0;      ///< packets missing in it, for any reason
+    std::int64_t freeBytes = 0;  ///< free space on its disk
+    QString error;               ///< why the last recording ended, empty if on request
 };
 
 struct SessionState {
@@ -68,15 +68,15 @@ struct SessionState {
     QString linkReason;  ///< the reason for a state other than Live, with the suggested action
     QString robotName;   ///< "Simulated UR5e", "Lab UR5e"
     QString address;
-    int portOffset = 0;  ///< of all its ports
+    int portOffset = 0;  ///< added to all its ports
     bool simulated = false;
     SoftwareVersion version;
     RobotModelId model = RobotModelId::UR5e;
-    bool modelKnown = false;  ///< the robot has reported it; until then `model` is assumed
+    bool modelKnown = false;  ///< reported by the robot; until then `model` is assumed
     DhParameters dh =
-        robotModel(RobotModelId::UR5e).dh;  ///< its actual kinematics if it reports its calibration
+        robotModel(RobotModelId::UR5e).dh;  ///< kinematics of the robot, with its calibration, if reported
     control::JointLimits jointLimits =
-        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< its reported values, if available
+        control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< reported values, if available
     /// The objects that the arm could touch, including itself, with the safety distance of jogs and moves; null
     /// while disconnected.
     std::shared_ptr<const collision::CollisionCheck> check;
@@ -94,22 +94,22 @@ struct SessionState {
     bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
     bool remoteNeeded = false;      ///< in Local, and known to take no commands there
     dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< interface for power and programs
-    QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none set, or not known
+    QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: none, or unknown
     QString loadedProgram;    ///< on the robot; empty: none
-    double speedCap = 0.250;  ///< of this program, at TCP and elbow [m/s]
+    double speedCap = 0.250;  ///< limit of this program, at TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty when it can
-    /// Control was ours when its connection fell silent, and has neither been taken nor given back since: Space and
-    /// Esc still stop the robot from everywhere.
+    /// The connection was lost while in control, and control has neither been taken nor released since. Space
+    /// and Esc still stop the robot from everywhere.
     bool controlInDoubt = false;
-    control::ControlLoss controlLoss = control::ControlLoss::NotTaken;  ///< how control ended last
+    control::ControlLoss controlLoss = control::ControlLoss::NotTaken;  ///< the last loss of control
     bool monitorOnly = false;  ///< the session refuses every command but stop
 
     // motion
-    bool moving = false;           ///< by the receiver's data, no older than 100 ms
-    bool motionActive = false;     ///< a motion of ours is commanded, whether or not the arm moves yet
-    bool jogActive = false;        ///< and it is a jog
-    bool freedriveActive = false;  ///< and it is freedrive: the hand moves the arm
+    bool moving = false;           ///< according to data no older than 100 ms
+    bool motionActive = false;     ///< a motion is commanded, whether or not the arm moves yet
+    bool jogActive = false;        ///< the commanded motion is a jog
+    bool freedriveActive = false;  ///< the commanded motion is freedrive: the arm can be guided by hand
     double speedFraction = 1.0;    ///< speed slider 0..1
     double speedScaling = 1.0;
     JointPositions q;
@@ -139,7 +139,7 @@ struct SessionState {
     double robotTime = 0;        ///< the controller's time stamp [s]
     std::uint64_t sequence = 0;  ///< of the displayed sample; 0 = none yet
 
-    /// Its kinematics with its calibration.
+    /// The robot's model with its calibrated kinematics.
     RobotModel arm() const {
         RobotModel own = robotModel(model);
         own.dh = dh;
@@ -147,9 +147,9 @@ struct SessionState {
     }
     /// True when a press on a jog key would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
-    /// The safety value to show and to act on, of the two the controller sends.
+    /// The relevant one of the two safety values that the controller sends.
     SafetyStatus safety() const { return shownSafety(safetyMode, safetyStatus); }
-    /// A program that is not ours runs, or will in a moment: it may move the arm.
+    /// An external program is running, or will shortly: it may move the arm.
     bool foreignProgramRuns() const {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
@@ -167,7 +167,8 @@ struct SessionState {
         constexpr double kFreshMs = 100;
         return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;
     }
-    /// Space and Esc stop, from everywhere; otherwise they belong to the focused control.
+    /// True if Space and Esc stop the robot from everywhere; otherwise the focused control receives these
+    /// keys.
     bool keysStop() const {
         return control == ControlState::InControl || control == ControlState::Taking || controlInDoubt;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the force sensor feels, as the mean of a second at rest: one sample alone is noise. A movement spoils it.
+// Mean reading of the force sensor over one second at rest, because a single sample is too noisy. Any
+// movement invalidates it.
 
 #include <optional>
 
@@ -12,22 +13,24 @@ namespace tiller {
 
 class StandstillMean {
 public:
-    /// So many states with new data make a mean.
+    /// Number of states with new data that are averaged.
     static constexpr int kSamples = 50;
 
     enum class Outcome { Collecting, Done, Moved, NoForce };
 
     void begin() { *this = {}; }
-    /// Feeds the next state.
+    /// Adds the next state.
     Outcome add(const SessionState& state);
     /// 0 ... 1
     double progress() const { return static_cast<double>(count_) / kSamples; }
 
-    /// After Done: at the flange, with all that hangs there, whether or not the software tells the raw reading.
+    /// After Done: the reading at the flange including everything mounted on it, also if the software does
+    /// not report the raw value.
     kinematics::PayloadReading reading() const { return reading_; }
-    /// After Done: what remains at the TCP when the payload the robot knows of is taken away, in the base frame.
+    /// After Done: the remaining force at the TCP after subtracting the payload set on the robot, in the base
+    /// frame.
     Wrench remaining() const { return remaining_; }
-    double payloadMass() const { return payloadMass_; }  ///< what the robot knows of [kg]
+    double payloadMass() const { return payloadMass_; }  ///< as set on the robot [kg]
 
 private:
     int count_ = 0;

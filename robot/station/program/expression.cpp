@@ -9,7 +9,7 @@
 namespace tiller::program {
 namespace {
 
-/// Words that begin or end statements, or name no value.
+/// Keywords that cannot be used as values.
 const QSet<QString>& statementWords() {
     static const QSet<QString> words{QStringLiteral("def"),          QStringLiteral("sec"),
                                      QStringLiteral("thread"),       QStringLiteral("end"),
@@ -32,7 +32,7 @@ const QSet<QString>& valueWords() {
     return words;
 }
 
-/// "DI3" as a call; empty when it is no label of a terminal.
+/// Converts "DI3" to a function call; empty when it is not a terminal label.
 QString terminalCall(const QString& word) {
     static const QRegularExpression label(QStringLiteral("^([DCT])([IO])([0-7])$|^A([IO])([01])$"));
     const QRegularExpressionMatch match = label.match(word);
@@ -68,7 +68,7 @@ Expression parseExpression(const QString& text) {
         return failed(ProgramText::tr("The expression is empty."));
     }
     if (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'))) {
-        return failed(ProgramText::tr("An expression is a single line."));
+        return failed(ProgramText::tr("An expression must be a single line."));
     }
     Expression result;
     QString open;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Expressions in steps are URScript on one line, with the terminals by their labels: "DI3 and count < 4", "AI0 > 2.5".
+// Expressions in steps are one-line URScript, with terminals written by their labels: "DI3 and count < 4",
+// "AI0 > 2.5".
 
 #include <QString>
 
@@ -12,20 +13,22 @@ struct Expression {
     QString error;   ///< translated; empty: none
 };
 
-/// Checks brackets, quotes and words; whether the names exist is found when the script is compiled.
+/// Checks brackets, quotes and keywords. Whether the names exist is checked when the script is compiled.
 Expression parseExpression(const QString& text);
 
-/// Whether each block of several lines of URScript has its own `end`, so that the lines can be part of a program.
+/// Returns whether each block of a multi-line script has its own `end`, so that the lines can be part of a
+/// program.
 bool hasWholeBlocks(const QString& script);
 
-/// Whether a variable may have that name; `why` is translated. Names that begin with "tiller_" are reserved.
+/// Returns whether the name is valid for a variable; `why` is translated. Names that begin with "tiller_" are
+/// reserved.
 bool isVariableName(const QString& name, QString* why = nullptr);
 
-/// A text as a string of URScript, in quotes. Line breaks become spaces.
+/// Quotes a text as a URScript string. Line breaks become spaces.
 QString scriptString(const QString& text);
-/// A text as part of a comment of URScript: one line of ASCII.
+/// Converts a text for a URScript comment: one line of ASCII.
 QString scriptComment(const QString& text);
-/// ASCII letters, digits and '_', not beginning with a digit, from any text.
+/// Converts any text to ASCII letters, digits and '_', not beginning with a digit.
 QString scriptName(const QString& text);
 
 }  // namespace tiller::program

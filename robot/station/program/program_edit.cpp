@@ -167,7 +167,7 @@ Program withMovedSteps(const Program& program, const QSet<QUuid>& ids, const Ste
     if (moved.empty() || (!at.section.isNull() && findStep(moved, at.section) != nullptr)) {
         return program;
     }
-    // Those in front of the new place, at its level, no longer count.
+    // The moved steps before the target row at the same level no longer count.
     const Steps* there = &program.steps;
     if (!at.section.isNull()) {
         const ProgramStep* section = findStep(program.steps, at.section);
@@ -212,7 +212,7 @@ Program withField(Program program, const QUuid& id, const QString& key, const QJ
 }
 
 QByteArray textOf(const Steps& steps) {
-    // The file format of a project with one program: there is one reader and one writer of steps.
+    // Uses the file format of a project with one program, so that steps have only one reader and one writer.
     project::Project carrier;
     Program program;
     program.id = QUuid::createUuid();

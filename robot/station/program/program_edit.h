@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Edits of a program's tree of steps, as functions from one program to the next.
+// Edits of a program's step tree, as functions that return a new program.
 
 #include <QByteArray>
 #include <QSet>
@@ -15,45 +15,47 @@ namespace tiller::program {
 
 using Steps = std::vector<project::ProgramStep>;
 
-/// Where steps are put: in front of the step at `row` of a section's steps, or behind the last.
+/// Position for inserting steps: before the step at `row` of a section, or after the last one.
 struct StepPosition {
     QUuid section;  ///< null: the top level
     int row = 0;    ///< 0 ... number of steps there
 };
 
-/// Null when the program has no such step.
+/// Null when the program does not contain the step.
 const project::ProgramStep* findStep(const Steps& steps, const QUuid& id);
-/// Nothing when the program has no such step.
+/// Nothing when the program does not contain the step.
 std::optional<StepPosition> positionOf(const project::Program& program, const QUuid& id);
 
-/// The steps with these ids in the order of the tree, each with what is in it; a step inside another of them is left out.
+/// The steps with these ids in tree order, each with its children; steps inside another selected step are
+/// omitted.
 Steps selectedSteps(const project::Program& program, const QSet<QUuid>& ids);
 
-/// Copies with new ids throughout.
+/// Copies with new ids for all steps.
 Steps withNewIds(Steps steps);
 
-/// Returns  the program as it was when the section does not exist, is no section, or the nesting becomes too deep
+/// Returns  the unchanged program when the section does not exist or is not a section, or the nesting becomes
+/// too deep
 project::Program withSteps(project::Program program, const StepPosition& at, const Steps& steps);
-/// Removes the steps and what is in them.
+/// Removes the steps and their children.
 project::Program withoutSteps(project::Program program, const QSet<QUuid>& ids);
-/// Moves the steps, in the order of the tree.
-/// Returns  the program as it was when `at` is inside one of them
+/// Moves the steps, in tree order.
+/// Returns  the unchanged program when `at` is inside one of them
 project::Program withMovedSteps(const project::Program& program, const QSet<QUuid>& ids,
                                 const StepPosition& at);
-/// The copies follow the last of the steps, at its level.
+/// The copies are inserted after the last of the steps, at its level.
 project::Program withDuplicates(const project::Program& program, const QSet<QUuid>& ids);
 /// Disables the steps, or enables them again.
 project::Program withDisabled(project::Program program, const QSet<QUuid>& ids, bool disabled);
-/// A field of a step; an undefined value removes it.
+/// Sets a field of a step; an undefined value removes it.
 project::Program withField(project::Program program, const QUuid& step, const QString& key,
                            const QJsonValue& value);
 
-/// Steps as text for the clipboard, readable by stepsFromText().
+/// Steps as text for the clipboard, read by stepsFromText().
 QByteArray textOf(const Steps& steps);
-/// With new ids; nothing where the text contains no steps.
+/// Returns the steps with new ids; nothing when the text contains no steps.
 std::optional<Steps> stepsFromText(const QByteArray& text);
 
-/// The values of a step in one line, in the units of the screen and with the names of waypoints and the like:
+/// The values of a step in one line, in display units and with the names of waypoints and other entities:
 /// "pick, 50 mm/s".
 QString summaryOf(const project::Project& project, const project::ProgramStep& step);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Why a program cannot run, at the step and field where it is wrong.
+// A problem that prevents a program from running, with its step and field.
 
 #include <QString>
 #include <QUuid>
@@ -12,7 +12,7 @@ namespace tiller::program {
 struct ProgramProblem {
     QUuid program;
     QUuid step;      ///< null: the program as a whole
-    int number = 0;  ///< of the step as in the step register; 0 where there is none
+    int number = 0;  ///< number in the step register; 0: none
     QString field;   ///< key of the field; empty: the step as a whole
     QString text;    ///< translated, a sentence
     friend bool operator==(const ProgramProblem&, const ProgramProblem&) = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a step can be. Each kind is a file in steps/ and a row of the table in step_kind.cpp.
+// The kinds of steps. Each kind is a file in steps/ and an entry of the table in step_kind.cpp.
 
 #include <QString>
 #include <span>
@@ -22,24 +22,25 @@ struct StepKind {
     StepGroup group = StepGroup::Structure;
     QString (*name)() = nullptr;  ///< translated
     std::vector<StepField> (*fields)() = nullptr;
-    /// Writes the script of the step and reports what is wrong with it beyond its fields, which are checked before.
+    /// Writes the script of the step and reports problems beyond those of its fields, which are checked
+    /// before.
     void (*write)(StepWriter& writer) = nullptr;
-    bool isSection = false;  ///< has steps in it
+    bool isSection = false;  ///< contains other steps
     bool moves = false;      ///< moves the arm, so it must not run in parallel
     bool takesTime = false;  ///< at least one control period
-    bool isMarker = false;   ///< changes nothing by itself: comment, else, case
-    /// Kinds that may come directly before it, and no others; empty: it may follow anything.
+    bool isMarker = false;   ///< has no effect on its own: comment, else, case
+    /// Kinds of which one must come directly before it; empty: any.
     std::vector<const char*> follows = {};
-    const char* inside = "";  ///< the only kind of section it may be in; empty: any
+    const char* inside = "";  ///< the kind of section that must contain it; empty: any
 };
 
-std::span<const StepKind* const> stepKinds();     ///< All of them, in the order of the palette.
-const StepKind* findStepKind(const QString& id);  ///< Null for a kind of a newer version.
+std::span<const StepKind* const> stepKinds();     ///< All kinds, in the order of the palette.
+const StepKind* findStepKind(const QString& id);  ///< Null for a kind from a newer version.
 
-/// A step of that kind with a new id and the initial values of its fields.
+/// Returns a step of that kind with a new id and initial field values.
 project::ProgramStep newStep(const StepKind& kind);
 
-/// The value of a field: the step's, else the initial one.
+/// The value of a field, or its initial value if not set.
 QJsonValue fieldValue(const project::ProgramStep& step, const StepField& field);
 
 }  // namespace tiller::program

@@ -12,12 +12,12 @@ namespace {
 
 using ActionKind = project::WaypointAction::Kind;
 
-/// Data that are older say nothing of the robot any more [ms].
+/// Robot data older than this are not used [ms].
 constexpr double kOldest = 100;
-/// A gripper that needs longer has something wrong [s].
-constexpr double kLongestGrip = 15;
-/// What the robot takes to report an output, at most [s].
-constexpr double kLongestConfirmation = 3;
+/// A gripper that takes longer than this has failed [s].
+constexpr double kMaxGripTime = 15;
+/// Maximum time until the robot reports a new output level [s].
+constexpr double kMaxConfirmation = 3;
 
 bool isGrip(const project::WaypointAction& action) {
     return action.kind == ActionKind::OpenGripper || action.kind == ActionKind::CloseGripper;
@@ -45,15 +45,15 @@ QString ActionStep::obstacle(const project::WaypointAction& action, const Grippe
 double ActionStep::longestOf(const project::WaypointAction& action) {
     switch (action.kind) {
         case ActionKind::SetOutput:
-            return kLongestConfirmation;
+            return kMaxConfirmation;
         case ActionKind::PulseOutput:
-            return 2 * kLongestConfirmation + action.seconds;
+            return 2 * kMaxConfirmation + action.seconds;
         case ActionKind::WaitForInput:
-            return action.seconds > 0 ? action.seconds : project::kLongestAction;
+            return action.seconds > 0 ? action.seconds : project::kMaxActionTime;
         case ActionKind::WaitTime:
             return action.seconds;
         default:
-            return kLongestGrip;
+            return kMaxGripTime;
     }
 }
 
@@ -65,7 +65,7 @@ std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uin
     if (action_.kind == ActionKind::PulseOutput) {
         asked.pulse = {action_.seconds, [order] { return order->holds.load(); }};
     }
-    port_.setOutputs(mask, values, tr("Go through"), asked);
+    port_.setOutputs(mask, values, tr("Run route"), asked);
     return order;
 }
 
@@ -122,8 +122,9 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
     return sentence(
-        (action_.value ? tr("%1 did not switch on within %2 s. Check what it depends on, then press again.")
-                       : tr("%1 did not switch off within %2 s. Check what it depends on, then press again."))
+        (action_.value
+             ? tr("%1 did not switch on within %2 s. Check the connected device, then press again.")
+             : tr("%1 did not switch off within %2 s. Check the connected device, then press again."))
             .arg(ActionWords::terminal(action_), seconds));
 }
 
@@ -147,10 +148,10 @@ Result<SequenceStep::State> ActionStep::holdRobotiq() {
         gripping_ = false;
         return *outcome ? Result<State>(State::Done) : outcome->error();
     }
-    if (elapsed() < kLongestGrip) {
+    if (elapsed() < kMaxGripTime) {
         return State::Going;
     }
-    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kLongestGrip));
+    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kMaxGripTime));
 }
 
 void ActionStep::end(control::StopCause) {

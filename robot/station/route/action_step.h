@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One action at a waypoint as a step of what a key holds: an output, a wait, the gripper. Nothing of it is sent once
-// the key is let go, and whatever would end a motion ends it too: the fingers of a Robotiq stand where they are, an
-// output that pulses goes back, also when the window hangs. Time is the robot's own, and inputs are looked at once a
-// frame: a change that is over within 16 ms may be missed.
+// One action at a waypoint as a step of a hold-to-run sequence: an output, a wait, or the gripper. Nothing is
+// sent after the key is released, and everything that ends a motion ends the action too: the fingers of a
+// Robotiq stop, and a pulsed output switches back, even if the window hangs. Times are measured with the
+// robot's clock. Inputs are checked once per frame, so a change shorter than 16 ms may be missed.
 
 #include <QCoreApplication>
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace tiller {
 
-/// What actions need of the robot besides motion.
+/// The functions of the robot that actions need, apart from motion.
 struct ActionPort {
     /// As RobotOutputs::setDigitalOutputs().
     std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what,
@@ -31,26 +31,27 @@ class ActionStep : public SequenceStep {
     Q_DECLARE_TR_FUNCTIONS(ActionStep)
 
 public:
-    /// port, state  must outlive it; the state is always the newest
+    /// port, state  must outlive the object; `state` must always be the current state
     ActionStep(const ActionPort& port, const SessionState& state, project::WaypointAction action);
     ~ActionStep() override;
 
-    /// Errors  Cancelled, with a sentence: there is no gripper, or it cannot move
+    /// Errors  Cancelled, with a sentence: no gripper, or it cannot move
     Result<void> begin(std::uint64_t stops) override;
-    /// Errors  Cancelled, with a sentence: an input did not come in time, an output was not set, the gripper failed
+    /// Errors  Cancelled, with a sentence: an input did not change in time, an output was not set, the
+    /// gripper failed
     Result<State> hold() override;
     void end(control::StopCause cause) override;
 
-    /// How long it may take [s].
+    /// Maximum duration of the action [s].
     static double longestOf(const project::WaypointAction& action);
-    /// Why it cannot be done with this gripper, as a sentence; empty when it can.
+    /// The reason why the action is not possible with this gripper, as a sentence; empty if it is.
     static QString obstacle(const project::WaypointAction& action, const GripperChoice& gripper);
 
 private:
-    /// One command to the outputs, shared with the worker that carries it out.
+    /// One command to the outputs, shared with the worker that executes it.
     struct Order {
         CancelToken token;
-        std::atomic<std::uint32_t> holds{0};  ///< grows while the key is held
+        std::atomic<std::uint32_t> holds{0};  ///< incremented while the key is held
         std::optional<Result<void>> result;
     };
     std::shared_ptr<Order> send(std::uint32_t mask, std::uint32_t values) const;
@@ -68,7 +69,7 @@ private:
     double beganAt_ = 0;  ///< robot's time [s]
     std::shared_ptr<Order> order_;
     CancelToken gripper_;
-    bool gripping_ = false;  ///< a Robotiq was sent somewhere, and is not there yet
+    bool gripping_ = false;  ///< a Robotiq is moving to a commanded position
 };
 
 }  // namespace tiller

@@ -22,8 +22,8 @@ QString ActionWords::of(const project::WaypointAction& action) {
                                 : tr("%1 off for %2 s").arg(pin, seconds);
         case Kind::WaitForInput:
             if (action.seconds > 0) {
-                return action.value ? tr("Wait until %1 is on, %2 s at most").arg(pin, seconds)
-                                    : tr("Wait until %1 is off, %2 s at most").arg(pin, seconds);
+                return action.value ? tr("Wait until %1 is on (max. %2 s)").arg(pin, seconds)
+                                    : tr("Wait until %1 is off (max. %2 s)").arg(pin, seconds);
             }
             return action.value ? tr("Wait until %1 is on").arg(pin) : tr("Wait until %1 is off").arg(pin);
         case Kind::WaitTime:

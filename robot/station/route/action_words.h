@@ -17,9 +17,9 @@ public:
     /// "DO 3 on", "CO 0 on for 0.5 s", "Wait for DI 2 off, at most 10 s", "Wait 2 s", "Close the gripper"
     static QString of(const project::WaypointAction& action);
     static QStringList of(const project::WaypointActions& actions);
-    /// "Set an output" ...; as many as there are kinds, in their order.
+    /// "Set an output" ...; one entry per kind, in their order.
     static QStringList kinds();
-    /// "DO 3", "TI 1"; an output's unless the action waits for an input.
+    /// "DO 3", "TI 1": an input if the action waits for one, otherwise an output.
     static QString terminal(const project::WaypointAction& action);
 };
 

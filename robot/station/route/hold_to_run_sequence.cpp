@@ -58,7 +58,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     if (id != id_ || step_ == nullptr) {
         return false;
     }
-    // Between two ways nothing moves that a stop would end: it ends the sequence all the same.
+    // A stop ends the sequence even between two moves, when there is no motion to stop.
     if (stops_() != stopsBefore_) {
         end(id, StopCause::ApiCall);
         return false;
@@ -76,7 +76,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     } else {
         step_.reset();
     }
-    // A stop that came first is no failure.
+    // A previous stop is not a failure.
     if (!goesOn && goesOn.error().code != ErrorCode::Stopped) {
         failed_(goesOn.error());
     }
@@ -107,7 +107,7 @@ Result<void> MoveStep::begin(std::uint64_t stops) {
         return begun.error();
     }
     id_ = *begun;
-    told_(toldOf_ = 0);
+    told_(reportedStep_ = 0);
     return {};
 }
 
@@ -117,8 +117,8 @@ Result<SequenceStep::State> MoveStep::hold() {
     if (!progress) {
         return progress.error();
     }
-    if (const int heading = progress->waypoint - 1; alive && heading > toldOf_) {
-        told_(toldOf_ = heading);
+    if (const int heading = progress->waypoint - 1; alive && heading > reportedStep_) {
+        told_(reportedStep_ = heading);
     }
     if (alive) {
         return State::Going;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Several things done one after the other under one press of one key: ways to go, and what is done between them.
-// Letting go, or whatever else ends the hold, ends the one under way and begins no other; neither does any that
-// would begin after a stop, whoever stopped.
+// A sequence of moves and actions that runs while one key is held. Releasing the key, or any other end of the
+// hold, ends the current step and starts no other. No step starts after a stop, whatever its cause.
 
 #include <cstdint>
 #include <functional>
@@ -14,37 +13,37 @@
 
 namespace tiller {
 
-/// One of them. It lives from its begin to its end.
+/// One step of a sequence. The object exists from its start to its end.
 class SequenceStep {
 public:
     enum class State {
         Going,
         Done,
-        Ended,  ///< by itself, before it was done: a stop, or the robot
+        Ended,  ///< ended early, by a stop or by the robot
     };
 
     virtual ~SequenceStep() = default;
-    /// stops  as MotionPort::stops when the key was pressed
+    /// stops  MotionPort::stops at the time of the press
     virtual Result<void> begin(std::uint64_t stops) = 0;
-    /// Keeps it alive, at least every 100 ms.
+    /// Keeps the step alive; call at least every 100 ms.
     virtual Result<State> hold() = 0;
-    /// Ends it before it is done: afterwards nothing of it goes on.
+    /// Ends the step early: nothing of it continues afterwards.
     virtual void end(control::StopCause cause) = 0;
 };
 
 class HoldToRunSequence {
 public:
-    /// The step that comes now; null when all are done. An error ends the sequence.
+    /// Returns the next step; null after the last. An error ends the sequence.
     using Next = std::function<Result<std::unique_ptr<SequenceStep>>()>;
-    /// Why it ended before its end, when that is not a stop.
+    /// Receives the error when the sequence ends early, except after a stop.
     using Failed = std::function<void(const Error&)>;
 
-    /// stops  how many there were: MotionPort::stops
+    /// stops  number of stops so far: MotionPort::stops
     HoldToRunSequence(std::function<std::uint64_t()> stops, Next next, Failed failed);
     ~HoldToRunSequence();
 
-    /// For the key.
-    /// bounds  asked when the first step has begun
+    /// The motion for the key.
+    /// bounds  queried after the first step has started
     HoldMotion motion(std::function<HoldBounds()> bounds);
     bool isActive() const { return step_ != nullptr; }
 
@@ -52,7 +51,7 @@ private:
     Result<HoldMotion::Id> begin();
     bool hold(HoldMotion::Id id);
     void end(HoldMotion::Id id, control::StopCause cause);
-    /// Returns  false when there is none, or it could not begin
+    /// Returns  false when there is no next step, or it could not start
     Result<bool> beginNext();
 
     std::function<std::uint64_t()> stops_;
@@ -63,10 +62,10 @@ private:
     std::uint64_t stopsBefore_ = 0;
 };
 
-/// A way to go: one move, or several blended into each other.
+/// A motion: one move, or several blended into each other.
 class MoveStep : public SequenceStep {
 public:
-    /// told  which of the moves is headed for, counted from 0; called when it changes
+    /// told  receives the index of the current move, from 0, whenever it changes
     MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> told);
     MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> told);
 
@@ -80,7 +79,7 @@ private:
     control::MotionPath path_;
     std::function<void(int)> told_;
     MotionPort::Id id_ = 0;
-    int toldOf_ = -1;
+    int reportedStep_ = -1;
 };
 
 }  // namespace tiller

@@ -22,7 +22,7 @@ namespace {
 /// A pause during teaching must not create a waypoint with a very low speed [rad/s].
 const double kSlowest = toRadians(2);
 
-/// Smaller changes are standstill [rad].
+/// Smaller changes count as standstill [rad].
 constexpr double kNoPath = 0.005;
 
 double largestTurn(const JointPositions& a, const JointPositions& b) {
@@ -107,7 +107,7 @@ void PathRecorder::take(const SampleBatch& batch) {
     lost_ += batch.lost;
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        // After a restart of the controller the time starts again: another motion.
+        // After a restart of the controller its clock starts again, so this is a new motion.
         if (shown_.size() > 0 && robot.timestamp() <= shown_.times.back()) {
             if (robot.timestamp() < shown_.times.back() - 1) {
                 Q_EMIT ended();
@@ -170,7 +170,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
 void PathRecorder::thin(project::Demonstration shown, int afterRow) {
     busy_ = true;
     Q_EMIT changed();
-    // In the worker, because the reduction evaluates thousands of positions repeatedly.
+    // Runs on the worker because the reduction repeatedly evaluates thousands of positions.
     worker_.post(this, [this, afterRow, shown = std::move(shown), dh = document_.robot().dh,
                         tcpOffset = tcpOffset_, tolerance = tolerance_](const CancelToken&) {
         const project::Demonstration moving = project::withoutPauses(shown);
@@ -260,7 +260,7 @@ Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows)
                                                  kinematics::forwardTcp(dh, q, point.tcpOffset)) /
                           point.toolSpeed;
             }
-            // Two equal positions still need increasing times.
+            // Equal positions still need increasing times.
             time = places.back().time + std::max(seconds, kExportPeriod);
         }
         places.push_back({time, q});

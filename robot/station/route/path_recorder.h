@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Record path": records the motion of the arm, guided by hand or jogged, between two presses of the button, and
-// reduces it to waypoints within a stated tolerance. Recording does not move the arm. Also imports and exports
-// demonstrations.
+// "Record path": records the motion of the arm, guided by hand or jogged, between two presses of the button,
+// and reduces it to waypoints within a given tolerance. Recording does not move the arm. Also imports and
+// exports demonstrations.
 
 #include <QObject>
 #include <memory>
@@ -56,9 +56,9 @@ Q_SIGNALS:
     void changed();
     /// The recording ended: no more data, or maximum duration. Call stop() to keep it.
     void ended();
-    /// A path was added: a sentence about the recording and the result.
+    /// A path was added; `text` describes the recording and the result.
     void kept(const QString& summary);
-    /// No path was added, with the reason.
+    /// No path was added; carries the reason.
     void refused(const QString& reason, const QString& details);
 
 private:
@@ -76,7 +76,7 @@ private:
     bool busy_ = false;
     std::uint64_t lost_ = 0;
     int shownSecond_ = -1;
-    SerialExecutor worker_;  // last: its jobs use what stands above
+    SerialExecutor worker_;  // last member: its jobs use the members above
 };
 
 }  // namespace tiller

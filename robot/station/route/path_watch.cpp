@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPathLookMs = 40;
 constexpr int kAtOnceMs = 4;             ///< time limit per update
-constexpr double kSamePosition = 0.002;  ///< [rad] of the joint that moved most
+constexpr double kSamePosition = 0.002;  ///< minimum change of any joint [rad]
 
 }  // namespace
 

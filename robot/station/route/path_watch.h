@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks for each waypoint whether the arm may move to it from its current position, a few waypoints at a time, so
-// that no frame has to wait for all.
+// Checks for each waypoint whether the arm may move to it from its current position, a few waypoints per
+// frame, so that no frame has to wait for all of them.
 
 #include <QObject>
 #include <QTimer>
@@ -21,16 +21,16 @@ class PathWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// Whether Go to would be refused in this row.
+    /// Returns an error if Go to would be refused for this row.
     using Permits = std::function<Result<void>(int row)>;
-    /// All must outlive it.
+    /// Both must outlive the object.
     PathWatch(const ProjectDocument& document, Permits permits, QObject* parent = nullptr);
 
     void setState(const SessionState& state);
 
 Q_SIGNALS:
-    /// A waypoint was looked at.
-    /// limit  why the arm would be refused to go there, as a sentence; empty when it would not
+    /// A waypoint was checked.
+    /// limit  the reason why the move would be refused, as a sentence; empty if it is allowed
     void looked(const QUuid& waypoint, const QString& limit);
 
 private:

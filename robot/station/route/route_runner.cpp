@@ -16,7 +16,7 @@ namespace {
 /// Two blends must not overlap: each ends before the middle of the segment [fraction].
 constexpr double kBlendShare = 0.49;
 /// Smaller blends are ignored [m].
-constexpr double kLeastBlend = 1e-4;
+constexpr double kMinBlend = 1e-4;
 /// Number of segments examined in detail to estimate the total duration.
 constexpr int kLookedAt = 32;
 
@@ -47,7 +47,7 @@ RouteRunner::RouteRunner(const MotionPort& port, const ActionPort& actions, cons
           [this](const Error& error) { fail(error); }) {}
 
 QString RouteRunner::whyNot(const Error& error) {
-    // These are sentences already.
+    // These errors are already complete sentences.
     const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
     return said && error.controllerMessage.isEmpty() ? error.context : texts::errorText(error);
 }
@@ -59,7 +59,7 @@ HoldMotion RouteRunner::motion(Way way) {
     HoldMotion motion = sequence.motion([this, way] { return bounds(way); });
     motion.begin = [this, way, begin = std::move(motion.begin)]() -> Result<HoldMotion::Id> {
         if (way != Way::StepBack && route_.isDone()) {
-            route_.beginAnew();
+            route_.restartRoute();
         }
         const QString why = obstacle(way);
         if (const QString all = why.isEmpty() ? actionObstacle(way) : why; !all.isEmpty()) {
@@ -76,7 +76,7 @@ HoldMotion RouteRunner::motion(Way way) {
         }
         return begin();
     };
-    // At any end, no action is active.
+    // When the motion ends for any reason, no action is active.
     motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
         const bool alive = hold(id);
         if (!alive) {
@@ -155,7 +155,7 @@ std::optional<int> RouteRunner::firstPlace(Way way) const {
 
 QString RouteRunner::obstacle(Way way) const {
     if (route_.size() == 0) {
-        return tr("There are no waypoints to go through. Teach or select waypoints first.");
+        return tr("The route has no waypoints. Teach or select waypoints first.");
     }
     const std::optional<int> first = firstPlace(way);
     if (!first) {
@@ -183,7 +183,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// Which gripper there is may change at any time: asked at the press only.
+/// The gripper may change at any time, so it is checked only at the press.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -200,7 +200,8 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// What leads into a collision is not begun. Those that are not looked at are checked when their turn comes.
+/// A route that leads into a collision is not started. Moves beyond those examined here are checked when they
+/// start.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
     SessionState from = state_;
@@ -216,11 +217,11 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The places that are gone to without a stop between them.
+/// The waypoints from `place` on that are passed without a stop.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
-           document_.waypoints().at(rowOf(leg.last())).blend >= kLeastBlend &&
+           document_.waypoints().at(rowOf(leg.last())).blend >= kMinBlend &&
            document_.waypoints().at(rowOf(leg.last())).actions.empty()) {
         leg << leg.last() + 1;
     }
@@ -277,7 +278,7 @@ control::MotionPath RouteRunner::pathOf(const QVector<int>& leg,
                                                    (places[i + 2] - places[i + 1]).norm());
         const double blend =
             std::min(document_.waypoints().at(rowOf(leg[static_cast<qsizetype>(i)])).blend, room);
-        path[i].blend = blend < kLeastBlend ? 0 : blend;
+        path[i].blend = blend < kMinBlend ? 0 : blend;
     }
     return path;
 }
@@ -307,7 +308,7 @@ void RouteRunner::endActing() {
     acting_.reset();
 }
 
-/// The step that was under way has come to its end.
+/// Completes the current step.
 void RouteRunner::finishStep(Way way) {
     if (acting_) {
         done_.push_back(*acting_);
@@ -330,10 +331,10 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// Of the coming one, where the arm has come; null when all is done there.
+/// The next action of the waypoint that the arm has reached; null when all are done.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
-    // After an edit of the actions, all are executed again.
+    // After an edit of the actions, all of them are executed again.
     if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
         done_.clear();
     }
@@ -408,10 +409,10 @@ HoldBounds RouteRunner::bounds(Way way) const {
         }
     }
     HoldBounds bounds;
-    bounds.silenceNs = HoldBounds::silenceAt(linear, angular);
-    // A loop has no end of its own.
+    bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(linear, angular);
+    // A loop has no maximum duration.
     if (way != Way::Through || !route_.isLoop()) {
-        // The remaining moves may take twice as long as the examined ones.
+        // The remaining moves may take up to twice as long as the examined ones.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
             acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Go through": moves through the waypoints of a route while a button is held, each with its move type, its speed
+// "Run route": moves through the waypoints of a route while a button is held, each with its move type, its speed
 // (limited by the selected one), and its blend. Releasing the button pauses: the next press continues to the next
 // waypoint, and two more buttons move one waypoint forward or back. Waypoints with a blend are combined into one
 // path of the controller; where the arm stops anyway or an action is executed, each segment is a separate move.
@@ -31,9 +31,9 @@ class RouteRunner : public QObject {
 public:
     enum class Way { Through, StepOn, StepBack };
 
-    /// All must outlive it.
-    /// state      where the arm is now
-    /// heldSpeed  the speed that every move keeps below, asked at each
+    /// All references must outlive the object.
+    /// state      the current state of the arm
+    /// heldSpeed  maximum speed of every move, queried for each
     RouteRunner(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
                 const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
                 QObject* parent = nullptr);
@@ -57,9 +57,9 @@ public:
     /// The reason why the route does not allow this direction, as a sentence; empty if it does. Independent of the
     /// robot.
     QString obstacle(Way way) const;
-    /// The text for an error at the start or during the motion.
+    /// Text for an error at the start or during the motion.
     static QString whyNot(const Error& error);
-    /// The move that a press would start with, or the current one.
+    /// The move that a press would start, or the current one.
     Result<MoveRequest> firstMove(Way way) const;
 
 Q_SIGNALS:

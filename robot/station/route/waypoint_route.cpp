@@ -5,7 +5,7 @@ namespace tiller {
 
 void WaypointRoute::setWaypoints(const QVector<QUuid>& ids) {
     ids_ = ids;
-    beginAnew();
+    restartRoute();
 }
 
 void WaypointRoute::follow(const QVector<QUuid>& ids) {
@@ -16,7 +16,7 @@ void WaypointRoute::follow(const QVector<QUuid>& ids) {
     const auto place = ids.indexOf(coming);
     ids_ = ids;
     if (!underWay_ || coming.isNull() || place < 0) {
-        beginAnew();
+        restartRoute();
     } else {
         headOnTo(static_cast<int>(place));
     }
@@ -30,7 +30,7 @@ void WaypointRoute::setLoop(bool loop) {
     }
 }
 
-void WaypointRoute::beginAnew() {
+void WaypointRoute::restartRoute() {
     underWay_ = false;
     cameRound_ = false;
     on_ = ids_.isEmpty() ? std::nullopt : std::optional(0);
@@ -56,7 +56,7 @@ std::optional<int> WaypointRoute::previous(int place) const {
     if (place > 0) {
         return place - 1;
     }
-    // Before the first round there is nothing that was gone.
+    // Before the first round of a loop, no waypoint has been passed.
     return loop_ && cameRound_ ? std::optional(size() - 1) : std::nullopt;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints that "Go through" goes through, in their order, and how far it has come: which one is the coming one,
-// and which one is a step back. Places count from 0; nothing here moves anything.
+// The waypoints of "Run route" in their order, and the progress along them: the next waypoint forward and
+// the next one back. Indices count from 0. This class only keeps the state; it moves nothing.
 
 #include <QUuid>
 #include <QVector>
@@ -14,7 +14,7 @@ class WaypointRoute {
 public:
     /// Restarts before the first waypoint.
     void setWaypoints(const QVector<QUuid>& ids);
-    /// After an edit of the list: the coming one stays the coming one; where it has gone the route begins anew.
+    /// After an edit of the list: keeps the next waypoint; restarts the route if it was removed.
     void follow(const QVector<QUuid>& ids);
     /// The first waypoint follows the last one.
     void setLoop(bool loop);
@@ -28,7 +28,7 @@ public:
     std::optional<int> before() const;
     /// True after a waypoint was passed, until the restart.
     bool isUnderWay() const { return underWay_; }
-    /// True behind the last.
+    /// True after the last waypoint.
     bool isDone() const { return underWay_ && !coming(); }
 
     /// The arm is on its way to the waypoint.
@@ -36,7 +36,7 @@ public:
     void headBackTo(int place);
     /// The arm has reached the waypoint.
     void reach(int place);
-    void beginAnew();
+    void restartRoute();
 
 private:
     std::optional<int> next(int place) const;
@@ -45,7 +45,7 @@ private:
     QVector<QUuid> ids_;
     bool loop_ = false;
     bool underWay_ = false;
-    bool cameRound_ = false;  ///< from the last to the first at least once
+    bool cameRound_ = false;  ///< passed from the last waypoint to the first at least once
     std::optional<int> on_;
     std::optional<int> back_;
 };

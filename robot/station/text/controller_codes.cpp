@@ -17,7 +17,7 @@ public:
         const char* meaning;
         const char* action;
     };
-    // Only numbers whose meaning is documented publicly. Source: the manufacturer's error code directory
+    // Only codes with a publicly documented meaning. Source: the manufacturer's error code directory
     static constexpr auto kRows = std::to_array<Row>({
         {150, QT_TR_NOOP("Near a joint limit"), QT_TR_NOOP("A joint came close to the end of its range."),
          QT_TR_NOOP("Jog the joint back, and plan the move away from the limit.")},
@@ -33,8 +33,7 @@ public:
         {154, QT_TR_NOOP("Singularity"),
          QT_TR_NOOP("The linear move passes through a singularity of the arm."),
          QT_TR_NOOP("Jog individual joints out of it; use MoveJ through this region.")},
-        {155, QT_TR_NOOP("Cannot hold its position"),
-         QT_TR_NOOP("The arm sagged or was pushed at standstill."),
+        {155, QT_TR_NOOP("Cannot hold position"), QT_TR_NOOP("The arm sagged or was pushed at standstill."),
          QT_TR_NOOP("Check payload, centre of gravity and mounting.")},
         {156, QT_TR_NOOP("Wrong payload or mounting"),
          QT_TR_NOOP(
@@ -58,7 +57,7 @@ public:
          QT_TR_NOOP("Reduce the acceleration, or smooth the path.")},
         {209, QT_TR_NOOP("Protective stop requested by a program"),
          QT_TR_NOOP("The running program requested the stop."),
-         QT_TR_NOOP("See the messages of the program before this one.")},
+         QT_TR_NOOP("See the preceding messages of the program.")},
         {210, QT_TR_NOOP("Robot is in Local control"),
          QT_TR_NOOP("A script was sent, but the robot accepts commands from its teach pendant only."),
          QT_TR_NOOP("Switch to Remote control on the teach pendant.")},
@@ -70,7 +69,7 @@ public:
                 return {tr(row.title), tr(row.meaning), tr(row.action), true};
             }
         }
-        return {tr("Controller message C%1").arg(code), tr("The controller reported this number."),
+        return {tr("Controller message C%1").arg(code), tr("The controller reported this message code."),
                 tr("Look up C%1 in the manufacturer's error code directory.").arg(code), false};
     }
 };

@@ -9,13 +9,13 @@ namespace tiller {
 
 struct CodeWords {
     QString title;    ///< "Collision"
-    QString meaning;  ///< event noticed by the controller
+    QString meaning;  ///< event reported by the controller
     QString action;   ///< suggested action
     bool known = false;
 };
 
-/// code  as in ControllerMessage::code: 153 for C153. Numbers without an entry of their own give words for
-///       their kind, and the advice to look the number up.
+/// code  as in ControllerMessage::code: 153 for C153. Codes without an entry return a text for their kind,
+/// and the advice to look up the code.
 CodeWords controllerCode(int code);
 
 }  // namespace tiller

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Numbers as the screen shows them: SI in, degrees out, a true minus sign, a fixed number of digits, and the
-// unit behind. Lengths and speeds stand in notation.h: their unit is the operator's choice. Nothing here
-// depends on the system's locale: a decimal point is a point everywhere.
+// Formats numbers for the screen: SI units in, degrees out, a true minus sign, a fixed number of digits, and
+// the unit. Lengths and speeds are in notation.h because the operator can choose their unit. The decimal
+// separator is that of the window language, not of the system's locale.
 
 #include <QString>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tiller::format {
 
 /// "−12.40", "12.40"; never "−0.00". Not a number gives "–".
 QString number(double value, int digits);
-/// As number(), with '+' in front of what is above zero.
+/// As number(), with '+' before positive values.
 QString signedNumber(double value, int digits);
 
 /// radians -> "−88.24°"
@@ -25,7 +25,7 @@ QString percent(double fraction);
 /// radians per second -> "60 °/s"
 QString degreesPerSecond(double radiansPerSecond);
 
-/// 96000 -> "96 000" (thin groups of three)
+/// 96000 -> "96 000" (thin spaces between groups of three)
 QString grouped(std::uint64_t value);
 /// seconds -> "00:03:12"
 QString duration(double seconds);

@@ -14,7 +14,7 @@ struct Row {
     const char* advice;
 };
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct ModeWordsText {
     Q_DECLARE_TR_FUNCTIONS(ModeWords)
 };
@@ -50,8 +50,9 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::Running, QT_TRANSLATE_NOOP("ModeWords", "Running"),
      QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm is at standstill.")},
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The joints' firmware is being updated. Keep the power on until it is done.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "The joints' firmware is being updated. Keep the power on until the update is complete.")},
 });
 
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
@@ -178,7 +179,7 @@ ModeWords runtimeWords(RuntimeState state) {
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {
     if (status == SafetyMode::Undefined) {
-        return mode;  // software before 3.10 and 5.4 has none
+        return mode;  // not available in software before 3.10 and 5.4
     }
     return allowsMotion(status) && !allowsMotion(mode) ? mode : status;
 }

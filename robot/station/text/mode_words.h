@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What each mode of the controller is called on screen, and what it asks of the operator: one table for each
-// enumeration, so that no mode is without words and no two share them.
+// Names of the controller modes on screen, and the suggested action: one table per enumeration, so that every
+// mode has a text and no two share one.
 
 #include <QString>
 
@@ -19,8 +19,8 @@ ModeWords robotModeWords(RobotMode mode);
 ModeWords safetyWords(SafetyStatus status);
 ModeWords runtimeWords(RuntimeState state);
 
-/// What to show of the two safety values a controller sends. The status tells causes apart; where the two
-/// disagree about whether the arm may move, the one that says no is right.
+/// Selects which of the two safety values of a controller to show. The status distinguishes causes; if the
+/// two disagree about whether the arm may move, the one that forbids motion takes precedence.
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status);
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Why a move ends before its end, as a sentence, and the names of the arm's parts.
+// Sentences for the reason why a move is cut short, and the names of the arm's parts.
 
 #include <QString>
 
@@ -10,18 +10,18 @@
 
 namespace tiller {
 
-/// "Forearm meets “crate” after 62 % of the path".
+/// "Forearm collides with “crate” after 62 % of the path".
 /// Threads  any
 QString limitText(const collision::MoveLimit& limit, const collision::Surroundings& surroundings);
 
-/// "“crate”", "the floor": a number of the surroundings, as collision::Contact::other.
+/// "“crate”", "the floor": name of the object with this index in the cell, as in collision::Contact::other.
 QString surroundingsText(collision::Contact::With with, int other,
                          const collision::Surroundings& surroundings);
 
 /// Why the object cannot be checked, with the corrective actions; without the final period.
 QString unplacedText(const collision::UnplacedObject& object);
 
-/// The same for what slows a jog down: "Upper arm", "“crate”".
+/// As above, for the cause of a slowed-down jog: "Upper arm", "“crate”".
 QString limiterText(const control::Limiter& limiter, const collision::Surroundings& surroundings);
 
 /// "Forearm"; the tool for collision::kToolLink.

@@ -97,7 +97,7 @@ std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector) {
     return texts;
 }
 
-std::array<QString, 3> rotationFigures(const Eigen::Vector3d& rotationVector) {
+std::array<QString, 3> rotationNumbers(const Eigen::Vector3d& rotationVector) {
     std::array<QString, 3> turns = rotation(rotationVector);
     for (const std::size_t i : {0U, 1U}) {
         if (turns[i].endsWith(QChar(0xB0))) {
@@ -114,7 +114,7 @@ QString position(const Eigen::Vector3d& metres) {
 }
 
 QString pose(const Pose& pose) {
-    const std::array<QString, 3> turns = rotationFigures(pose.rotation);
+    const std::array<QString, 3> turns = rotationNumbers(pose.rotation);
     return QStringLiteral("%1 RX %2 RY %3 RZ %4").arg(position(pose.position), turns[0], turns[1], turns[2]);
 }
 

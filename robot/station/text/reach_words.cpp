@@ -6,7 +6,7 @@
 namespace tiller {
 namespace {
 
-/// The context under which translators find the texts of this file.
+/// Translation context of this file, found by lupdate.
 struct WaypointModelText {
     Q_DECLARE_TR_FUNCTIONS(tiller::WaypointModel)
 };

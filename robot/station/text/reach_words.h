@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Why the arm cannot reach a waypoint, in a word and as a sentence.
+// The reason why the arm cannot reach a waypoint, as a short label and as a sentence.
 
 #include <QString>
 

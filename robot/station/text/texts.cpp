@@ -8,12 +8,12 @@
 namespace tiller::texts {
 namespace {
 
-/// The texts of this file for the translators: lupdate finds them by this name.
+/// Translation context of this file, found by lupdate.
 struct TextsText {
     Q_DECLARE_TR_FUNCTIONS(Texts)
 };
 
-/// What to do about it; empty where the happening explains itself.
+/// Suggested action; empty if the error text is sufficient.
 QString advice(ErrorCode code) {
     switch (code) {
         case ErrorCode::AddressInvalid:
@@ -37,7 +37,7 @@ QString advice(ErrorCode code) {
                 "No more data received. Check the cable. Tiller reconnects automatically; motion does not "
                 "resume.");
         case ErrorCode::ProtocolError:
-            return TextsText::tr("The answer violates the RTDE protocol. Check address and port.");
+            return TextsText::tr("The response violates the RTDE protocol. Check address and port.");
         case ErrorCode::VersionUnsupported:
             return TextsText::tr("The robot's software is too old for this.");
         case ErrorCode::FieldUnknown:
@@ -144,7 +144,7 @@ QString happening(ErrorCode code) {
 
 QString errorText(const Error& error) {
     if (error.context.endsWith(QLatin1Char('.')) && error.controllerMessage.isEmpty()) {
-        return error.context;  // a whole sentence of our own
+        return error.context;  // already a complete sentence
     }
     QString text = happening(error.code);
     if (!error.context.isEmpty()) {
@@ -234,8 +234,7 @@ QString safetyModeObstacle(SafetyMode mode) {
 
 QString monitorOnlyObstacle() {
     return TextsText::tr(
-        "Monitor only: this window changes nothing on the robot. It is set in Settings or with "
-        "--monitor-only.");
+        "Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.");
 }
 
 QString remoteObstacle() {

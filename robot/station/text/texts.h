@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for codes of the backend: event, cause and suggested action.
+// Texts for error codes of the backend: event, cause and suggested action.
 
 #include <QString>
 
@@ -11,19 +11,19 @@
 
 namespace tiller::texts {
 
-/// "The robot at 192.168.0.10:30004 refused the connection. Switch the service on: ..."
+/// "Connection refused: 192.168.0.10:30004. Enable the interface on the robot: ..."
 QString errorText(const Error& error);
-/// "released", "pointer left the key"; for "Jog stopped: ...".
+/// "released", "pointer left the key"; for messages about a stop.
 QString stopCauseText(control::StopCause cause);
-/// Why the arm cannot be moved in this robot mode, with the next step; empty when it can.
+/// The reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);
 /// As above, for a safety mode.
 QString safetyModeObstacle(SafetyMode mode);
 /// The reason why no command is sent to the robot in monitor-only mode, with the solution.
 QString monitorOnlyObstacle();
-/// Why a robot that is in Local cannot be commanded, with the next step.
+/// The reason why a robot in Local control accepts no commands, with the suggested action.
 QString remoteObstacle();
-/// Why control is not ours.
+/// The reason why the robot is not under control.
 QString controlLossText(control::ControlLoss loss);
 
 }  // namespace tiller::texts

@@ -22,14 +22,15 @@ constexpr milliseconds kCustomConnectTime(5000);
 constexpr milliseconds kProgramStart(5000);
 constexpr milliseconds kCustomManualStart(60000);
 constexpr milliseconds kProgramEnd(5000);
-// No time limit: with the speed slider at 2 %, a move of a minute takes an hour.
+// No time limit: with the speed slider at 2 %, a move of one minute takes almost an hour.
 constexpr milliseconds kEver = std::chrono::hours(24 * 365);
 
 const auto never = [](const RegisterState&) { return false; };
 const auto isPlaying = [](const RegisterState& state) { return state.isPlaying(); };
 const auto hasEnded = [](const RegisterState& state) { return state.hasEnded(); };
 
-// Whether it is a complete user program; the built-in program is only the text between `def` and `end`.
+// Returns whether it is a complete user program; the built-in program is only the text between `def` and
+// `end`.
 bool isWhole(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -218,8 +219,7 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
         }
     }
     if (!tool.removeUnsupportedFunctions(text) || !tool.scanAndInjectAdditionalScriptCode(text)) {
-        throw std::runtime_error("The script " + scriptFile_ +
-                                 " has a version mark that cannot be understood");
+        throw std::runtime_error("The script " + scriptFile_ + " contains an invalid version mark");
     }
     if (!link.beginHeartbeat()) {
         throw std::runtime_error("Another client owns input_int_register_" +
@@ -359,7 +359,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
               current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
-        // No caller waits for it any more: it must not continue.
+        // No caller waits for the motion any more, so it must not continue.
         end();
         throw;
     }
@@ -437,7 +437,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         return std::nullopt;
     }
     RegisterLink& robot = *current;
-    // Two reasons to end the wait other than a broken connection.
+    // Two reasons to end the wait, apart from a broken connection.
     const auto hopeless = [&](const RegisterState& state) {
         return state.isStopped() || (!mayBeStopped && !state.isPlaying()) ||
                (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
@@ -483,7 +483,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         }
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
-        // No caller waits for it any more: it must not continue.
+        // No caller waits for the motion any more, so it must not continue.
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
         robot.clear(command.id);
@@ -511,7 +511,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         };
         const bool ready = !isSilent(robot.state()) && isReady(robot, isSilent);
         if (hopeless(robot.state())) {
-            say("no program runs that could be stopped");
+            say("no program is running that could be stopped");
             clearUnlessStopping(robot);
             return false;
         }

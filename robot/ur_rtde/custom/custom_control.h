@@ -15,7 +15,7 @@ namespace tiller::urrtde {
 
 class CustomControl final : public ControlBackend {
 public:
-    /// Connects; sends the file, or waits for a program that is started by other means. Throws as
+    /// Connects, and sends the file or waits for a program that is started by other means. Throws as
     /// RTDEControlInterface.
     /// file  empty: none is sent
     CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);

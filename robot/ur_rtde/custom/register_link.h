@@ -65,8 +65,8 @@ public:
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
     RegisterState state() const;
-    /// Waits for a package for which `done` returns true, or until `giveUp` returns true. Several packages may be
-    /// evaluated together, so that short events need a counter in the state.
+    /// Waits for a package for which `done` returns true, or until `giveUp` returns true. Several packages
+    /// may be evaluated together, so that short events need a counter in the state.
     /// Returns  the last result of `done`
     bool wait(const std::function<bool(const RegisterState&)>& done,
               const std::function<bool(const RegisterState&)>& giveUp, std::chrono::milliseconds atMost);
@@ -81,11 +81,11 @@ public:
     bool clear();
     /// As clear(), unless another command was sent meanwhile.
     bool clear(CommandId command);
-    /// Whether this is the last command sent.
+    /// Returns whether this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }
     /// Sends a command without a waiting caller, and "no command" when it is done or the program has ended.
     bool sendAlone(int recipe, const std::vector<double>& values);
-    /// Whether such a command is active. Another command replaces it.
+    /// Returns whether such a command is active. Another command replaces it.
     bool isCommandAlone() const { return alone_ != 0; }
     void forgetCommandAlone() { alone_ = 0; }
     /// Sends a heartbeat at least every 20 ms from now on, while the connection exists.

@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-6;
 // For velocities of single axes: above the fastest wrist (2 pi).
 constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
-constexpr double kLeast = 1e-6;  // of speeds and accelerations: with 0 a move would never end
+constexpr double kMinValue = 1e-6;  // of speeds and accelerations: with 0 a move would never end
 constexpr double kReach =
     10.0;  // three times the reach of the largest arm; values in millimetres are usually larger
 constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
@@ -118,13 +118,13 @@ void twist(const std::string& name, const List& xd) {
 
 void jointMove(double speed, double acceleration, const control::JointLimits& arm) {
     const double fastest = *std::max_element(arm.maxSpeed.begin(), arm.maxSpeed.end());
-    inRange("speed", speed, kLeast, fastest, "rad/s", kDegrees);
-    inRange("acceleration", acceleration, kLeast, UR_JOINT_ACCELERATION_MAX, "rad/s2", kDegrees);
+    inRange("speed", speed, kMinValue, fastest, "rad/s", kDegrees);
+    inRange("acceleration", acceleration, kMinValue, UR_JOINT_ACCELERATION_MAX, "rad/s2", kDegrees);
 }
 
 void toolMove(double speed, double acceleration) {
-    inRange("speed", speed, kLeast, UR_TOOL_VELOCITY_MAX, "m/s", kMillimetres);
-    inRange("acceleration", acceleration, kLeast, UR_TOOL_ACCELERATION_MAX, "m/s2", kMillimetres);
+    inRange("speed", speed, kMinValue, UR_TOOL_VELOCITY_MAX, "m/s", kMillimetres);
+    inRange("acceleration", acceleration, kMinValue, UR_TOOL_ACCELERATION_MAX, "m/s2", kMillimetres);
 }
 
 void flags(const char* name, const std::vector<int>& values, std::size_t size) {

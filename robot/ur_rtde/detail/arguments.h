@@ -16,11 +16,11 @@ using List = std::vector<double>;
 
 void number(const char* name, double value, double lowest, double highest, const char* unit = "");
 void integer(const char* name, int value, int lowest, int highest);
-/// A list with this number of values.
+/// Checks for a list with this number of values.
 void list(const std::string& name, const List& values, std::size_t size);
 void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
                 const char* hint = "");
-/// The union of all arms' limits, for use while the arm is not known.
+/// The widest limits of all arms, for use while the arm is not known.
 control::JointLimits anyArm();
 /// 6 angles within the limits of the arm [rad]; larger values are probably in degrees.
 void joints(const std::string& name, const List& q, const control::JointLimits& arm);

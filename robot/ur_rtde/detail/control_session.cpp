@@ -61,7 +61,7 @@ void Pendant::connect() {
 }
 
 void Pendant::disconnect() {
-    // A call to a dashboard that does not respond keeps its socket a little longer.
+    // An outstanding call to an unresponsive dashboard keeps its socket a little longer.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock()) {
         client_.reset();
     }
@@ -165,7 +165,8 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // Any running program: ours, of an earlier client, or one with ur_rtde's registers, now or later.
+    // True for any running program: ours, that of an earlier client, or one with ur_rtde's registers, now or
+    // later.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);
@@ -196,7 +197,7 @@ std::string ControlSession::lastError() const {
     return backend()->lastError();
 }
 
-// On standard error, as in ur_rtde.
+// Printed on standard error, as in ur_rtde.
 void ControlSession::keepError(const std::string& text) {
     std::cerr << "RTDEControlInterface: " << text << std::endl;
     const std::lock_guard lock(mutex_);

@@ -23,8 +23,8 @@ constexpr milliseconds kProgramTime(5000);
 constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
 // Time without data after which the connection counts as broken. The robot has ended all motions long before.
-constexpr milliseconds kSilence(2500);
-// Softer than the defaults of the controller, as in ur_rtde.
+constexpr milliseconds kDataTimeout(2500);
+// Lower values than the defaults of the controller, as in ur_rtde.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
 constexpr double kGentlestBrake = 0.1;  ///< minimum of robot/control
 constexpr double kUsualBrake = 10.0;    ///< [m/s2] for calls without a deceleration argument
@@ -133,7 +133,7 @@ std::string insideOf(const QString& program) {
 
 }  // namespace
 
-// ---- life -----------------------------------------------------------------------------------------------
+// ---- connection -----------------------------------------------------------------------------------------
 
 NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server)
     : options_(options), pendant_(pendant), server_(server), controller_([&] {
@@ -146,8 +146,8 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.limits.tcpSpeed = control::kNoCap;
         wanted.limits.tcpRotationSpeed = control::kNoCap;
         wanted.limits.jointSpeed = control::kNoCap;
-        wanted.dataTimeout = kSilence;
-        wanted.connectionTimeout = kSilence;
+        wanted.dataTimeout = kDataTimeout;
+        wanted.connectionTimeout = kDataTimeout;
         wanted.force = kCalmForce;
         wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the pendant
         if (server != nullptr) {
@@ -169,8 +169,9 @@ NativeControl::~NativeControl() {
 }
 
 void NativeControl::connect() {
-    const bool byHand = server_ != nullptr;
-    const auto taken = controller_.takeControl(within(byHand ? kManualStart : kConnectTime + kProgramTime));
+    const bool byOperator = server_ != nullptr;
+    const auto taken =
+        controller_.takeControl(within(byOperator ? kManualStart : kConnectTime + kProgramTime));
     if (!taken) {
         raiseUnconnected(taken.error(), controller_.version().major > 0);
     }
@@ -206,7 +207,7 @@ std::string NativeControl::lastError() const {
     return error_;
 }
 
-// On standard error, as in ur_rtde; repeated failures in a loop are printed once.
+// Printed on standard error, as in ur_rtde; repeated failures in a loop are printed once.
 NativeControl::Outcome NativeControl::failed(const Error& error) {
     const std::string text = error.toString().toStdString();
     const std::lock_guard lock(state_);
@@ -242,8 +243,8 @@ NativeControl::TurnLock NativeControl::takeTurn() {
     }
     if (stops != stopsMade_) {
         turn.unlock();
-        failed({ErrorCode::Stopped, QStringLiteral("wait for the motion before"),
-                QStringLiteral("a stop came first")});
+        failed({ErrorCode::Stopped, QStringLiteral("wait for the previous motion"),
+                QStringLiteral("interrupted by a stop")});
     }
     return turn;
 }
@@ -294,7 +295,7 @@ NativeControl::Outcome NativeControl::begin(const Result<control::Motion>& motio
     return outcome(ended);
 }
 
-// No caller waits for it any more: it must not continue.
+// No caller waits for the motion any more, so it must not continue.
 void NativeControl::interrupted() {
     constexpr double kBrake = 4.0;
     (void)motions_.stopJ(kBrake);
@@ -437,7 +438,7 @@ bool NativeControl::stream(const RecipeCommand& command) {
     }
 }
 
-// Often called in every cycle; unchanged values are not sent again.
+// Often called in every cycle, so unchanged values are not sent again.
 bool NativeControl::forceMode(const List& v) {
     isReady();
     {
@@ -601,7 +602,7 @@ NativeControl::Outcome NativeControl::ask(const RecipeCommand& command) {
         }
         case CommandId::JointPositionsHistory: {
             const auto q = arm_.jointPositionsHistory(static_cast<int>(v[0]), soon);
-            // Software without a history has the current value.
+            // Without a history in the software, the current value is returned.
             if (isUnknown(q) && v[0] == 0 && status.inControl) {
                 return CommandResult{1, status.q};
             }

@@ -55,7 +55,7 @@ private:
     using Outcome = std::optional<CommandResult>;
     /// Locks the motions. Not owned if a stop occurred first.
     TurnLock takeTurn();
-    /// In control; continues with a program that was paused and is running again.
+    /// Returns whether it is in control; continues with a program that was paused and is running again.
     bool isReady();
     Outcome failed(const Error& error);
     Outcome outcome(const Result<void>& done);
@@ -64,7 +64,7 @@ private:
     Outcome move(bool asynchronous, Start start);
     Outcome begin(const Result<control::Motion>& motion, bool asynchronous);
     void remember(const control::Motion& motion);
-    /// Whether set points may start a new stream; otherwise prints an error.
+    /// Returns whether set points may start a new stream; otherwise prints an error.
     bool mayBegin(const control::Motion& before);
     template <class Stream, class Target, class Parameters, class Start>
     bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);

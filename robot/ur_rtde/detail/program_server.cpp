@@ -97,7 +97,7 @@ void ProgramServer::accept(std::vector<Client>& clients) {
     clients.push_back({socket, {}, {}, std::chrono::steady_clock::now()});
 }
 
-// One request after the other, until the URCap hangs up. False: the connection is over.
+// Answers requests until the URCap disconnects. Returns false when the connection has ended.
 bool ProgramServer::serve(Client& client) {
     if (native_socket::waitReadable(client.socket, std::chrono::milliseconds(0)) && !receive(client)) {
         return false;
@@ -134,7 +134,7 @@ bool ProgramServer::receive(Client& client) {
     for (auto end = client.line.find('\n'); end != std::string::npos; end = client.line.find('\n')) {
         const bool asks = client.line.compare(0, end, kRequest) == 0;
         client.line.erase(0, end + 1);
-        // Who asks again without reading gets no second copy.
+        // A client that repeats its request without reading gets no second copy.
         if (asks && client.pending.empty()) {
             const std::lock_guard lock(mutex_);
             client.pending = program_ + "\n";

@@ -15,8 +15,8 @@
 
 namespace tiller::urrtde {
 
-/// Serves up to kMaxClients connections at a time; a further one replaces the one that has been silent for longest. A
-/// client that does not read its program for 5 s is disconnected.
+/// Serves up to kMaxClients connections at a time; a further one replaces the one that has been inactive for
+/// longest. A client that does not read its program for 5 s is disconnected.
 /// Thread: one, normal priority, from the constructor to the destructor, which takes at most 50 ms.
 class ProgramServer {
 public:
@@ -34,9 +34,9 @@ public:
 private:
     struct Client {
         native_socket::Descriptor socket = -1;
-        std::string line;                                ///< received, without its end yet
-        std::string pending;                             ///< to be sent
-        std::chrono::steady_clock::time_point lastNews;  ///< when it last sent or took something
+        std::string line;                                ///< received so far, without line end
+        std::string pending;                             ///< data to be sent
+        std::chrono::steady_clock::time_point lastNews;  ///< time of the last sent or received data
     };
 
     void run();

@@ -20,7 +20,7 @@ public:
 
 /// check  called about every 10 ms in the waiting thread; null: never
 void setInterruptCheck(bool (*check)());
-/// Calls the check, at most every 10 ms of real time.
+/// Calls the check, no more than once per 10 ms of real time.
 bool isInterrupted();
 void throwIfInterrupted();
 

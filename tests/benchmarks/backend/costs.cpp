@@ -116,7 +116,7 @@ struct Ticking {
 
 /// A jog just above a floor: all limits are evaluated in each tick.
 struct Jogging : Ticking {
-    /// boxes  number of nearby boxes; negative: no collision check
+    /// `boxes`: number of nearby boxes; negative for no collision check.
     explicit Jogging(int boxes) {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         data.q = JointPositions(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
@@ -146,7 +146,7 @@ double nanoseconds(int times, const std::function<void(int)>& work) {
     return static_cast<double>(std::chrono::nanoseconds(SteadyTime::now() - begin).count()) / times;
 }
 
-/// From the performance counter of the CPU; empty if not accessible, as in most virtual machines.
+/// Reads the performance counter of the CPU; empty if not accessible, as in most virtual machines.
 std::optional<double> instructions([[maybe_unused]] int times,
                                    [[maybe_unused]] const std::function<void(int)>& work) {
 #ifdef __linux__
@@ -175,7 +175,7 @@ std::optional<double> instructions([[maybe_unused]] int times,
     return {};
 }
 
-/// By callgrind, which runs this program again.
+/// Counts with callgrind, which runs this program again.
 std::optional<double> decodeInstructionsByCallgrind() {
     constexpr int kTimes = 1000;
     const QString valgrind = QStandardPaths::findExecutable(QStringLiteral("valgrind"));

@@ -35,7 +35,7 @@ Spans reactions(const receive::Receiver& receiver, int count, Command command) {
     for (int i = 0; i < count; ++i) {
         const double wanted = i % 2 == 0 ? kTurn : -kTurn;
         const double before = wristTargetSpeed(receiver, sample);
-        // At a random time within the robot's period.
+        // Starts at a varying time within the robot's period.
         std::this_thread::sleep_for(20ms + std::chrono::microseconds(137 * (i % 29)));
         const std::int64_t begin = SteadyClock::shared().nowNs();
         if (!command(wanted)) {

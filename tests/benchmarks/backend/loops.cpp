@@ -180,7 +180,7 @@ double p999Ms(const Durations& durations) {
 // one cycle in ten about 20 us, more than the difference. The loops alternate, so that load of the machine affects
 // both.
 void compareLoops(Report& report, control::Controller& controller, double seconds) {
-    constexpr double kTurn = 1 / Circle::kFrequency;  // the next turn begins at the same point
+    constexpr double kTurn = 1 / Circle::kFrequency;  // the next revolution starts at the same point
     const int turns = std::max(1, static_cast<int>(seconds / kTurn));
     CircleResult timer(turns * kTurn);
     CircleResult packet(turns * kTurn);

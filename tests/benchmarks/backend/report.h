@@ -27,7 +27,7 @@ class Durations {
 public:
     explicit Durations(std::vector<std::int64_t> ns);
     std::size_t count() const { return ns_.size(); }
-    /// percent  0 ... 100. Returns  0 if empty
+    /// `percent`: 0 ... 100. Returns 0 if empty.
     std::int64_t percentileNs(double percent) const;
     std::int64_t maxNs() const { return percentileNs(100); }
     std::size_t countAbove(std::int64_t ns) const;
@@ -37,10 +37,10 @@ private:
 };
 
 /// Durations with their times.
-/// Threads  one at a time. Real-time: yes (no allocation after construction)
+/// Threads: one at a time. Real-time: yes (no allocation after construction).
 class Spans {
 public:
-    /// most  capacity; overflowed() is true if it was exceeded
+    /// `most`: capacity; overflowed() is true if it was exceeded.
     explicit Spans(std::size_t most) { spans_.reserve(most); }
     void add(std::int64_t fromNs, std::int64_t toNs);
 

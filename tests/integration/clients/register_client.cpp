@@ -38,7 +38,7 @@ bool RegisterClient::connect() {
         if (!digits.match(QString::fromLatin1(dashboard_->ask("get serial number").chopped(1))).hasMatch()) {
             return fail("serial number");
         }
-        // It skips the query for 127.0.0.1; here it is always sent, as for a robot on a network.
+        // ur_rtde skips the query for 127.0.0.1; here it is always sent, as for a robot on a network.
         version();
         if (!dashboard_->ask("is in remote control").contains("true")) {
             return fail("remote control");
@@ -80,7 +80,7 @@ bool RegisterClient::connect() {
     return upload();
 }
 
-// As at the start and in `reuploadScript`.
+// The upload sequence at the start and in `reuploadScript`.
 bool RegisterClient::upload(const QByteArray& path) {
     if (state_.runtime == kPlaying) {
         if (!stopScript()) {

@@ -71,7 +71,7 @@ public:
     void disconnect();
 
     const State& state() const { return state_; }
-    simulator::Truth truth() const { return robot_.controller.truth(); }
+    simulator::SimulatedState truth() const { return robot_.controller.truth(); }
     RawDashboard& dashboard() { return *dashboard_; }
     RawClient& scriptSocket() { return *script_; }
 

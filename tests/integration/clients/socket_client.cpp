@@ -45,7 +45,7 @@ void waitArrived([[maybe_unused]] QTcpSocket& socket) {
     int unacknowledged = 1;
     QElapsedTimer timer;
     timer.start();
-    while (unacknowledged > 0 && timer.elapsed() < kPatienceMs &&
+    while (unacknowledged > 0 && timer.elapsed() < kWaitTimeoutMs &&
            ioctl(static_cast<int>(socket.socketDescriptor()), SIOCOUTQ, &unacknowledged) == 0) {
     }
 #endif
@@ -74,7 +74,7 @@ bool SocketClient::connect(const QByteArray& ending) {
     }
     primary_ = std::make_unique<QTcpSocket>();
     primary_->connectToHost(robot_.host(), robot_.controller.ports().primary);
-    if (!primary_->waitForConnected(kPatienceMs)) {
+    if (!primary_->waitForConnected(kWaitTimeoutMs)) {
         return fail("primary");
     }
     if (!until([this] { return news_.version && news_.configuration && news_.kinematics; }, 10)) {
@@ -104,7 +104,7 @@ bool SocketClient::connectRtde() {
     if (!rtde_->start()) {
         return fail("start");
     }
-    // It reads until it considers the controller booted; only data may arrive.
+    // The library reads until it considers the controller booted; only data may arrive.
     int packages = 0;
     do {
         robot_.controller.step();
@@ -131,7 +131,7 @@ bool SocketClient::connectRtde() {
 
 void SocketClient::sendScript(const QByteArray& text) {
     primary_->write(text);
-    while (primary_->bytesToWrite() > 0 && primary_->waitForBytesWritten(kPatienceMs)) {
+    while (primary_->bytesToWrite() > 0 && primary_->waitForBytesWritten(kWaitTimeoutMs)) {
     }
     waitArrived(*primary_);
     robot_.controller.drainSockets();

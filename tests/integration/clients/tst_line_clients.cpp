@@ -98,7 +98,7 @@ public:
 
     struct State {
         bool known = false;
-        bool running = false;  ///< its criteria: mode, connected, enabled, powered, no stops
+        bool running = false;  ///< criteria of the library: mode, connected, enabled, powered, no stops
         bool programRunning = false;
         std::array<double, 6> joints{};
         std::array<double, 6> pose{};
@@ -136,7 +136,7 @@ public:
         }
         return false;
     }
-    /// Its wait for the end of a move: the program starts, then no program is running.
+    /// The library's wait for the end of a move: the program starts, then no program is running.
     bool waitForMove(double seconds) {
         return until([this] { return state_.programRunning; }, 1) &&
                until([this] { return !state_.programRunning; }, seconds);

@@ -98,11 +98,11 @@ private Q_SLOTS:
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // As for a path: without pause and dashboard.
+        // Sent as for a path: without pause and dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
-        // As `reuploadScript` while it is running.
+        // The upload of `reuploadScript` while the script is running.
         QVERIFY2(client_->upload(), client_->trouble);
         QVERIFY(six(Client::kSix, 43, {}));
     }
@@ -126,7 +126,7 @@ private Q_SLOTS:
     }
 
     void movesReachTheirTargets() {
-        // The current pose: complete immediately.
+        // A move to the current pose completes immediately.
         QVERIFY2(six(Client::kMove, 3, poseNow(), {0.25, 1.2}, {0}), client_->trouble);
         Six q = jointsNow();
         q[0] += 0.3;
@@ -160,7 +160,7 @@ private Q_SLOTS:
         client_->step(10);
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
         QVERIFY(largest(robot_.controller.truth().q, q) > 0.5);
-        // A second move, to its end.
+        // A second move runs to its end.
         QVERIFY(six(Client::kMove, 1, q, {1.0, 1.4}, {1}));
         QVERIFY(client_->until(running, 1));
         QVERIFY(client_->state().ints[2] >> 24 != operation);

@@ -202,7 +202,7 @@ private Q_SLOTS:
             client_->sendScript(text + '\n');
             return client_->until([this] { return client_->news().keys.size() >= 3; }, 20);
         };
-        // It replaces the control script: STOPPED of the first one, STARTED, STOPPED.
+        // The program replaces the control script: STOPPED of the control script, then STARTED and STOPPED.
         QVERIFY(run("def short():\n  movej([-1.6,-1.72,-2.2,-0.8,1.59,-0.03])\nend"));
         QCOMPARE(client_->news().keys[1], QByteArray("PROGRAM_XXX_STARTED short"));
         QCOMPARE(client_->news().keys[2], QByteArray("PROGRAM_XXX_STOPPED short"));

@@ -28,7 +28,7 @@ public:
         }
         return clock_.nowNs();
     }
-    /// From now on, the accesses of this thread are counted.
+    /// Starts counting the accesses of this thread.
     void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
@@ -162,9 +162,10 @@ public:
         const bool expected = status.inControl || status.loss == control::ControlLoss::DataStale;
         return {expected, status.answeredTime, robot.inputPackages()};
     }
-    /// Waits until data newer than these were answered, and the answer has arrived; false after 20 s. Another
-    /// package is not necessarily the answer, because the controller also sends without a package: a stop, a set
-    /// point between two packages. Mistaking one for the answer would put the test one package ahead.
+    /// Waits until data newer than `before` were answered and the answer has arrived; false after 20 s. The
+    /// next package from the controller is not necessarily the answer, because it also sends packages on its
+    /// own: a stop, or a set point between two packages. Taking such a package for the answer would put the
+    /// test one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (before.expected && controller->status().answeredTime == before.time) {

@@ -379,7 +379,7 @@ const std::vector<ContractEvent>& shortPauses() {
     return kEvents;
 }
 
-ContractCell::ContractCell(const simulator::Assumptions& assumptions, double slider,
+ContractCell::ContractCell(const simulator::BehaviourOptions& assumptions, double slider,
                            const SoftwareVersion& software)
     : robot([&] {
         simulator::SimulatorOptions options;
@@ -471,7 +471,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
         step();
         // Not earlier: an external force at the start of freedrive causes a protective stop.
-        if (what.byHand && waited <= 60 && waited + stepTimeMs() > 60) {
+        if (what.byOperator && waited <= 60 && waited + stepTimeMs() > 60) {
             robot.pressHand({{0, 0, 12}, {0, 0, 0}});
         }
         waited += stepTimeMs();
@@ -484,20 +484,20 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     }
     stepMs(20);
 
-    const simulator::Truth before = robot.truth();
+    const simulator::SimulatedState before = robot.truth();
     event.happen(*this);
-    simulator::Truth last = before;
+    simulator::SimulatedState last = before;
     while (robot.truth().timestamp < before.timestamp + event.watched) {
         step();
         if (!isStanding()) {
             last = robot.truth();
         }
     }
-    const simulator::Truth rest = robot.truth();
+    const simulator::SimulatedState rest = robot.truth();
     outcome.standstillMs = (last.timestamp - before.timestamp) * 1000;
     outcome.driftMm = (rest.tcpPose.position - before.tcpPose.position).norm() * 1000;
     outcome.problem = fault;
-    const bool scaled = robot.options().assumptions.programStops == simulator::Assumptions::Time::Scaled;
+    const bool scaled = robot.options().assumptions.programStops == simulator::BehaviourOptions::Time::Scaled;
     if (outcome.problem.isEmpty() && outcome.standstillMs > event.limitMs && !(event.robotBrakes && scaled)) {
         outcome.problem = QStringLiteral("%1 ms to standstill").arg(outcome.standstillMs, 0, 'f', 0);
     }
@@ -505,7 +505,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
         next(*this);
         for (double t = 0; t < 200; t += stepTimeMs()) {
             step();
-            const simulator::Truth now = robot.truth();
+            const simulator::SimulatedState now = robot.truth();
             outcome.resumedMm =
                 std::max(outcome.resumedMm, (now.tcpPose.position - rest.tcpPose.position).norm() * 1000);
         }

@@ -69,9 +69,9 @@ struct ContractMotion {
     const char* name;
     /// required builtin function that may be missing
     const char* needs;
-    bool byHand;  ///< an external force moves the arm
-    bool isLong;  ///< starts with sending a program
-    double fast;  ///< resulting TCP speed [m/s] with the speed slider at 100 %
+    bool byOperator;  ///< an external force moves the arm
+    bool isLong;      ///< starts with sending a program
+    double fast;      ///< resulting TCP speed [m/s] with the speed slider at 100 %
     std::function<Error(ContractCell&)> begin;
     std::function<void(ContractCell&)> hold;
     bool yields = false;  ///< force mode or freedrive is active
@@ -95,7 +95,7 @@ struct ContractEvent {
 const std::vector<ContractEvent>& contractEvents();
 /// The robot leaves remote control, and no client can react any more.
 const ContractEvent& lostInLocal();
-/// Short pauses at the end of which the process no longer exists.
+/// Short pauses during which the process ends.
 const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {
@@ -108,7 +108,7 @@ struct ContractOutcome {
 
 class ContractCell {
 public:
-    ContractCell(const simulator::Assumptions& assumptions, double slider,
+    ContractCell(const simulator::BehaviourOptions& assumptions, double slider,
                  const SoftwareVersion& software = simulator::SimulatorOptions().software);
     ~ContractCell();
 

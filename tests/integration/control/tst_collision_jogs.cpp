@@ -247,7 +247,7 @@ private Q_SLOTS:
         std::array<int, 16> kinds{};
         int crept = 0;
         for (int round = 0; round < 60; ++round) {
-            // Away from the end of the previous jog.
+            // Moves away from the end of the previous jog.
             JogTarget turn = jointJog(pick(0, 5), pick(0, 1) == 0 ? -0.5 : 0.5);
             turn.qd[pick(0, 2)] += pick(0, 1) == 0 ? -0.3 : 0.3;
             const auto away = cell.motions().startJog(turn);

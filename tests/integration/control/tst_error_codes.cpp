@@ -100,7 +100,7 @@ Error withoutDescriptors() {
     return error;
 }
 
-/// On a robot in control; `act` runs while time advances.
+/// Runs `act` on a robot in control while time advances.
 template <class Act>
 Error inControl(Act act) {
     Cell cell;

@@ -209,7 +209,7 @@ private Q_SLOTS:
         }
     }
 
-    // Neither the end of the connection nor an error is reported: only the data are missing.
+    // Neither a closed connection nor an error is reported: only the data are missing.
     void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("forgotten by the controller") << QStringLiteral("half-open");

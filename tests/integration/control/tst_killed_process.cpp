@@ -34,7 +34,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("fast");
         QTest::addColumn<bool>("hand");
         QTest::addColumn<ScriptState>("end");
-        // fast  speed at the event [m/s]
+        // `fast`: speed at the event [m/s].
         const auto row = [](const char* way, double fast, bool hand = false,
                             ScriptState end = ScriptState::Expired) {
             for (const Loss loss : kLosses) {

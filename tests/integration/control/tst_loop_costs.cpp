@@ -58,7 +58,7 @@ private Q_SLOTS:
         const std::uint64_t ticks = cell.controller->status().ticks;
         countHotThreads(true);
         // step() waits for the controller only; a receiver far behind would be disconnected.
-        constexpr std::uint64_t kMostBehind = 100;
+        constexpr std::uint64_t kMaxBehind = 100;
         const Deadline over = Deadline::after(std::chrono::minutes(5) + std::chrono::seconds(seconds));
         bool alive = true;
         for (int i = 0; i < seconds * 500 && alive; ++i) {
@@ -66,7 +66,7 @@ private Q_SLOTS:
             qd[5] = (i / 250) % 2 == 0 ? 0.2 : -0.2;
             alive = stream->send(qd).ok() && cell.step();
             while (alive &&
-                   receiver.counters().packets + kMostBehind < packages + static_cast<std::uint64_t>(i)) {
+                   receiver.counters().packets + kMaxBehind < packages + static_cast<std::uint64_t>(i)) {
                 std::this_thread::yield();
                 alive = !over.hasExpired();
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounded motions, and everything around being in control, in virtual time.
+// Bounded motions, and all aspects of being in control, in virtual time.
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -57,7 +57,7 @@ private Q_SLOTS:
         double fastest = 0;
         std::optional<Eigen::Vector3d> elbow;
         cell.everyTick = [&] {
-            const simulator::Truth truth = cell.robot.truth();
+            const simulator::SimulatedState truth = cell.robot.truth();
             const Eigen::Vector3d now = kinematics::linkFrames(dh, truth.q)[2].translation();
             fastest = std::max(fastest, truth.tcpSpeed.linear.norm());
             if (elbow) {
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(3000));
         QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
-        // A cap below the usual speed is no reason to refuse it.
+        // A speed limit below the usual speed is no reason to refuse a move.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         Pose up = cell.tcp();
         up.position.z() += 0.02;
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(move->plan().has_value());
         const MotionPlan plan = *move->plan();
         QVERIFY(cell.stepMs(200));
-        // By the cap, and said so to who only looks at the status.
+        // Slowed down by the speed limit, which is also reported in the status.
         const bool slowed = speed > 1;
         QCOMPARE(plan.limiter.kind, slowed ? LimiterKind::TcpSpeed : LimiterKind::None);
         QCOMPARE(cell.controller->status().limiter.kind, plan.limiter.kind);
@@ -211,15 +211,15 @@ private Q_SLOTS:
         QCOMPARE(move->plan()->limiter.kind, LimiterKind::None);
     }
 
-    // The robot hears nothing for a while, and this computer nothing of the robot.
+    // For a while the robot receives no data, and this computer receives none from the robot.
     void aFreeMoveSurvivesASilenceShorterThanItsOwn_data() {
         QTest::addColumn<int>("silenceMs");
         QTest::addColumn<Holding>("holding");
         QTest::addColumn<int>("gapMs");
         QTest::addColumn<bool>("survives");
         QTest::addColumn<bool>("keepsControl");
-        // Without data for longer than ControllerOptions::connectionTimeout, and than the silence of the move, the
-        // connection counts as dead.
+        // Without data for longer than ControllerOptions::connectionTimeout and the heartbeat timeout of the
+        // move, the connection counts as lost.
         const auto timeoutMs = static_cast<int>(ControllerOptions().connectionTimeout.count());
         QTest::newRow("usual") << 100 << Holding::Free << 400 << false << true;
         QTest::newRow("longer") << 800 << Holding::Free << 600 << true << true;
@@ -259,7 +259,7 @@ private Q_SLOTS:
             QVERIFY(distance(cell.robot.truth().q, target) > 1e-3);
             return;
         }
-        QTest::qWait(100);  // the control thread looks up every 4 ms, and gives up after ten looks
+        QTest::qWait(100);  // the control thread polls every 4 ms, and gives up after ten polls
         QVERIFY(cell.controller->isConnected());
         QCOMPARE(!cell.isStanding(), survives);
         cell.robot.silence(false);
@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY(free->isActive());
         QVERIFY(!cell.isStanding());
-        cell.robot.silence(true);  // but never without this computer
+        cell.robot.silence(true);  // without this computer it stops nevertheless
         cell.stepAlone(125);
         QVERIFY(cell.isStanding());
     }
@@ -334,7 +334,8 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(500) >= 0);
     }
 
-    // What is prepared before it begins, or goes on from one motion to the next, counts the stops.
+    // A motion that was prepared before a stop, or that follows another motion, must not start after the
+    // stop.
     void nothingBeginsBehindAStopThatItWasNotToldOf() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -398,7 +399,7 @@ private Q_SLOTS:
         const auto move = cell.motions().moveJ(start, {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 500));
         QCOMPARE(cell.motions().startPath(*superseded, Holding::Held).error().code, ErrorCode::Stopped);
-        // A stop before it is there counts too.
+        // A stop before the path has arrived counts as well.
         Motions armed(*cell.controller, cell.controller->stops());
         cell.controller->stop(StopCause::Released);
         const auto late = cell.during([&] { return armed.preparePath(slowPath(cell), soon()); });

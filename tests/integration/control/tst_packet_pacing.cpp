@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cycles of a packet loop go on in step with the robot when packets come late or not at all, for a while.
+// The cycles of a packet loop stay in step with the robot when packets are late or missing for a while.
 #include <QRegularExpression>
 #include <functional>
 #include <semaphore>
@@ -18,14 +18,14 @@ namespace {
 constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
 constexpr std::int64_t kLateNs = 200'000;
 constexpr std::int64_t kOverdueNs = 300'000;
-constexpr int kSettled = 400;  ///< packages after which the pace is known
+constexpr int kSettled = 400;  ///< packages after which the packet timing is known
 
-/// A packet loop at work, in which the arm stands. Each cycle is noted.
+/// An active packet loop with the arm at standstill. Each cycle is recorded.
 class StandingLoop {
 public:
     StandingLoop(Cell& cell, Pacing pacing) : cell_(cell) {
-        // The pace is known before the loop begins. Some packages come late: without a margin the test could
-        // not say what comes before the next is due.
+        // The packet timing is known before the loop starts. Some packets are late, so that there is a
+        // margin: without it, a cycle before the next due packet could not be identified.
         for (int packages = 0; packages < kSettled; packages += 10) {
             packetAfter(kPeriodNs + kLateNs);
             packetAfter(kPeriodNs - kLateNs);
@@ -55,13 +55,13 @@ public:
     StandingLoop(const StandingLoop&) = delete;
     StandingLoop& operator=(const StandingLoop&) = delete;
 
-    /// Asks the loop to end at its next cycle. Where none comes any more the arm is stopped, which ends it too:
-    /// a test that has failed must not wait for it for ever.
+    /// Requests the end of the loop at its next cycle. If there are no more cycles, the arm is stopped, which
+    /// also ends the loop; otherwise a failed test would wait forever.
     void end() {
         if (thread_.joinable()) {
             quit_ = true;
-            constexpr int kMost = 100;  // packages; those whose cycles have been run already bring none
-            for (int i = 0; i < kMost && !over_ && cell_.step(); ++i) {
+            constexpr int kMaxValue = 100;  // packets; those whose cycles have already run start no cycle
+            for (int i = 0; i < kMaxValue && !over_ && cell_.step(); ++i) {
             }
             if (!over_) {
                 cell_.controller->stop(StopCause::ApiCall);
@@ -70,13 +70,13 @@ public:
         }
     }
 
-    /// Time goes on, and nothing comes from the robot.
+    /// Advances time without a packet from the robot.
     bool silenceFor(std::int64_t ns) {
         const std::uint64_t inputs = cell_.robot.inputPackages();
         cell_.clock.advanceNs(ns);
         return cell_.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20)));
     }
-    /// A packet comes that should have come before; no time goes on.
+    /// Delivers an overdue packet without advancing time.
     bool latePacket() {
         const Cell::Answers before = cell_.answers();
         cell_.robot.step();
@@ -101,7 +101,7 @@ private:
     std::thread thread_;
 };
 
-/// A packet loop whose callback lasts until it is permitted to return. The arm stands.
+/// A packet loop whose callback blocks until it is permitted to return. The arm is at standstill.
 class SlowLoop {
 public:
     SlowLoop(Cell& cell, std::function<void(const CycleState&)> note) : cell_(cell), note_(std::move(note)) {
@@ -118,13 +118,13 @@ public:
                             {}, Deadline::never(), &report);
             over_ = true;
         });
-        cell_.stepAlone();  // the package of the first call
+        cell_.stepAlone();  // the packet of the first call
     }
     ~SlowLoop() { end(); }
     SlowLoop(const SlowLoop&) = delete;
     SlowLoop& operator=(const SlowLoop&) = delete;
 
-    /// Until a call has begun; packages come meanwhile only before the first one.
+    /// Waits until a call has begun. Packets are only sent before the first call.
     bool waitForCall() {
         constexpr int kAttempts = 2000;
         for (int i = 0; i < kAttempts && !over_; ++i) {
@@ -139,7 +139,7 @@ public:
         return false;
     }
     void permit() { permitted_.release(); }
-    /// Lets the last call return, and all that may follow it, until the loop has ended by itself.
+    /// Lets the current and all following calls return until the loop has ended.
     void letEnd() {
         constexpr std::ptrdiff_t kAll = 1000;
         permitted_.release(kAll);
@@ -147,7 +147,7 @@ public:
         }
         thread_.join();
     }
-    /// The same, and the calls ask for the end.
+    /// Requests the end from the callback, then waits as letEnd() does.
     void end() {
         if (thread_.joinable()) {
             quit_ = true;
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(servo.ok());
         const JointPositions here = cell.robot.truth().q;
         for (int i = 0; i < 500; ++i) {
-            // It leaves at once, unless the next package is there before.
+            // The set point is sent immediately, unless the next packet arrives before.
             QVERIFY(servo->send(here).ok());
             QVERIFY(cell.step());
             QCOMPARE(cell.controller->status().answeredTime, cell.robot.truth().timestamp);
@@ -197,7 +197,8 @@ private Q_SLOTS:
         StandingLoop loop(cell, Pacing::Even);
         QVERIFY(cell.step(20));
         QVERIFY(loop.cycles >= 20);
-        // From the first on: late packets are waited for, and it is the last of the wait that is spun away.
+        // From the first cycle on, late packets are waited for, and only the last part of the wait is spent
+        // spinning.
         QVERIFY2(cell.clock.shortestNs() > kLateNs, qPrintable(QString::number(cell.clock.shortestNs())));
         QVERIFY2(cell.clock.longestNs() < kOverdueNs, qPrintable(QString::number(cell.clock.longestNs())));
         QCOMPARE(cell.clock.awakeNs(), kWakeUpNs);
@@ -215,7 +216,7 @@ private Q_SLOTS:
         QCOMPARE(loop.cycles, before + 1);
         QCOMPARE(loop.stale, 1);
         QVERIFY(std::abs(loop.lastTime - time - 0.002) < 1e-6);
-        // The packet comes after all: it is answered, and its cycle is not run again.
+        // The late packet arrives: it is answered, and its cycle is not run again.
         QVERIFY(loop.latePacket());
         QCOMPARE(loop.cycles, before + 1);
         QVERIFY(loop.packetAfter(kPeriodNs - kOverdueNs));
@@ -239,7 +240,8 @@ private Q_SLOTS:
             QVERIFY(loop.silenceFor(i == 0 ? kPeriodNs + kOverdueNs : kPeriodNs));
         }
         QCOMPARE(loop.cycles, before + 5);
-        // Nothing more: the next packet is waited for, and those after it are in time again.
+        // No more extra cycles: the loop waits for the next packet, and the packets after it are on time
+        // again.
         cell.clock.advanceNs(2 * kPeriodNs - kOverdueNs);
         for (int i = 0; i < 5; ++i) {
             QVERIFY(loop.latePacket());
@@ -262,7 +264,7 @@ private Q_SLOTS:
         const int before = loop.cycles;
         const std::uint64_t inputs = cell.robot.inputPackages();
         cell.controller->stop(StopCause::ApiCall);
-        // A cycle would be due first; what is sent instead, to idle, may come at either of the two moments.
+        // A cycle would be due first; the idle command sent instead may be sent at either of the two times.
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         cell.clock.advanceNs(5 * kPeriodNs);
         QVERIFY(cell.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20))));
@@ -272,13 +274,13 @@ private Q_SLOTS:
         QCOMPARE(loop.stale, 0);
     }
 
-    // Packets queue up while a callback computes. Working them off one by one would fall behind for good.
+    // Packets queue up while a callback is running. Processing them one by one would never catch up.
     void aSlowCallbackGetsTheNewestPacket() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.step(10));
-        constexpr std::size_t kRounds =
-            13;  // all the periods together are longer than the robot waits for a heartbeat
+        // In total, the periods of all rounds are longer than the robot's heartbeat timeout.
+        constexpr std::size_t kRounds = 13;
         constexpr int kPeriods = 10;
         std::vector<CycleState> seen;
         SlowLoop loop(cell, [&](const CycleState& state) { seen.push_back(state); });
@@ -291,8 +293,8 @@ private Q_SLOTS:
         loop.end();
         QVERIFY2(loop.ended.ok(), qPrintable(loop.ended.error().toString()));
         QCOMPARE(seen.size(), kRounds + 1);
-        for (std::size_t i = 2; i < seen.size();
-             ++i) {  // more than one packet may come before the first call
+        // Starts at 2 because several packets may arrive before the first call.
+        for (std::size_t i = 2; i < seen.size(); ++i) {
             QVERIFY2(std::abs(seen[i].time - seen[i - 1].time - kPeriods * 0.002) < 1e-6,
                      qPrintable(QStringLiteral("%1 s after %2 s").arg(seen[i].time).arg(seen[i - 1].time)));
             QVERIFY(seen[i].fresh);
@@ -303,7 +305,7 @@ private Q_SLOTS:
         QCOMPARE(loop.report.overruns, kRounds);
     }
 
-    // A packet that has been under way for long is new, but what it says is not.
+    // A packet with a long transit time has just arrived, but its data are old.
     void aPacketThatWasUnderWayForLongIsNotFresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -348,7 +350,7 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(250) >= 0);
     }
 
-    // The thread that waits for the end of the loop may get the CPU late.
+    // The thread that waits for the end of the loop may be scheduled late.
     void aCallbackThatHangsIsNamedWhenTheLoopEndsLate() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -379,7 +381,7 @@ private Q_SLOTS:
         const int before = loop.cycles;
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         const std::uint64_t asked = cell.clock.asked();
-        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);  // the control thread has looked up
+        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);  // the control thread has polled
         QCOMPARE(loop.cycles, before);
         QVERIFY(loop.latePacket());
         QCOMPARE(loop.cycles, before + 1);

@@ -53,7 +53,7 @@ private Q_SLOTS:
                 QVERIFY(cell.step(pick(1, 20)));
                 QVERIFY(jog->refresh());
             }
-            // One of the possible ends of an operator input.
+            // Random end of an operator input.
             double mayStillTake = kReaction;
             path = 0;
             switch (pick(0, 4)) {

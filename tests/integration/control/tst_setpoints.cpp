@@ -17,7 +17,7 @@ void hasTorque(simulator::SimulatorOptions& options) {
     options.software = {5, 25, 1, 0};
 }
 
-/// Rotates the base, slightly above friction [Nm].
+/// Torque that rotates the base, slightly above friction [Nm].
 JointTorques turning(double torque) {
     return JointTorques(torque, 0, 0, 0, 0, 0);
 }
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
         QVERIFY(cell.isStanding());
         QCOMPARE(speed->motion().state().cause, StopCause::ApiCall);
-        // Repeated, and after other motions: immediately.
+        // A repeated stop, and a stop after other motions, returns immediately.
         QVERIFY(speed->motion().stop(patience()).ok());
         cell.controller->stop();
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
@@ -344,7 +344,7 @@ private Q_SLOTS:
         // Without torques the arm holds its position.
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
-        // Also with zero torques: the controller compensates gravity.
+        // Zero torques also hold the arm: the controller compensates gravity.
         for (int i = 0; i < 100; ++i) {
             QVERIFY(stream->send(JointTorques()).ok());
             QVERIFY(cell.step());
@@ -569,7 +569,7 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(200) >= 0);
     }
 
-    // Stop is final: eight threads send targets as fast as they can, and the arm stands all the same.
+    // Stop is final: eight threads send targets as fast as they can, and the arm still comes to a standstill.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -610,7 +610,7 @@ private Q_SLOTS:
             final = cell.step(3) && cell.controller->motionState(stopped).phase == MotionPhase::Ended;
             const int ticks = cell.ticksToStandstill(200);
             const Pose stands = cell.tcp();
-            cell.step(10);  // continuing at 20 mm/s would be 0.4 mm
+            cell.step(10);  // 0.4 mm if the arm continued at 20 mm/s
             final = final && ticks >= 0 && (cell.tcp().position - stands.position).norm() < 1e-4;
         }
         over = true;

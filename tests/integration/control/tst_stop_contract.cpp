@@ -36,8 +36,8 @@ QStringList onlyCell;                 ///< motion, event, slider, options
 constexpr double kLostLimitMs = 250;  ///< for all events except a release
 constexpr quint32 kSeed = 20261123;
 
-simulator::Assumptions assumed(const QString& words) {
-    simulator::Assumptions assumptions;
+simulator::BehaviourOptions assumed(const QString& words) {
+    simulator::BehaviourOptions assumptions;
     for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
         if (const auto taken = simulator::assume(assumptions, word); !taken) {
             qFatal("%s", qPrintable(taken.error().context));
@@ -85,14 +85,14 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    /// software  without value: a version that has this motion
+    /// `given`: without a value, a version that has this motion.
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
                       const std::optional<SoftwareVersion>& given = std::nullopt) {
         const SoftwareVersion software =
             given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
-        // If forces may continue in a pause, and the process is killed meanwhile, nothing can end them: the program
-        // is paused and the PC is gone.
+        // If forces may continue in a pause, and the process is killed in the meantime, nothing can end them:
+        // the program is paused and the PC is not available.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QTest::newRow("as by default") << QString() << 1.0 << 24;
         QTest::newRow("slider at 30 %") << QString() << 0.3 << 2;
         constexpr int kFew = 2;
-        for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
+        for (const simulator::BehaviourOptionInfo& info : simulator::assumptionTable()) {
             for (const QString& reading : info.readings.mid(1)) {
                 const QString words = info.name + "=" + reading;
                 QTest::newRow(qPrintable(words)) << words << 1.0 << kFew;
@@ -175,7 +175,7 @@ private Q_SLOTS:
         for (int i = firstCombination; i < end; ++i) {
             QRandomGenerator random(kSeed + static_cast<quint32>(i));
             QStringList words;
-            for (const simulator::AssumptionInfo& info : simulator::assumptionTable()) {
+            for (const simulator::BehaviourOptionInfo& info : simulator::assumptionTable()) {
                 // Half of the options have their default.
                 const auto readings = static_cast<quint32>(info.readings.size());
                 if (random.bounded(2) == 1) {
@@ -204,8 +204,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause slows real time and program time down differently: the end of the program read its speed in one
-        // and decelerated in the other.
+        // A pause slows down real time and program time differently: the end of the program read its speed in
+        // one and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";

@@ -89,7 +89,7 @@ private Q_SLOTS:
                                            "    sync()\n  end\nend\npath_offset_enable()\nrun offset()\n")}};
         for (const auto& [name, body] : bodies) {
             QTest::addRow("%s, stopped", name) << body + QStringLiteral("sleep(100)") << true;
-            // Its end is controlled by the test, because the call that starts it may return late.
+            // The test controls the end of the effect, because the call that starts it may return late.
             QTest::addRow("%s, at its end", name)
                 << body + QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend") << false;
         }
@@ -130,7 +130,7 @@ private Q_SLOTS:
                 cell.controller->stop(StopCause::StopButton);
             }
         };
-        // It continues at the input: it must not do so before the caller has seen the stop.
+        // The script continues at the input: it must not do so before the caller has seen the stop.
         const auto ran = cell.during([&] {
             return Programs(*cell.controller)
                 .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n"

@@ -233,7 +233,7 @@ private Q_SLOTS:
         QFETCH(bool, survives);
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
-        // Time goes on for the controller only where this test says so.
+        // Time advances for the controller only where this test advances it.
         VirtualClock clock;
         ControllerOptions options = to(robot);
         options.clock = &clock;
@@ -241,9 +241,9 @@ private Q_SLOTS:
         options.deliver = [&](const QString& program, const Deadline& deadline) -> Result<void> {
             if (quiet) {
                 robot.silence(true);
-                QThread::msleep(50);  // what was sent before arrives
+                QThread::msleep(50);  // until the data sent before have arrived
                 clock.advanceNs(quietMs * kNsPerMs);
-                QThread::msleep(150);  // the control thread looks every 4 ms, and gives up after ten looks
+                QThread::msleep(150);  // the control thread polls every 4 ms, and gives up after ten polls
                 robot.silence(false);
             }
             script::ScriptClient client(QStringLiteral("127.0.0.1"), robot.ports().primary);

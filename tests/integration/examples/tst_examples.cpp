@@ -43,7 +43,7 @@ std::unique_ptr<simulator::Simulator> robotAt(int number) {
 
 struct Cell {
     std::vector<std::unique_ptr<simulator::Simulator>> robots;
-    simulator::Truth before;
+    simulator::SimulatedState before;
     QTemporaryDir folder;
 
     explicit Cell(int count) {
@@ -53,7 +53,7 @@ struct Cell {
         before = robot().truth();
     }
     simulator::Simulator& robot(std::size_t i = 0) const { return *robots.at(i); }
-    simulator::Truth truth(std::size_t i = 0) const { return robots.at(i)->truth(); }
+    simulator::SimulatedState truth(std::size_t i = 0) const { return robots.at(i)->truth(); }
     double rise() const { return truth().tcpPose.position.z() - before.tcpPose.position.z(); }
 };
 
@@ -76,7 +76,7 @@ Outcome run(const QString& name, const Cell& cell) {
     return outcome;
 }
 
-/// Detects that the computer was blocked for 100 ms: the arm then stops, as intended.
+/// Detects that the computer was blocked for 100 ms, after which the arm stops as intended.
 bool wasLate(const Outcome& outcome) {
     for (const char* word : {"LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed"}) {
         if (outcome.err.contains(QLatin1String(word)) || outcome.out.contains(QLatin1String(word))) {
@@ -88,9 +88,9 @@ bool wasLate(const Outcome& outcome) {
 
 struct Example {
     int robots;
-    /// Before the example runs.
+    /// Prepares the robot before the example runs.
     std::function<void(Cell&)> prepare;
-    /// Returns  the problem; empty if there is none
+    /// Returns the problem; empty if there is none.
     std::function<QString(const Cell&, const Outcome&)> check;
 };
 

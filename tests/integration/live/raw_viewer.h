@@ -15,7 +15,7 @@ namespace tiller::test {
 
 enum class Opcode : quint8 { Continuation = 0, Text = 1, Binary = 2, Close = 8, Ping = 9, Pong = 10 };
 
-/// A client frame, masked with zeros. declaredSize: replaces the size of the payload.
+/// A client frame, masked with zeros. `declaredSize` replaces the size of the payload in the header.
 inline QByteArray clientFrame(Opcode opcode, const QByteArray& payload, bool final = true,
                               std::optional<quint64> declaredSize = {}) {
     const quint64 size = declaredSize.value_or(static_cast<quint64>(payload.size()));
@@ -80,7 +80,7 @@ class RawViewer {
 public:
     static constexpr int kTimeoutMs = 60'000;
 
-    /// source  address that the connection comes from
+    /// `source`: local address of the connection.
     explicit RawViewer(quint16 port, const QHostAddress& source = QHostAddress::LocalHost) {
         socket.bind(source);
         socket.connectToHost(QHostAddress(QHostAddress::LocalHost), port);
@@ -88,7 +88,7 @@ public:
     }
     ~RawViewer() { socket.abort(); }
 
-    /// Returns the status code of the answer; 0 when the server closed the connection without one.
+    /// Returns the status code of the reply; 0 if the server closed the connection without a reply.
     int upgrade(const QByteArray& origin = {}) {
         socket.write(handshakeRequest(origin));
         QByteArray answer;

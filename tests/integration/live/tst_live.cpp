@@ -27,9 +27,9 @@ using test::RtdePeer;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 60'000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 receive::ReceiverOptions to(std::uint16_t port) {
     receive::ReceiverOptions options;
@@ -224,14 +224,14 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     viewer.setReadChannel(QProcess::StandardError);
     TRY_VERIFY(viewer.canReadLine());
     QCOMPARE(viewer.readLine().trimmed(), QByteArray("subscribed"));
-    // Its request is in transit; nothing is sent to it until it arrives.
+    // The viewer's request is in transit; nothing is sent to it until the request arrives.
     while (bench.output.progress().messages == 0 && bench.sent < 1000) {
         bench.send(1);
         QTest::qWait(1);
     }
     const int before = bench.sent;
     bench.send(2000);
-    QVERIFY(viewer.waitForFinished(kPatienceMs));
+    QVERIFY(viewer.waitForFinished(kWaitTimeoutMs));
     const QJsonObject found = QJsonDocument::fromJson(viewer.readAllStandardOutput()).object();
     QCOMPARE(found["protocol"].toString(), QStringLiteral("foxglove.sdk.v1"));
     QCOMPARE(found["name"].toString(), QStringLiteral("Tiller"));

@@ -124,7 +124,7 @@ private:
     std::thread thread_;  // last member: it uses all others
 };
 
-/// One hostile connection. Returns it if it should remain open.
+/// Opens one hostile connection; returns it if it should remain open.
 std::unique_ptr<RawViewer> attack(quint16 port, int number) {
     constexpr int kSources = 200;  // one address has too few ports for all connections
     auto viewer = std::make_unique<RawViewer>(

@@ -191,7 +191,7 @@ void TestLiveLimits::aViewerThatDoesNotReadLosesTheOldestMessages() {
     QCOMPARE(other.upgrade(), 101);
     QVERIFY(other.subscribe(1, kStateChannel));
     WAIT_VERIFY((bench.send(1), bench.output.progress().messages >= 2));
-    // Until the buffers of both ends are full.
+    // Sends until the buffers of both ends are full.
     test::FrameReader frames;
     const int begin = bench.sent;
     int got = 0;
@@ -292,7 +292,7 @@ void TestLiveLimits::idleViewersDoNotLockOutOthers() {
     QCOMPARE(viewer.upgrade(), 101);
     QVERIFY(viewer.subscribe(1, kStateChannel));
     WAIT_VERIFY((bench.send(1), bench.output.progress().messages > 0));
-    // It remains, independent of the number of other connections.
+    // The viewer remains connected, independent of the number of other connections.
     for (int i = 0; i < 100; ++i) {
         idle.push_back(std::make_unique<RawViewer>(bench.port()));
         idle.back()->upgrade();

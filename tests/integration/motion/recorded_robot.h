@@ -64,7 +64,7 @@ public:
 
     /// Advances time and reads all data sent meanwhile.
     void step(int ticks = 1) {
-        // Not more at once than the sockets can buffer.
+        // Advances in chunks that the sockets can buffer.
         for (int left = ticks; left > 0; left -= 20) {
             const int now = std::min(left, 20);
             robot.controller.step(now);

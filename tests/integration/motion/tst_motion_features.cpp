@@ -137,7 +137,7 @@ private Q_SLOTS:
         const MotionSample there = robot_->marked(1).front();
         QVERIFY(std::abs(there.targetPose[2] - start[2] - 0.05) < 1e-6);
         QVERIFY(there.speed() < 1e-6);
-        // It remains at its new position.
+        // The arm remains at its new position.
         QVERIFY(std::abs(now().targetPose[2] - start[2] - 0.05) < 1e-5);
     }
 
@@ -340,7 +340,8 @@ private Q_SLOTS:
     }
 
     void forceModeThatLeavesThePathIsAProtectiveStop() {
-        // The elbow is at its limit for the path; the motion required by the force has to come from the other axes.
+        // The elbow already moves at its speed limit; the motion required by the force has to come from the
+        // other axes.
         robot_->send(
             "def leave():\n  force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,80,0,0,0], 2,"
             " [0.003,0.003,1,0.03,0.03,0.03])\n  q = get_target_joint_positions()\n  q[2] = q[2] + 2\n"

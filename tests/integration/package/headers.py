@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Compiles every header of a folder as if it were the first and only one a file includes.
+"""Compiles every header of a folder as the first and only header that a file includes.
 
-Two things spare most of the work and prove the same. Headers are compiled in chains: behind a header comes one that
-includes it anyway, directly or through others, so what is there before it is nothing it has not asked for. And what
-is not ours (Eigen, Qt, the standard library) is read from a few precompiled headers: a chain begins with one only
-where its first header includes all that is in it, before it declares anything.
+Two optimizations give the same result with less work. Headers are compiled in chains: each header follows a header
+that it includes anyway, directly or indirectly, so that the chain provides nothing that it has not included itself.
+And third-party headers (Eigen, Qt, the standard library) are read from a few precompiled headers: a chain uses one
+only if its first header includes all of its contents before its first declaration.
 """
 import argparse
 import collections
@@ -22,7 +22,8 @@ LEAST_USERS = 4
 
 
 def includes(text):
-    """What a header includes whatever the system is: ours, others', and whether all of it stands at its top."""
+    """The includes of a header that do not depend on the system: own headers, third-party headers, and whether all of
+    them come before the first declaration."""
     ours, others = [], []
     depth = 0
     at_top = True
@@ -47,7 +48,7 @@ def includes(text):
 
 
 class Headers:
-    """Who includes what, directly or through others."""
+    """Direct and indirect includes of each header."""
 
     def __init__(self, names, top):
         self.names = names
@@ -71,7 +72,7 @@ class Headers:
         self.at_top = {name: all(read[each][2] for each in self.ours[name] | {name}) for name in names}
 
     def preludes(self):
-        """The sets of others' headers that are worth precompiling."""
+        """The sets of third-party headers that are worth precompiling."""
         closures = collections.Counter(frozenset(self.others[name]) for name in self.names if self.at_top[name])
         candidates = set(closures) | {a & b for a, b in itertools.combinations(closures, 2)}
         chosen = []
@@ -89,13 +90,13 @@ class Headers:
         return chosen
 
     def fitting(self, name, preludes):
-        """The number of the largest of them that holds nothing this header does not ask for; None: there is none."""
+        """Index of the largest precompiled set with only headers that this header includes; None if there is none."""
         fits = [i for i, prelude in enumerate(preludes) if self.at_top[name] and prelude <= self.others[name]]
         return max(fits, key=lambda i: weight(preludes[i]), default=None)
 
     def chains(self, kinds):
-        """As few chains of one kind as possible that hold each header once (a bipartite matching: who comes behind
-        whom)."""
+        """The minimum number of chains of one kind that contain each header once (a bipartite matching of
+        predecessors)."""
         users = {header: [user for user in self.names if header in self.ours[user] and kinds[user] == kinds[header]]
                  for header in self.names}
         before = {}
@@ -121,7 +122,7 @@ class Headers:
 
 
 def weight(prelude):
-    """How long the compiler reads it, roughly."""
+    """Approximate time that the compiler needs to read it."""
     return sum(9 if name.startswith("Eigen") else 4 if name.startswith("Q") else 1 for name in prelude)
 
 
@@ -142,7 +143,7 @@ def main():
         sys.exit("not every header is looked at")
 
     def run(*arguments):
-        # Other tests measure time meanwhile.
+        # Low priority, because other tests measure time in parallel.
         return subprocess.run([*options.command, *arguments], capture_output=True, text=True,
                               preexec_fn=lambda: os.nice(10))
 
@@ -152,7 +153,7 @@ def main():
         def precompile(number):
             header = folder / f"prelude_{number}.h"
             header.write_text("".join(f"#include <{name}>\n" for name in sorted(preludes[number])))
-            # Where that fails, a chain reads the header itself and complains about it.
+            # If this fails, a chain reads the header itself and reports the error.
             run("-x", "c++-header", str(header), "-o", f"{header}.gch")
             return header
 

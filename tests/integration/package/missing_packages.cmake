@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Run by ctest: a package that a component needs is missing. Other components are found, and the message names both.
+# Run by ctest: a package required by a component is missing. Other components are found, and the message
+# contains both names.
 file(REMOVE_RECURSE ${FOLDER})
 set(hidden -DCMAKE_DISABLE_FIND_PACKAGE_fastcdr=ON)
 file(WRITE ${FOLDER}/other/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)

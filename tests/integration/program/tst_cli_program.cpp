@@ -95,7 +95,7 @@ private Q_SLOTS:
         const Answer answer =
             run({"run", path(), "--simulate", "--program", "to and fro", "--time-limit", "5"});
         QCOMPARE(answer.code, 1);
-        QVERIFY2(answer.out.contains("has not ended after 5 s"), qPrintable(answer.out));
+        QVERIFY2(answer.out.contains("did not end within 5 s"), qPrintable(answer.out));
     }
 
     void programsWithErrorsAreRefused() {
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
     }
 
-    // A process that was killed cannot stop anything: the heartbeat in the script does.
+    // A killed process cannot stop anything; the missing heartbeat ends the motion in the script.
     void armStopsWithTheProcess_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("interrupted") << SIGINT;

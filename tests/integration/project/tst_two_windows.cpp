@@ -249,7 +249,7 @@ private Q_SLOTS:
                     windows[random.bounded(2)].kill();
                     ++kills;
                 }
-                disk.makeRoom();
+                disk.fitToContents();
             } else {
                 windows[random.bounded(2)].kill();
                 ++kills;

@@ -234,7 +234,7 @@ void TestReceiveSimulator::stateMatchesTheRobot() {
     }
     const receive::Sample sample = cell.receiver->latest();
     const receive::RobotState state(sample);
-    const simulator::Truth truth = cell.robot.truth();
+    const simulator::SimulatedState truth = cell.robot.truth();
     QCOMPARE(state.robotMode(), RobotMode::Running);
     QCOMPARE(state.safetyMode(), SafetyMode::Normal);
     QVERIFY(state.is(receive::RobotStatusBit::PowerOn));

@@ -23,7 +23,7 @@ using test::MadeSamples;
 
 namespace {
 
-constexpr int kPatienceMs = 100'000;
+constexpr int kWaitTimeoutMs = 100'000;
 constexpr std::uint64_t kRows = 1500;
 constexpr std::uint64_t kGap = 700;
 
@@ -31,7 +31,7 @@ constexpr std::uint64_t kGap = 700;
 QJsonObject answerOf(const QString& program, const QStringList& arguments, QString& complaint) {
     QProcess process;
     process.start(program, arguments);
-    if (!process.waitForFinished(kPatienceMs)) {
+    if (!process.waitForFinished(kWaitTimeoutMs)) {
         process.kill();
         process.waitForFinished();
     }

@@ -20,22 +20,22 @@ QString ownAddress() {
 struct Cli {
     explicit Cli(const QStringList& arguments) {
         process.start(QStringLiteral(TILLER_CLI), arguments);
-        process.waitForStarted(kPatienceMs);
+        process.waitForStarted(kWaitTimeoutMs);
     }
     ~Cli() {
         if (process.state() != QProcess::NotRunning) {
             process.kill();
-            process.waitForFinished(kPatienceMs);
+            process.waitForFinished(kWaitTimeoutMs);
         }
     }
     QByteArray readyLine() {
-        while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
+        while (!process.canReadLine() && process.waitForReadyRead(kWaitTimeoutMs)) {
         }
         return process.readLine();
     }
-    /// -1: it did not end by itself.
+    /// Exit code; -1 if the process did not exit by itself, -2 if it crashed.
     int exitCode() {
-        if (process.state() != QProcess::NotRunning && !process.waitForFinished(kPatienceMs)) {
+        if (process.state() != QProcess::NotRunning && !process.waitForFinished(kWaitTimeoutMs)) {
             return -1;
         }
         return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2;
@@ -65,7 +65,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
         QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
-        // It listens on its own address only.
+        // The simulator listens on its own address only.
         const auto last = ownAddress().section('.', 0, 2) + ".8";
         QVERIFY(!RawClient(last, 30004).isConnected());
 
@@ -117,7 +117,7 @@ private Q_SLOTS:
                 };
                 QElapsedTimer patience;
                 patience.start();
-                while (!isTold() && patience.elapsed() < kPatienceMs) {
+                while (!isTold() && patience.elapsed() < kWaitTimeoutMs) {
                 }
                 told += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
                 if (!heard.contains("ran")) {
@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // Also by the switch of the pendant, in both directions.
+        // The switch on the pendant works as well, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;

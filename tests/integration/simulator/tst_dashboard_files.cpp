@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
         cell.dashboard.ask("stop");
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Stopped; }, 2));
-        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // a blocking one does
+        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // a blocking popup does
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
         cell.dashboard.ask("close popup");
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get loaded program") == "No program loaded\n", !loads);
     }
 
-    // A file inside the folder at load time may be replaced by a link.
+    // A file that is inside the folder when it is loaded may be replaced by a link.
     void aLoadedProgramThatTurnsIntoALinkIsNotPlayed() {
         QTemporaryDir elsewhere;
         QFile secret(elsewhere.filePath("secret.script"));
@@ -285,7 +285,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(cell.folder.filePath("wait_program.urp")));
         QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("wait_program.urp")));
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
-        // Neither may the script next to a program be a link to the outside.
+        // The script next to a program must not be a link to the outside either.
         QFile program(cell.folder.filePath("pair.urp"));
         QVERIFY(program.open(QIODevice::WriteOnly));
         program.write(

@@ -46,7 +46,7 @@ struct Cell {
     }
     /// The next connection of the robot; null if there is none.
     std::unique_ptr<QTcpSocket> connection() {
-        server.waitForNewConnection(kPatienceMs);
+        server.waitForNewConnection(kWaitTimeoutMs);
         return std::unique_ptr<QTcpSocket>(server.nextPendingConnection());
     }
     QByteArray state() { return dashboard.ask("programState"); }
@@ -56,7 +56,7 @@ struct Cell {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;
-        // Longer than the possible delay of this thread before the next piece.
+        // Longer than this thread may be delayed before the next piece.
         options.scriptSilence = std::chrono::seconds(2);
         return options;
     }
@@ -79,21 +79,21 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
         const auto provider = cell.connection();
         QVERIFY(provider);
-        while (!provider->canReadLine() && provider->waitForReadyRead(kPatienceMs)) {
+        while (!provider->canReadLine() && provider->waitForReadyRead(kWaitTimeoutMs)) {
         }
         QCOMPARE(provider->readAll(), QByteArray("request_program\n"));
         QCOMPARE(cell.state(), QByteArray("STOPPED external_control.urp\n"));
-        // In pieces, and the connection stays open: only a pause marks the end.
+        // The script is sent in pieces, and the connection stays open: only a pause marks the end.
         provider->write("# words before\n# HEADER_BEGIN\ndef own(n):\n  set_standard_digital_out(n, ");
-        provider->waitForBytesWritten(kPatienceMs);
+        provider->waitForBytesWritten(kWaitTimeoutMs);
         provider->write(
             "get_standard_digital_out(0))\nend\n# HEADER_END\n# NODE_CONTROL_LOOP_BEGINS\nown(2)\n"
             "while not get_standard_digital_in(1):\n  sync()\nend\n# NODE_CONTROL_LOOP_ENDS");
-        provider->waitForBytesWritten(kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(cell.state(), QByteArray("PLAYING external_control.urp\n"), kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b101), kPatienceMs);
+        provider->waitForBytesWritten(kWaitTimeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.state(), QByteArray("PLAYING external_control.urp\n"), kWaitTimeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b101), kWaitTimeoutMs);
         cell.robot.controller.setDigitalInput(1, true);
-        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b1101), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b1101), kWaitTimeoutMs);
 
         // Every start requests the script again.
         cell.dashboard.ask("stop");
@@ -102,17 +102,17 @@ private Q_SLOTS:
         QVERIFY(again);
         again->write(setOutput(5));
         again->disconnectFromHost();
-        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b101101), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b101101), kWaitTimeoutMs);
     }
 
     void withoutItsScriptTheProgramWaitsForTheOperator() {
         Cell cell;
         cell.server.close();
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
-        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(1), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(1), kWaitTimeoutMs);
         QCOMPARE(cell.state(), QByteArray("PLAYING external_control.urp\n"));
         QCOMPARE(cell.dashboard.ask("close popup"), QByteArray("closing popup\n"));
-        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b1001), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b1001), kWaitTimeoutMs);
     }
 
     void aStopEndsTheWaitForTheScript() {
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(provider);
         cell.dashboard.ask("stop");
         QVERIFY(provider->state() == QAbstractSocket::UnconnectedState ||
-                provider->waitForDisconnected(kPatienceMs));
+                provider->waitForDisconnected(kWaitTimeoutMs));
         QCOMPARE(cell.state(), QByteArray("STOPPED external_control.urp\n"));
         QCOMPARE(cell.outputs(), quint64(0));
     }

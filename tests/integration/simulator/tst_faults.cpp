@@ -139,7 +139,7 @@ private Q_SLOTS:
         console.send("status\r\nnonsense\n");
         QVERIFY(console.line().startsWith("ok robot_mode=RUNNING safety_mode=PROTECTIVE_STOP"));
         QVERIFY(console.line().startsWith("error: 'nonsense'"));
-        // It answers while everything else is blocked, or the fault could not be ended.
+        // The fault control answers while everything else is blocked; otherwise the fault could not be ended.
         console.send("silence on\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         console.send("link lost\n");
@@ -272,7 +272,7 @@ private Q_SLOTS:
         robot.controller.step(50);
         QVERIFY(stream.rtde.takeAll().isEmpty());
         QVERIFY(stream.rtde.isConnected());
-        // Its inputs are free again, and a new connection works.
+        // The inputs are free again, and a new connection works.
         RawRtde other = robot.rtde();
         QVERIFY(other.useVersion());
         QCOMPARE(other.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));
@@ -290,7 +290,7 @@ private Q_SLOTS:
         robot.controller.step(2);
         const auto packages = stream.rtde.packages();
         QCOMPARE(packages.size(), std::size_t(2));
-        // Time advanced: unsent data are never sent later.
+        // Time has advanced: data that were not sent are never sent later.
         QVERIFY(std::abs(doubleAt(packages[0].payload, 1) - robot.controller.truth().timestamp + 0.002) <
                 1e-9);
     }

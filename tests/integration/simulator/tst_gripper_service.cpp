@@ -68,7 +68,7 @@ private Q_SLOTS:
         VirtualRobot robot;
         GripperClient gripper(robot);
         gripper.send("GET ACT\nGET STA\nGET FLT\n");
-        gripper.socket().waitForReadyRead(kPatienceMs);
+        gripper.socket().waitForReadyRead(kWaitTimeoutMs);
         QCOMPARE(gripper.socket().readAll(), QByteArray("ACT 0\nSTA 0\nFLT 0\n"));
     }
 
@@ -200,7 +200,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.move("POS 100"), 3);
     }
 
-    // It has priority over everything but a reset.
+    // The emergency release has priority over everything except a reset.
     void anAutomaticReleaseEndsAnActivation() {
         VirtualRobot robot;
         GripperClient gripper(robot);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("STA"), 0);
     }
 
-    // For a program its controller is 127.0.0.1 with the standard ports, independent of the address of this one.
+    // For a program, its controller is 127.0.0.1 with the standard ports, whatever address this one has.
     void programReachesTheGripperOfItsController() {
         VirtualRobot robot;
         GripperClient gripper(robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs with signals of a Modbus device, and changes of the device meanwhile.
+// Programs with signals of a Modbus device whose values change while they run.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -92,7 +92,7 @@ private Q_SLOTS:
                            0.5),
                  (QByteArrayList{"[11, 21, 30, 40]", "21", "True"}));
         QCOMPARE(cell.error, QByteArray());
-        // They outlive the program, until they are deleted.
+        // Signals outlive the program until they are deleted.
         QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"one\"))\nmodbus_delete_signal(\"one\")\n"
                            "textmsg(modbus_get_signal_status(\"one\"))"),
                  QByteArrayList{"21"});
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(cell.told(errors), (QByteArrayList{"0", "0", "0"}));
     }
 
-    // Within the watchdog time the last valid value, afterwards an error.
+    // Within the watchdog time the last valid value is returned, afterwards an error.
     void aSignalThatIsNotAnsweredKeepsItsValueForAWhile() {
         Cell cell;
         QVERIFY(cell.told(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());

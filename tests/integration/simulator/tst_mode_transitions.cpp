@@ -225,7 +225,7 @@ private Q_SLOTS:
         for (const QByteArray& action : event) {
             act(robot, observer, action);
         }
-        // Until complete, then the interval of a primary state.
+        // Steps until the transition is complete, then for the interval of a primary state.
         for (int i = 0;
              i < 200 && (observer.robotModes() != robotModes || observer.runtimeStates() != runtimeStates);
              ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs in the form in which the pendant saves them (tests/data/pendant): each is loaded and played in virtual
-// time, and what clients see of it is compared with its trace. For some there is a script as the pendant exports
-// it beside the program (exports/): it has the same effect.
+// Programs as saved by the pendant (tests/data/pendant): each is loaded and played in virtual time, and the
+// events visible to clients are compared with its trace. Some programs also have a script exported by the
+// pendant (exports/), which must have the same effect.
 //
 // To write the traces again:  TILLER_UPDATE=1 tst_pendant_corpus
 #include <QDir>
@@ -26,7 +26,7 @@ QString contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// Loads and plays a program, answers its popups and questions, and notes what a client sees.
+/// Loads and plays a program, answers its popups and questions, and records what a client sees.
 class Player {
 public:
     explicit Player(const QString& folder)
@@ -133,7 +133,7 @@ void addPrograms(const QString& folder, const QString& ending) {
     }
 }
 
-/// What is left of a trace without the labels: the order of two threads in a period is not of interest.
+/// The trace without labels: the order of two threads within a period is irrelevant.
 QStringList effects(QStringList trace) {
     trace.removeIf([](const QString& line) { return line.startsWith("label "); });
     return trace;
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(trace, contentOf(path).split('\n', Qt::SkipEmptyParts));
     }
 
-    // Without these the corpus would say nothing about the whole of the nodes.
+    // Checks that the corpus contains every kind of node.
     void theCorpusHasEveryNode() {
         QString all;
         for (const QString& file : QDir(kFolder).entryList({"*.urp"}, QDir::Files)) {

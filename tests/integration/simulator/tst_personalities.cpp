@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(QByteArray::number(wordAt(told, 0)) + '.' + QByteArray::number(wordAt(told, 4)) + '.' +
                      QByteArray::number(wordAt(told, 8)) + '.' + QByteArray::number(wordAt(told, 12)),
                  number);
-        // Its period.
+        // The control period.
         rtde.setupOutputs(1000, "timestamp");
         QVERIFY(rtde.start());
         robot.controller.step(2);

@@ -279,7 +279,7 @@ private Q_SLOTS:
         QFETCH(QString, fault);
         QFETCH(QByteArray, script);
         QFETCH(QList<int>, modes);
-        // At any time between two states.
+        // The change occurs at different times between two states.
         for (const int ticksBefore : {1, 13, 26, 39, 49, 50, 51}) {
             VirtualRobot robot;
             RawPrimary primary = robot.primary();

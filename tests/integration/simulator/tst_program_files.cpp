@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs of the pendant, as it saves them: variables that are told once and referred to, sequences,
-// branches, loops, threads, waypoints given by a variable.
+// Programs as saved by the pendant: variables that are defined once and then referenced, sequences, branches,
+// loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -14,7 +14,8 @@ using namespace tiller::test;
 
 namespace {
 
-/// An expression as it is saved, sign by sign. `@path@` in it stands for a variable told elsewhere.
+/// The saved form of an expression, character by character. `@path@` is a reference to a variable defined
+/// elsewhere.
 QString signs(const QString& text) {
     QString xml;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -56,8 +57,8 @@ QString program(const QString& parts) {
 
 /// A robot with one program in its folder, loaded.
 struct Loaded {
-    /// beside  other files of the folder, by name
-    /// assumption  NAME=VALUE; empty: all as by default
+    /// `beside`: other files of the folder, by name.
+    /// `assumption`: NAME=VALUE; empty for the defaults.
     explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {},
                     const QString& assumption = {})
         : assumed(assumption) {
@@ -100,8 +101,8 @@ class TestProgramFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // What the vendor's RTDE client comes with for its control loop: a thread reads set points into a
-    // variable told before the start, the program moves there on command and says when it is there.
+    // The program that the vendor supplies with its RTDE control loop: a thread reads set points into a
+    // variable defined in Before Start; the program moves to it on command and reports when it has arrived.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -161,11 +162,11 @@ private Q_SLOTS:
                 values += bigEndian(v);
             }
             rtde.sendPackage('U', values);
-            QVERIFY(until(1, 0));  // the thread takes them in
+            QVERIFY(until(1, 0));  // the thread reads the set points
             QVERIFY(until(0, 1));
             QVERIFY(std::abs(doubleAt(state, 5 + 16) - z) < 1e-3);
         }
-        // Without the client the watchdog acts as it was told to.
+        // Without the client, the watchdog performs its configured action.
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Paused; }, 3));
     }
 
@@ -228,8 +229,7 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(1) << 6);
     }
 
-    // The nodes that published programs of the pendant use: each sets output 1 where it should, and none
-    // else.
+    // The nodes used by published pendant programs: each sets output 1 if it should, and no other output.
     void theNodesOfThePendantRun_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<quint64>("outputs");
@@ -404,7 +404,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(cell.robot.controller.truth().q[0])));
     }
 
-    // Scripts and sub programs that are files of their own come from the programs folder.
+    // Scripts and subprograms in separate files are read from the programs folder.
     void referencedFilesAreReadFromTheFolder_data() {
         QTest::addColumn<QString>("node");
         const auto script = [](const char* file) {
@@ -482,7 +482,7 @@ private Q_SLOTS:
         row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
-            "no sub program");
+            "no subprogram");
         row("sub program that cannot be told",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),
@@ -525,7 +525,7 @@ private Q_SLOTS:
         QVERIFY2(heard.texts[0].startsWith("Error while loading program: p.urp: "), heard.texts[0]);
     }
 
-    // As on the pendant: it can be edited, and must not run.
+    // As on the pendant, an unfinished program can be edited but not run.
     void anUnfinishedProgramLoadsAndDoesNotPlay_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<QString>("why");
@@ -558,12 +558,12 @@ private Q_SLOTS:
         QVERIFY(!cell.play());
     }
 
-    // Programs reduced from those that users have: older spellings, references, what the installation gives.
+    // Reduced versions of user programs: older spellings, references, and elements of the installation.
     void programsOfUsersRun_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<QString>("text");  ///< what the program reports
         QTest::addColumn<quint64>("outputs");
-        QTest::addColumn<double>("base");  ///< where it ends; NaN: it does not move
+        QTest::addColumn<double>("base");  ///< final position of the base joint; NaN: it does not move
         const QString joints =
             "<position><JointAngles angles=\"%1, -1.5, 1.5, -1.5, -1.5, 0.0\"/></position>";
         const auto waypoint = [&joints](const char* name, const char* base) {
@@ -677,7 +677,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(cell.robot.controller.truth().q[0] - (std::isnan(base) ? start : base)) < 1e-3);
     }
 
-    // The person at the robot decides when it goes on.
+    // The program continues when the operator confirms the popup.
     void aPopupWaitsForTheOperator() {
         Loaded cell(program(mainProgram(
             "<Popup type=\"Message\" haltProgram=\"false\" message=\"hands off?\" inputType=\"Text\"/>" +
@@ -763,7 +763,7 @@ private Q_SLOTS:
         QCOMPARE(Heard(primary).texts.size() > 1, again);
     }
 
-    // Sub programs that only a script calls belong to the program as well.
+    // Subprograms that are only called by a script belong to the program as well.
     void aScriptMayCallASubProgram() {
         Loaded cell(program(mainProgram(line("Sub_1()")) +
                             withChildren("SubProgram name=\"Sub 1\"", line("set_digital_out(3, True)"))));
@@ -772,7 +772,7 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(0b1000));
     }
 
-    // A program may break between load and play.
+    // A file may be damaged between load and play.
     void playSaysWhyTheProgramIsNoMore() {
         Loaded cell(program(mainProgram(line("sync()"))));
         RawPrimary primary = cell.robot.primary();

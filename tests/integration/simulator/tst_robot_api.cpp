@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(VirtualRobot(polyScopeX(10)).controller.ports().robotApi, quint16(0));
     }
 
-    // Neither read nor written through the link.
+    // The server must neither read nor write through the link.
     void aLinkOutOfTheProgramsFolderIsNoProgram() {
         QTemporaryDir place;
         const QDir outside(place.path());
@@ -127,7 +127,7 @@ private Q_SLOTS:
         const Answer stored = web.upload("POST", kProgram);
         QCOMPARE(stored.status, 200);
         QCOMPARE(stored.json()["programName"].toString(), QStringLiteral("wait"));
-        QCOMPARE(web.upload("POST", kProgram).status, 400);  // there is one already
+        QCOMPARE(web.upload("POST", kProgram).status, 400);  // the program already exists
         QCOMPARE(web.upload("PUT", R"({"name":"other"})").status, 404);
         QCOMPARE(web.upload("PUT", kProgram).status, 200);
         QCOMPARE(web.upload("POST", "no json").status, 400);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"none"})").status, 404);
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 200);
         QCOMPARE(web.ask("GET", "/program/v1/loaded").json()["name"].toString(), QStringLiteral("wait"));
-        QCOMPARE(web.upload("PUT", kProgram).status, 409);  // it is loaded
+        QCOMPARE(web.upload("PUT", kProgram).status, 409);  // the program is loaded
 
         const auto act = [&](const char* action) {
             const Answer answer =
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", "not json").status, 422);
     }
 
-    // As saved by the vendor's pendant.
+    // The layout is that of programs saved by the vendor's pendant.
     void aProgramInTheVendorsLayoutIsUnderstood() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);

@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().digitalOutputs, (1ULL << 2) | (1ULL << 16) | (1ULL << 15));
         QCOMPARE(robot.controller.truth().speedSlider, 0.5);
 
-        // It sends a PAUSE at the end although it never started, and waits for the answer.
+        // The client sends a PAUSE at the end although it never started, and waits for the answer.
         QCOMPARE(io.request('P').payload, QByteArray(1, '\1'));
     }
 
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(types.count(','), outputs.count(','));
         QVERIFY(rtde.start());
 
-        // It reads data until the time stamp indicates that the controller has booted.
+        // The client reads data until the time stamp indicates that the controller has booted.
         robot.controller.step();
         const auto first = rtde.next();
         QCOMPARE(first.type, 'U');

@@ -22,7 +22,7 @@ private Q_SLOTS:
                      QByteArray("\x02INT32,INT32"));
             const QByteArray refused = second.setupInputs("input_int_register_24,input_int_register_30");
             QCOMPARE(refused, QByteArray("\0IN_USE,INT32", 13));
-            // A refused recipe claims nothing.
+            // A refused recipe does not reserve any field.
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
-    // As on a robot: clients that read the answer and the data with one call must not get both at once.
+    // As on a real robot: clients that read the answer and the data with one call must not get both at once.
     void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.inputPackages(), quint64(0));
         rtde.sendPackage('U', QByteArray("\x01\0\0\0\1", 5));
         QVERIFY(robot.controller.waitForInputPackages(
-            1, Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+            1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
     }
 
     void masksSelectWhatAPackageWrites() {
@@ -361,7 +361,7 @@ private Q_SLOTS:
                              QByteArray("\x01") + mask + value + bigEndian(sliderMask) + bigEndian(slider));
             const quint64 sent = robot.controller.inputPackages() + 1;
             robot.controller.waitForInputPackages(sent,
-                                                  Deadline::after(std::chrono::milliseconds(kPatienceMs)));
+                                                  Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs)));
             robot.controller.step();
             return robot.controller.truth();
         };
@@ -409,7 +409,7 @@ private Q_SLOTS:
             writer.sendPackage('U', QByteArray("\x01") + bigEndian(qint32(-5)) + bigEndian(2.5) + '\x01' +
                                         bigEndian(quint32(0x80000001U)));
             QVERIFY(robot.controller.waitForInputPackages(
-                1, Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+                1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             writer.close();
         }
         QTRY_COMPARE(robot.controller.rtdeClients(), 1);

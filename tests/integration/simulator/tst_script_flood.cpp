@@ -73,7 +73,7 @@ private Q_SLOTS:
                 burst += command(++newest);
             }
             client->write(burst);
-            while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+            while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kWaitTimeoutMs)) {
             }
             cell.robot.controller.drainSockets();  // the network is faster than a period
             cell.robot.controller.step(2);
@@ -95,7 +95,7 @@ private Q_SLOTS:
             cell.robot.controller.drainSockets();
         }
         QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
-        // It continues as the program reads.
+        // The client continues to send as the program reads.
         const qint64 before = client->bytesToWrite();
         for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
             cell.robot.controller.step();
@@ -105,12 +105,12 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
     }
 
-    // In real time, from a thread that does nothing else.
+    // Sends in real time, from a thread that does nothing else.
     void aFloodDoesNotEndTheProgram() {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         Cell cell(options);
-        QVERIFY(cell.server.waitForNewConnection(kPatienceMs));
+        QVERIFY(cell.server.waitForNewConnection(kWaitTimeoutMs));
         QTcpSocket* const client = cell.server.nextPendingConnection();
         QByteArray many;
         for (qint32 i = 1; i <= 1000; ++i) {
@@ -125,12 +125,12 @@ private Q_SLOTS:
         }
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
         QCOMPARE(cell.robot.controller.truth().safetyMode, SafetyMode::Normal);
-        while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kPatienceMs)) {
+        while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kWaitTimeoutMs)) {
         }
         client->write(command(424242));
-        client->waitForBytesWritten(kPatienceMs);
+        client->waitForBytesWritten(kWaitTimeoutMs);
         // Packages arrive without a pause: there is no end to wait for.
-        QDeadlineTimer deadline(kPatienceMs);
+        QDeadlineTimer deadline(kWaitTimeoutMs);
         qint32 acting = 0;
         while (acting != 424242 && !deadline.hasExpired()) {
             const RawRtde::Package package = cell.rtde.next();

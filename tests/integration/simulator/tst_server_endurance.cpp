@@ -115,7 +115,7 @@ private Q_SLOTS:
             for (int i = 0; i < 5; ++i, ++done) {
                 batch += service.input(in);
             }
-            // Not send(): the other end may have closed the connection.
+            // Does not use send(), because the other end may have closed the connection.
             client->socket().write(batch);
             client->socket().flush();
             robot.controller.drainSockets();

@@ -134,7 +134,7 @@ private Q_SLOTS:
         for (int i = 1; i <= 200; ++i) {
             rtde.sendPackage('U', QByteArray("\x01") + bigEndian(qint32(i)));
             QVERIFY(robot.controller.waitForInputPackages(
-                static_cast<quint64>(i), Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+                static_cast<quint64>(i), Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             robot.controller.step();
             QCOMPARE(intAt(rtde.next().payload, 1), i);
         }
@@ -151,8 +151,8 @@ private Q_SLOTS:
             robot.controller.step(1234);
             return robot.controller.truth();
         };
-        const simulator::Truth first = run();
-        const simulator::Truth second = run();
+        const simulator::SimulatedState first = run();
+        const simulator::SimulatedState second = run();
         QCOMPARE(first.q.array(), second.q.array());
         QCOMPARE(first.qd.array(), second.qd.array());
     }
@@ -191,7 +191,7 @@ private Q_SLOTS:
         robot.controller.stepSeconds(1);
         robot.controller.safeguardStop(true);
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Paused; }, 2));
-        const simulator::Truth paused = robot.controller.truth();
+        const simulator::SimulatedState paused = robot.controller.truth();
         QCOMPARE(paused.safetyMode, SafetyMode::SafeguardStop);
         QCOMPARE(paused.robotMode, RobotMode::Running);
         robot.controller.stepSeconds(1);
@@ -260,7 +260,7 @@ private Q_SLOTS:
         for (int i = 0; i < 10; ++i) {
             rtde.sendPackage('U', QByteArray("\x01\0\0\0\0", 5));
             QVERIFY(robot.controller.waitForInputPackages(
-                static_cast<quint64>(i) + 1, Deadline::after(std::chrono::milliseconds(kPatienceMs))));
+                static_cast<quint64>(i) + 1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             robot.controller.step(25);
             QCOMPARE(robot.programState(), RuntimeState::Playing);
         }

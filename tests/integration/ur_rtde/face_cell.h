@@ -39,7 +39,7 @@ public:
     /// Stops time, as for a controller that hangs: connections remain open.
     void freeze(bool frozen) { frozen_ = frozen; }
     /// Waits for the condition, in real time and with a limit for hanging tests.
-    bool until(const std::function<bool(const simulator::Truth&)>& condition) {
+    bool until(const std::function<bool(const simulator::SimulatedState&)>& condition) {
         for (int i = 0; i < 30'000; ++i) {
             if (condition(robot.truth())) {
                 return true;
@@ -51,8 +51,9 @@ public:
     /// Advances robot time, immediately if no client answers.
     bool pass(double seconds) {
         const double end = robot.truth().timestamp + seconds;
-        return hurried(
-            [&] { return until([end](const simulator::Truth& truth) { return truth.timestamp >= end; }); });
+        return hurried([&] {
+            return until([end](const simulator::SimulatedState& truth) { return truth.timestamp >= end; });
+        });
     }
     /// Waits for a call that takes robot time, which advances immediately if no client answers.
     bool hurried(const std::function<bool()>& call) {
@@ -78,8 +79,8 @@ private:
         return options;
     }
 
-    // Waits for a client that answers every package (the control interface does), in periods with a package; others
-    // get a little time.
+    // Waits for a client that answers every packet, as the control interface does, in periods with a packet;
+    // other clients get a little time.
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A program for ur_rtde that moves the arm in one way until somebody ends it:
-//     face_mover <host> <way of moving>
-// It does not look at what the calls return, as many programs do not. When it is "ready" it does what the
-// lines of its standard input say, and answers each with "<line> done": "begin", "again" (from where it began
-// first), "release" (what ends this way of moving), "disconnect", "leave" (disconnect unattended), or how to end:
-// see endProcess().
+// A program for ur_rtde that moves the arm in one way until it is ended:
+//     face_mover <host> <type of motion>
+// Like many programs, it ignores the return values of its calls. It prints "ready", then executes the lines
+// of its standard input and answers each with "<line> done": "begin", "again" (from the first start
+// position), "release" (the function that ends this type of motion), "disconnect", "leave" (disconnect
+// unattended), or a way to end the process: see endProcess().
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <atomic>
@@ -30,8 +30,8 @@ const List kDown{0, 0, -0.1, 0, 0, 0};
 constexpr double kTurn = 0.4;  // [rad/s]
 
 struct Way {
-    std::function<void(Control&)> begin;          ///< once
-    std::function<void(Control&, double)> cycle;  ///< every 4 ms, with the time since the beginning [s]
+    std::function<void(Control&)> begin;          ///< called once
+    std::function<void(Control&, double)> cycle;  ///< called every 4 ms, with the time since the start [s]
     std::function<void(Control&)> release;
 };
 
@@ -75,7 +75,7 @@ std::string risingFile() {
     return name;
 }
 
-/// A call that returns when the script is over.
+/// Runs a call that returns at the end of the script in a separate thread.
 template <class Call>
 std::function<void(Control&)> waiting(Call call) {
     return [call](Control& c) { std::thread([&c, call] { call(c); }).detach(); };
@@ -100,7 +100,7 @@ void addScripts(std::map<std::string, Way>& table) {
     add("custom program", [](Control& c) { c.setCustomScriptFile(risingFile()); });
 }
 
-/// There and back, by calls that return at each end.
+/// Moves back and forth with calls that return at each end.
 Way endless(const std::function<void(Control&, bool)>& move) {
     return {[move](Control& c) {
                 std::thread([&c, move] {

@@ -304,7 +304,7 @@ private Q_SLOTS:
         dashboard.connect();
         auto moving = std::async(std::launch::async, [&] { return control->moveJ(kQ, 0.05); });
         QVERIFY(hanging.until(
-            [&](const simulator::Truth&) { return control->getAsyncOperationProgress() >= 0; }));
+            [&](const simulator::SimulatedState&) { return control->getAsyncOperationProgress() >= 0; }));
         hanging.robot.silence(true);
         hanging.freeze(true);
         control->disconnect();
@@ -343,7 +343,7 @@ private Q_SLOTS:
                                          RTDEControlInterface::FLAG_NO_WAIT |
                                          RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS,
                                      port);
-        // Others that say nothing, a scanner of ports for one, hold up no one.
+        // Other connections that send nothing, e.g. from a port scanner, do not delay the request.
         std::vector<std::unique_ptr<QTcpSocket>> silent;
         for (int i = 0; i < 12; ++i) {
             silent.push_back(std::make_unique<QTcpSocket>());

@@ -82,18 +82,19 @@ private Q_SLOTS:
         DashboardClient dashboard(robot->host(), 29999, true);
         dashboard.connect(5000);
         QVERIFY_EXCEPTION_THROWN(dashboard.loadURP("nothing.urp"), std::runtime_error);
-        QVERIFY_EXCEPTION_THROWN(dashboard.play(), std::runtime_error);  // nothing is loaded
+        QVERIFY_EXCEPTION_THROWN(dashboard.play(), std::runtime_error);  // no program is loaded
         dashboard.loadURP("loaded.urp");
         const QString loaded = QString::fromStdString(dashboard.getLoadedProgram());
         QVERIFY2(loaded.startsWith("Loaded program: ") && loaded.endsWith("loaded.urp"), qPrintable(loaded));
         dashboard.play();
-        QVERIFY(robot->until([&](const simulator::Truth&) { return dashboard.running(); }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) { return dashboard.running(); }));
         QCOMPARE(dashboard.programState(), std::string("PLAYING loaded.urp"));
         dashboard.pause();
-        QVERIFY(robot->until(
-            [&](const simulator::Truth&) { return dashboard.programState() == "PAUSED loaded.urp"; }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) {
+            return dashboard.programState() == "PAUSED loaded.urp";
+        }));
         dashboard.stop();
-        QVERIFY(robot->until([&](const simulator::Truth&) { return !dashboard.running(); }));
+        QVERIFY(robot->until([&](const simulator::SimulatedState&) { return !dashboard.running(); }));
     }
 
     void dashboardBringsTheRobotUpAndDown() {
@@ -101,26 +102,30 @@ private Q_SLOTS:
         DashboardClient dashboard(robot->host());
         dashboard.connect();
         const auto becomes = [&](RobotMode mode) {
-            return robot->until([mode](const simulator::Truth& truth) { return truth.robotMode == mode; });
+            return robot->until(
+                [mode](const simulator::SimulatedState& truth) { return truth.robotMode == mode; });
         };
         dashboard.powerOn();
         QVERIFY(becomes(RobotMode::Idle));
         dashboard.brakeRelease();
         QVERIFY(becomes(RobotMode::Running));
         robot->robot.protectiveStop();
-        QVERIFY(robot->until(
-            [](const simulator::Truth& truth) { return truth.safetyMode == SafetyMode::ProtectiveStop; }));
-        QVERIFY_EXCEPTION_THROWN(dashboard.unlockProtectiveStop(), std::logic_error);  // not for 5 s
+        QVERIFY(robot->until([](const simulator::SimulatedState& truth) {
+            return truth.safetyMode == SafetyMode::ProtectiveStop;
+        }));
+        QVERIFY_EXCEPTION_THROWN(dashboard.unlockProtectiveStop(), std::logic_error);  // refused for 5 s
         QVERIFY(robot->pass(6));
         dashboard.unlockProtectiveStop();
         QVERIFY(robot->until(
-            [](const simulator::Truth& truth) { return truth.safetyMode == SafetyMode::Normal; }));
+            [](const simulator::SimulatedState& truth) { return truth.safetyMode == SafetyMode::Normal; }));
         dashboard.powerOff();
         QVERIFY(becomes(RobotMode::PowerOff));
         robot->robot.fault();
-        QVERIFY(robot->until([](const simulator::Truth& t) { return t.safetyMode == SafetyMode::Fault; }));
+        QVERIFY(robot->until(
+            [](const simulator::SimulatedState& t) { return t.safetyMode == SafetyMode::Fault; }));
         dashboard.restartSafety();
-        QVERIFY(robot->until([](const simulator::Truth& t) { return t.safetyMode == SafetyMode::Normal; }));
+        QVERIFY(robot->until(
+            [](const simulator::SimulatedState& t) { return t.safetyMode == SafetyMode::Normal; }));
         dashboard.quit();
         QVERIFY(!dashboard.isConnected());
         dashboard.connect();
@@ -145,7 +150,7 @@ private Q_SLOTS:
         dashboard.setUserRole(ur_rtde::UserRole::RESTRICTED);
         QCOMPARE(role(), std::string("RESTRICTED"));
 
-        // An e-Series has none, and says so.
+        // An e-Series has no user roles and reports an error.
         const auto later =
             cell([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         DashboardClient other(later->host());
@@ -162,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(client.isConnected());
         const auto outputs = [&](std::uint64_t bits) {
             return robot->until(
-                [bits](const simulator::Truth& truth) { return truth.digitalOutputs == bits; });
+                [bits](const simulator::SimulatedState& truth) { return truth.digitalOutputs == bits; });
         };
         QVERIFY(client.sendScriptCommand("set_standard_digital_out(0, True)"));
         QVERIFY(outputs(1));
@@ -171,7 +176,7 @@ private Q_SLOTS:
                                "$6.0   unknown_function()\n# place\n  sync()\nend\n";
         client.setScriptFile(file);
         client.setScriptInjection("# place\n", "  set_standard_digital_out(3, True)\n");
-        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");  // in its place
+        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");  // replaces it
         const QString text = QString::fromStdString(client.getScript());
         QVERIFY(text.contains("set_standard_digital_out(2, True)"));
         QVERIFY(!text.contains("unknown_function"));
@@ -228,7 +233,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.getClosedPosition(), 0.0F);
         QCOMPARE(gripper.getOpenPosition(), 1.0F);
         QCOMPARE(gripper.open(), int(RobotiqGripper::MOVING));
-        QCOMPARE(gripper.getVars({"SPE", "FOR"}), (std::vector<int>{255, 0}));  // gentle unless told
+        QCOMPARE(gripper.getVars({"SPE", "FOR"}), (std::vector<int>{255, 0}));  // default: minimum force
         QCOMPARE(gripper.waitForMotionComplete(), RobotiqGripper::AT_DEST);
         QCOMPARE(gripper.getCurrentPosition(), 1.0F);
 
@@ -239,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(gripper.getCurrentPosition() - 25.0F) < 0.3F);
         gripper.setUnit(RobotiqGripper::SPEED, RobotiqGripper::UNIT_PERCENT);
         QVERIFY(std::abs(gripper.setSpeed(50.0F) - 50.0F) < 0.3F);
-        QCOMPARE(gripper.setForce(2.0F), 1.0F);  // held to what it can
+        QCOMPARE(gripper.setForce(2.0F), 1.0F);  // limited to the maximum
 
         QVERIFY(gripper.setVar("FOR", 10));
         QVERIFY(gripper.setVars({{"SPE", 20}, {"FOR", 30}}));
@@ -254,7 +259,7 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(gripper.setNativePositionRange(10, 5), std::range_error);
         QCOMPARE(gripper.move(90.0F, -1.0F, 3.0F, RobotiqGripper::WAIT_FINISHED),
                  int(RobotiqGripper::AT_DEST));
-        QCOMPARE(gripper.getVars({"PRE", "FOR"}), (std::vector<int>{0, 255}));  // held to what it can
+        QCOMPARE(gripper.getVars({"PRE", "FOR"}), (std::vector<int>{0, 255}));  // limited to their ranges
         QVERIFY_EXCEPTION_THROWN(gripper.move(std::nanf("")), std::invalid_argument);
         gripper.disconnect();
         QVERIFY(!gripper.isConnected());

@@ -18,7 +18,7 @@ class TestFaceCompatibility : public test::FaceControlTest {
 
 private:
     bool until(const std::function<bool()>& condition) {
-        return cell_->until([&](const simulator::Truth&) { return condition(); });
+        return cell_->until([&](const simulator::SimulatedState&) { return condition(); });
     }
 
 private Q_SLOTS:
@@ -123,7 +123,7 @@ private Q_SLOTS:
     void duringAProtectiveStopTheProgramIsHandedOver() {
         QVERIFY(control_->triggerProtectiveStop());
         QVERIFY(control_->reuploadScript());
-        QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // not for 5 s
+        QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // refused for 5 s
         QVERIFY(cell_->pass(6));
         control_->unlockProtectiveStop();
         QVERIFY(until([&] { return cell_->robot.truth().safetyMode == SafetyMode::Normal; }));

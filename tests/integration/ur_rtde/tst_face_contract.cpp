@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The stop contract of the ur_rtde interface: every way of moving the arm, in a process of its own that does
-// not look at what calls return, and everything that must end it. The arm stands within 250 ms of the robot's
-// own time, and nothing but a new command moves it again. Where the process itself is killed or stopped, or
-// the cable cut, in real time; otherwise in virtual time.
+// The stop contract of the ur_rtde interface: every type of motion, in a separate process that ignores return
+// values, and every event that must end it. The arm is at standstill within 250 ms of robot time, and only a
+// new command moves it again. In real time if the process itself is killed or suspended or the cable is cut;
+// otherwise in virtual time.
 //
-//     tst_face_contract --assume NAME=VALUE    with another reading of what a real controller does
+//     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
 //     tst_face_contract --all                  with each of them, one after the other
 #include <ur_rtde/dashboard_client.h>
 
@@ -19,17 +19,17 @@ using namespace tiller;
 namespace {
 
 constexpr double kContractMs = 250;
-constexpr double kLooksOnFor = 0.6;  // [s] of the robot, in which nothing may move again
-constexpr double kNothing = 0.0003;  // [m]: a step or two of what was left, and the noise
-constexpr double kPatience = 20;     // [s] of the robot, in which it begins to move
+constexpr double kLooksOnFor = 0.6;  // [s] of robot time in which nothing may move again
+constexpr double kNothing = 0.0003;  // [m]: the remaining motion of one or two steps, and the noise
+constexpr double kPatience = 20;     // [s] of robot time in which the motion must begin
 constexpr int kAttempts = 3;
 
 struct Way {
     const char* name;
-    double fast;          ///< the speed of the TCP at which it is ended [m/s]
-    bool hand;            ///< somebody pushes
-    bool finishes;        ///< a disconnect that asks for it leaves it alone
-    bool yields = false;  ///< to forces
+    double fast;          ///< speed of the TCP at which the motion is ended [m/s]
+    bool hand;            ///< an external force moves the arm
+    bool finishes;        ///< continues if disconnect() is asked to let it finish
+    bool yields = false;  ///< yields to forces
 };
 
 constexpr Way kWays[] = {
@@ -48,7 +48,7 @@ constexpr Way kWays[] = {
     {"jog in the tool's frame", 0.05, false, false},
     {"move until contact", 0.05, false, false},
     {"force mode", 0.02, false, false, true},
-    // The hand goes on pushing: an arm that stands has left freedrive.
+    // The external force continues: an arm at standstill has left freedrive.
     {"freedrive", 0.03, true, false, true},
     {"teach mode", 0.03, true, false, true},
 };
@@ -63,18 +63,18 @@ bool isInRealTime(const QByteArray& end, const QByteArray& way) {
            way == "servoJ" || way == "servoL";
 }
 
-/// Whether the robot has no builtin for this.
-bool isMissing(const simulator::Assumptions& assumptions, const QByteArray& way) {
-    using Builtin = simulator::Assumptions::Builtin;
+/// Returns true if the robot has no builtin for this motion.
+bool isMissing(const simulator::BehaviourOptions& assumptions, const QByteArray& way) {
+    using Builtin = simulator::BehaviourOptions::Builtin;
     return (way == "teach mode" && assumptions.teachMode == Builtin::Missing) ||
            (way == "servoC" && assumptions.servoc == Builtin::Missing);
 }
 
-QStringList assumed;  ///< for every row
+QStringList assumed;  ///< assumptions for every row
 bool runsAll = false;
 
-simulator::Assumptions assumptionsOf(const QString& more) {
-    simulator::Assumptions assumptions;
+simulator::BehaviourOptions assumptionsOf(const QString& more) {
+    simulator::BehaviourOptions assumptions;
     QStringList words = assumed;
     if (!more.isEmpty()) {
         words.append(more);
@@ -116,7 +116,7 @@ private Q_SLOTS:
                 }
             }
         }
-        // A program that is paused can do nothing against this: its client has to.
+        // A paused program cannot prevent this; its client must.
         for (int way = 0; way < kWayCount && !runsAll && assumed.isEmpty(); ++way) {
             if (kWays[way].yields) {
                 row("pause=frees", "pause", way);
@@ -163,12 +163,12 @@ private Q_SLOTS:
         while (watcher.speed < moving.fast) {
             QVERIFY(watcher.look());
             if (watcher.time - begin > kPatience) {
-                // On a busy machine it may have fallen silent, and been stopped, by itself.
+                // On a busy machine the mover may have missed its heartbeat and been stopped.
                 QVERIFY2(++attempts <= kAttempts, "the arm never moved");
                 mover.tell("again");
                 begin = watcher.time;
             }
-            // Not before: who is pushed when freedrive begins gets a protective stop.
+            // Not earlier: an external force at the start of freedrive causes a protective stop.
             if (moving.hand && watcher.time > begin + 0.2) {
                 cell.robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }
@@ -177,7 +177,7 @@ private Q_SLOTS:
         pendant.connect();
 
         const double endedAt = cell.robot.truth().timestamp;
-        double obeyedAt = endedAt + 0.5;  // at the latest
+        double obeyedAt = endedAt + 0.5;  // latest possible time
         if (end == "release" || end == "disconnect" || end == "leave") {
             mover.tell(end.constData());
             QVERIFY(during([&] { return mover.hasSaid(end + " done"); }));
@@ -204,7 +204,7 @@ private Q_SLOTS:
             return;
         }
         if (end == "cut cable" || end == "silent link") {
-            // Nobody hears the robot either: it is asked how it went.
+            // No client receives data either, so the robot itself is queried.
             const double ms = test::movesOn(cell.robot, endedAt, endedAt + 0.7) * 1000;
             qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
             QVERIFY2(ms <= kContractMs, qPrintable(QString::number(ms)));
@@ -220,22 +220,22 @@ private Q_SLOTS:
             return;
         }
         QVERIFY(watcher.lookUntil(obeyedAt + 0.3));
-        // On a busy machine a signal may take its time: what counts then is the last the robot heard.
+        // On a busy machine the signal may be delayed: the last packet received by the robot counts.
         const bool isSilent = end.startsWith("kill -9") || end == "disconnect" || end == "leave" ||
                               end == "SIGSTOP" || end == "debugger pause";
         const double from = isSilent ? std::clamp(watcher.heardAt, endedAt, obeyedAt) : endedAt;
         const double ms = (watcher.lastMoved - from) * 1000;
         qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY(watcher.stands);
-        if (end != "release") {  // a release brakes as gently as it is told
+        if (end != "release") {  // a release uses the requested deceleration
             QVERIFY2(ms <= kContractMs, qPrintable(QString::number(ms)));
         }
 
-        // And nothing of it comes back.
+        // The motion must not resume.
         if (end == "debugger pause") {
             mover.signal(SIGCONT);
         } else if (end == "protective stop") {
-            const double over = endedAt + 6;  // what a protective stop lasts at least
+            const double over = endedAt + 6;  // minimum duration of a protective stop
             QVERIFY(cell.hurried([&] { return watcher.lookUntil(over); }));
             pendant.unlockProtectiveStop();
         } else if (end == "safeguard stop") {

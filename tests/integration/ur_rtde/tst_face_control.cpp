@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));  // the control program is running again
     }
 
-    // It may start and end between two checks of the waiting thread.
+    // The script may start and end between two checks of the waiting thread.
     void aShortScriptCountsHoweverLateTheThreadLooks() {
         urrtde::setInterruptCheck([] {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -221,7 +221,7 @@ $6.0   P = 6
         QVERIFY(control_->movePath(path, true));
         int last = -1;
         bool rising = true;
-        const bool ended = cell_->until([&](const simulator::Truth&) {
+        const bool ended = cell_->until([&](const simulator::SimulatedState&) {
             const AsyncOperationStatus status = control_->getAsyncOperationProgressEx();
             if (status.isAsyncOperationRunning()) {
                 rising = rising && status.progress() >= last;
@@ -237,8 +237,8 @@ $6.0   P = 6
         QVERIFY(near(joints(), kStart));
 
         QVERIFY(control_->moveJ(with(kStart, 0, 0.3), 0.5, 1.4, true));
-        QVERIFY(
-            cell_->until([&](const simulator::Truth&) { return control_->getAsyncOperationProgress() < 0; }));
+        QVERIFY(cell_->until(
+            [&](const simulator::SimulatedState&) { return control_->getAsyncOperationProgress() < 0; }));
         QVERIFY(control_->getAsyncOperationProgress() != first);
     }
 
@@ -253,21 +253,22 @@ $6.0   P = 6
         QVERIFY(joints()[5] > kStart[5] + 0.05);
         const double z = pose()[2];
         QVERIFY(control_->speedL({0, 0, 0.05, 0, 0, 0}, 1.0, 0.1));
-        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.z() > z + 0.02; }));
+        QVERIFY(cell_->until(
+            [&](const simulator::SimulatedState& t) { return t.tcpPose.position.z() > z + 0.02; }));
         QVERIFY(control_->speedStop(5.0));
         QVERIFY(untilStanding());
     }
 
     void servoFollowsAndAMoveMayFollowAtOnce() {
         const List target = with(kStart, 5, 0.2);
-        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+        QVERIFY(cell_->until([&](const simulator::SimulatedState& t) {
             return !control_->servoJ(target, 0.5, 0.5, 0.002, 0.1, 300) || near(jointsOf(t), target, 5e-3);
         }));
         QVERIFY(near(joints(), target, 5e-3));
         QVERIFY(control_->moveJ(kStart));  // no servoStop() needed
         QVERIFY(near(joints(), kStart));
         const List above = with(pose(), 2, 0.02);
-        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+        QVERIFY(cell_->until([&](const simulator::SimulatedState& t) {
             return !control_->servoL(above, 0.5, 0.5, 0.002, 0.1, 300) || near(poseOf(t), above, 5e-3);
         }));
         QVERIFY(control_->servoStop(5.0));
@@ -275,7 +276,8 @@ $6.0   P = 6
         const List higher = with(above, 2, 0.03);
         QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
         QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));  // one after the other, without a hang
-        QVERIFY(cell_->until([&](const simulator::Truth& t) { return near(poseOf(t), higher, 5e-3); }));
+        QVERIFY(
+            cell_->until([&](const simulator::SimulatedState& t) { return near(poseOf(t), higher, 5e-3); }));
         QVERIFY(control_->servoStop());
     }
 
@@ -319,7 +321,7 @@ $6.0   P = 6
         QVERIFY(control_->forceModeSetGainScaling(0.5));
         const double z = pose()[2];
         const List limits{2, 2, 1.5, 1, 1, 1};
-        QVERIFY(cell_->until([&](const simulator::Truth& t) {
+        QVERIFY(cell_->until([&](const simulator::SimulatedState& t) {
             return !control_->forceMode({0, 0, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0}, {0, 0, -10, 0, 0, 0}, 2,
                                         limits) ||
                    t.tcpPose.position.z() < z - 0.005;
@@ -338,7 +340,8 @@ $6.0   P = 6
                                      "  set_standard_digital_out(0, force_mode_get_damping() == 0.025)\n"
                                      "  set_standard_digital_out(1, force_mode_get_gain_scaling() == 0.5)\n"
                                      "end\n"));
-        QVERIFY(cell_->until([](const simulator::Truth& truth) { return truth.digitalOutputs == 3; }));
+        QVERIFY(
+            cell_->until([](const simulator::SimulatedState& truth) { return truth.digitalOutputs == 3; }));
     }
 
     void externalSensorIsAccepted() {
@@ -365,7 +368,8 @@ $6.0   P = 6
         QVERIFY(control_->freedriveMode({1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}));
         const double x = pose()[0];
         cell_->robot.pressHand(Wrench::fromVector((Vector6() << 40, 0, 0, 0, 0, 0).finished()));
-        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.x() > x + 0.01; }));
+        QVERIFY(cell_->until(
+            [&](const simulator::SimulatedState& t) { return t.tcpPose.position.x() > x + 0.01; }));
         cell_->robot.pressHand(Wrench());
         QVERIFY(control_->endFreedriveMode());
         QVERIFY(control_->teachMode());
@@ -380,7 +384,8 @@ $6.0   P = 6
         QVERIFY(control_->moveL(with(pose(), 2, -0.3), 0.05, 0.5, true));
         QVERIFY(untilMoving());
         cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->readContactDetection(); }));
+        QVERIFY(
+            cell_->until([&](const simulator::SimulatedState&) { return control_->readContactDetection(); }));
         cell_->robot.pressHand(Wrench());
         QVERIFY(control_->stopContactDetection());
         QVERIFY(untilStanding());
@@ -389,7 +394,8 @@ $6.0   P = 6
         auto moving = std::async(std::launch::async, [&] {
             return control_->moveUntilContact({0, 0, -0.05, 0, 0, 0});
         });
-        QVERIFY(cell_->until([&](const simulator::Truth& t) { return t.tcpPose.position.z() < z - 0.01; }));
+        QVERIFY(cell_->until(
+            [&](const simulator::SimulatedState& t) { return t.tcpPose.position.z() < z - 0.01; }));
         cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
         QVERIFY(moving.get());
         cell_->robot.pressHand(Wrench());
@@ -406,12 +412,13 @@ $6.0   P = 6
         QVERIFY(control_->setTcp(offset));
         QVERIFY(near(control_->getTCPOffset(), offset, 1e-9));
         // The pose in the data follows one package after the setting.
-        QVERIFY(cell_->until([&](const simulator::Truth&) {
+        QVERIFY(cell_->until([&](const simulator::SimulatedState&) {
             return !near(control_->getActualToolFlangePose(), pose(), 1e-2);
         }));
         QVERIFY(control_->setTcp({0, 0, 0, 0, 0, 0}));
-        QVERIFY(cell_->until(
-            [&](const simulator::Truth&) { return near(control_->getActualToolFlangePose(), pose()); }));
+        QVERIFY(cell_->until([&](const simulator::SimulatedState&) {
+            return near(control_->getActualToolFlangePose(), pose());
+        }));
     }
 
     void questionsAreAnswered() {
@@ -432,7 +439,7 @@ $6.0   P = 6
         QVERIFY(control_->isJointsWithinSafetyLimits(kStart));
         QVERIFY(!control_->isJointsWithinSafetyLimits({7, 0, 0, 0, 0, 0}));
         QCOMPARE(control_->getJointTorques().size(), std::size_t(6));
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isSteady(); }));
+        QVERIFY(cell_->until([&](const simulator::SimulatedState&) { return control_->isSteady(); }));
     }
 
     void watchdogStopsTheProgramWithoutKicks() {

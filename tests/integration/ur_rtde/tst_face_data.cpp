@@ -24,7 +24,7 @@ private:
     /// Waits until the setting is reported.
     template <class Condition>
     bool until(Condition condition) {
-        return cell_->until([&](const simulator::Truth&) { return condition(); });
+        return cell_->until([&](const simulator::SimulatedState&) { return condition(); });
     }
     /// Advances robot time and receives all its data.
     bool pass(double seconds, RTDEReceiveInterface& receive) {
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
-    // For example, while a robot is being restarted: the interface recovers.
+    // If reconnect() fails, for example while a robot is being restarted, the interface still recovers.
     void aFailedReconnectDoesNotEndTheAutomaticOne() {
         simulator::SimulatorOptions options;
         options.listenAddress = test::ownAddress(7);
@@ -78,7 +78,7 @@ private Q_SLOTS:
     }
 
     void everyValueIsThereAndRight() {
-        const simulator::Truth truth = cell_->robot.truth();
+        const simulator::SimulatedState truth = cell_->robot.truth();
         const auto q = truth.q.array();
         const auto pose = truth.tcpPose.array();
         const List actualQ = receive_->getActualQ();
@@ -142,9 +142,9 @@ private Q_SLOTS:
         test::FaceCell other([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         RTDEReceiveInterface receive(other.host(), 125.0, {"safety_status_bits", "runtime_state"});
         other.robot.protectiveStop();
-        QVERIFY(other.until([&](const simulator::Truth&) { return receive.isProtectiveStopped(); }));
+        QVERIFY(other.until([&](const simulator::SimulatedState&) { return receive.isProtectiveStopped(); }));
         other.robot.emergencyStop(true);
-        QVERIFY(other.until([&](const simulator::Truth&) { return receive.isEmergencyStopped(); }));
+        QVERIFY(other.until([&](const simulator::SimulatedState&) { return receive.isEmergencyStopped(); }));
         // The error names the field that was not requested.
         try {
             receive.getActualQ();

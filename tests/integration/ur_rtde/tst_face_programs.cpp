@@ -32,8 +32,9 @@ private Q_SLOTS:
         process.start(path, {QString::fromStdString(cell.host()), folder.filePath("record.csv")});
         if (program == "move_until_contact_example") {
             const double z = cell.robot.truth().tcpPose.position.z();
-            QVERIFY(cell.until(
-                [z](const simulator::Truth& truth) { return truth.tcpPose.position.z() < z - 0.01; }));
+            QVERIFY(cell.until([z](const simulator::SimulatedState& truth) {
+                return truth.tcpPose.position.z() < z - 0.01;
+            }));
             cell.robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
         }
         QVERIFY2(process.waitForFinished(120'000), process.readAll().constData());

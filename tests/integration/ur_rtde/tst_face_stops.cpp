@@ -70,7 +70,8 @@ private Q_SLOTS:
             urrtde::setInterruptCheck([] { return impatient.load(); });
             const auto undo = qScopeGuard([] { urrtde::setInterruptCheck(nullptr); });
             QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
-            QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+            QVERIFY(cell_->until(
+                [](const simulator::SimulatedState& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
             auto turning = std::async(
                 std::launch::async, [&] { return control_->moveJ(with(kStart, 0, -1.0), 0.02, 1.4, true); });
             bool ended = false;
@@ -84,7 +85,8 @@ private Q_SLOTS:
                 impatient = false;
             } else {
                 // A stop before the change would be another test: the arm then continues with it.
-                QVERIFY(cell_->until([](const simulator::Truth& t) { return t.qd.array()[0] < 0.98; }));
+                QVERIFY(
+                    cell_->until([](const simulator::SimulatedState& t) { return t.qd.array()[0] < 0.98; }));
             }
             if (!ended) {
                 control_->stopJ(4.0);
@@ -103,7 +105,8 @@ private Q_SLOTS:
     // A command that waits for standstill reads its numbers afterwards: they must not be overwritten.
     void obsoleteSetpointIsNotFollowed() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
-        QVERIFY(cell_->until([](const simulator::Truth& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
+        QVERIFY(cell_->until(
+            [](const simulator::SimulatedState& t) { return t.q.array()[0] > kStart[0] + 0.4; }));
         QVERIFY(control_->servoJ(with(kStart, 0, 0.5), 0.5, 0.5, 0.002, 0.1, 300));
         control_->servoStop(10.0);
         QVERIFY(untilStanding());
@@ -121,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(untilStanding());
         control_->stopJ(2.0);
         pendant.play();
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
+        QVERIFY(cell_->until([&](const simulator::SimulatedState&) { return control_->isProgramRunning(); }));
         QVERIFY(cell_->pass(1));
         QVERIFY(untilStanding());
         QVERIFY(joints()[0] < kStart[0] + 0.9);
@@ -227,7 +230,7 @@ private Q_SLOTS:
             });
             QVERIFY(cell_->pass(0.05));
             cell_->robot.closeClients();
-            QVERIFY(cell_->until([&](const simulator::Truth&) { return !control_->isConnected(); }));
+            QVERIFY(cell_->until([&](const simulator::SimulatedState&) { return !control_->isConnected(); }));
             over = true;
             streaming.join();
             QVERIFY(!control_->speedJ({0, 0, 0, 0, 0, 0.05}, 1.0));
@@ -246,7 +249,7 @@ private Q_SLOTS:
         pendant.pause();
         QVERIFY(untilStanding());
         pendant.play();
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return control_->isProgramRunning(); }));
+        QVERIFY(cell_->until([&](const simulator::SimulatedState&) { return control_->isProgramRunning(); }));
         for (int i = 0; i < 20; ++i) {
             QVERIFY(!turn());
             QVERIFY(cell_->pass(0.01));
@@ -280,10 +283,11 @@ private Q_SLOTS:
         } else {
             cell_->robot.closeClients();
         }
-        QVERIFY(
-            cell_->until([&](const simulator::Truth&) { return control_->getAsyncOperationProgress() < 0; }));
+        QVERIFY(cell_->until(
+            [&](const simulator::SimulatedState&) { return control_->getAsyncOperationProgress() < 0; }));
         QVERIFY(!control_->getAsyncOperationProgressEx().isAsyncOperationRunning());
-        QVERIFY(cell_->until([&](const simulator::Truth&) { return !control_->isProgramRunning(); }));
+        QVERIFY(
+            cell_->until([&](const simulator::SimulatedState&) { return !control_->isProgramRunning(); }));
         QVERIFY(!control_->moveJ(kStart));
         QVERIFY(!control_->lastError().empty());
     }

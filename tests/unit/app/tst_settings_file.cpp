@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The settings file: its content is restored unchanged, and a damaged one is refused with a sentence and changes
-// nothing.
+// The settings file: its content is restored unchanged, and a damaged file is refused with an error message
+// and changes nothing.
 
 #include <QDir>
 #include <QFile>
@@ -77,7 +77,7 @@ private Q_SLOTS:
             QVERIFY2(read->values.value(it.key()) == it.value(), qPrintable(it.key()));
         }
         for (const SettingsPart part : kSettingsParts) {
-            QVERIFY(read->saysTheSame(bundle, part));
+            QVERIFY(read->hasSameValues(bundle, part));
         }
     }
 

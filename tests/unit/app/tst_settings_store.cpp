@@ -150,9 +150,9 @@ private Q_SLOTS:
         QCOMPARE(Settings(file_).perspectives().size(), 2);
         first.setPerspectives({});  // only knows its own entry
         QCOMPARE(Settings(file_).perspectives().size(), 1);
-        first.setLearned({false, {"jog"}, {}});
-        second.setLearned({true, {"teach"}, {"pick"}});
-        const Learned learned = Settings(file_).learned();
+        first.setTutorialProgress({false, {"jog"}, {}});
+        second.setTutorialProgress({true, {"teach"}, {"pick"}});
+        const TutorialProgress learned = Settings(file_).learned();
         QVERIFY(learned.dismissed);
         QCOMPARE(learned.firstSteps, (QStringList{"jog", "teach"}));
         first.rememberProject("/a.tiller");
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QCOMPARE(failures.size(), 1);
         QVERIFY(failures[0].code == ErrorCode::DiskFull);
         QCOMPARE(Settings(file).theme(), QString("dark"));
-        disk.makeRoom();
+        disk.fitToContents();
         settings.setTheme("light");
         QCOMPARE(Settings(file).theme(), QString("light"));
     }

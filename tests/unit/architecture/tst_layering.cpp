@@ -210,7 +210,7 @@ QString unitOf(const QString& file) {
     return file.section('.', 0, 0);
 }
 
-/// What the header and the source of a unit include.
+/// The includes of the header and the source of a unit.
 QStringList includesOf(const QString& unit) {
     static const QRegularExpression kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
                                              QRegularExpression::MultilineOption);
@@ -233,7 +233,7 @@ bool isOfDisplay(const QString& header) {
             !kHeaders.exists("QtNetwork/" + header));
 }
 
-/// Whether a unit of widgets/ shows something, or uses one that does.
+/// Returns true if a unit of widgets/ displays something or uses a unit that does.
 bool needsDisplay(const QString& unit, QSet<QString>& seen) {
     if (seen.contains(unit)) {
         return false;
@@ -245,7 +245,7 @@ bool needsDisplay(const QString& unit, QSet<QString>& seen) {
     });
 }
 
-/// Units of widgets/ that need no display, with the reason why they are there all the same.
+/// Units of widgets/ that need no display, with the reason why they are in widgets/.
 const QHash<QString, QString>& withoutDisplay() {
     static const QString kView = "values of the 3D view";
     static const QString kPlots = "layout of plots on the screen";
@@ -269,7 +269,7 @@ const QHash<QString, QString>& withoutDisplay() {
     return table;
 }
 
-/// Those a program of others can include; the classes of the ur_rtde interface are given.
+/// Headers that other programs can include, except those of the ur_rtde interface.
 QStringList publicHeaders() {
     static const QRegularExpression kOwn(
         "/(detail|custom|python|examples|ur_rtde|station)/|simulator/"
@@ -430,7 +430,7 @@ private Q_SLOTS:
                             "; in it without need: " + QStringList((expected - found).values()).join(' ')));
     }
 
-    // Those are not installed: a header of a user's that includes one would not compile.
+    // Detail headers are not installed: a public header that includes one would not compile for a user.
     void publicHeadersDoWithoutDetails() {
         QStringList violations;
         int headers = 0;

@@ -26,8 +26,8 @@ constexpr double kSamePlace = 1e-6;  ///< [m, rad]
 constexpr double kFloor = 0.03;      ///< [m] above the mounting surface, for flange and joints
 /// Sine of the minimum angle of elbow and wrist 2 from a singularity, and minimum distance of the wrist from the
 /// base axis [m].
-constexpr double kLeastSine = 0.2;
-constexpr double kLeastShoulder = 0.1;
+constexpr double kMinSine = 0.2;
+constexpr double kMinShoulder = 0.1;
 
 QByteArray contentOf(const QString& name) {
     QFile file(kFolder + '/' + name);
@@ -131,7 +131,7 @@ private Q_SLOTS:
                 QVERIFY2(frames[i].translation().z() > kFloor, qPrintable(point.name));
             }
             const auto near = kinematics::singularityMeasure(model_.dh, point.joints);
-            QVERIFY2(near.elbow > kLeastSine && near.wrist > kLeastSine && near.shoulder > kLeastShoulder,
+            QVERIFY2(near.elbow > kMinSine && near.wrist > kMinSine && near.shoulder > kMinShoulder,
                      qPrintable(point.name));
         }
     }

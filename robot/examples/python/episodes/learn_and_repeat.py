@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Learns a movement from demonstrations, and repeats it from where the arm stands now.
+"""Learns a movement from demonstrations, and repeats it from the current position of the arm.
 
-    tiller-cli record ROBOT --out demo.mcap               # while the arm is led through the movement
+    tiller-cli record ROBOT --out demo.mcap               # while guiding the arm through the movement
     tiller-cli episodes demo.mcap --out demos.h5 --rate 50
     learn_and_repeat.py ROBOT demos.h5 --rate 50
 
-The movement becomes a dynamic movement primitive, as in listing 4 of the ur_rtde paper: a spring that draws each joint to
-the end of the demonstration, and a learned force that makes it take the demonstrated way there. What listing 4 reads from one
-CSV file comes here from as many episodes as the file has. Source: Ijspeert et al., Dynamical movement primitives (2013).
+The movement becomes a dynamic movement primitive, as in listing 4 of the ur_rtde paper: a spring that pulls each joint to
+the end of the demonstration, and a learned force that makes it follow the demonstrated path. Listing 4 reads one CSV file;
+this program reads all episodes of the file. Source: Ijspeert et al., Dynamical movement primitives (2013).
 """
 import argparse
 
@@ -18,11 +18,11 @@ PERIOD = 0.002  # of the robot's packets [s]
 
 
 class MovementPrimitive:
-    """All joints of one movement. Time is counted in its duration, so 1 is the end."""
+    """All joints of one movement. Time is relative to its duration: 1 is the end."""
 
-    DECAY = 4.0  # of the phase, which goes from 1 towards 0
+    DECAY = 4.0  # of the phase, which decreases from 1 towards 0
     STIFFNESS = 600.0
-    DAMPING = 2 * STIFFNESS ** 0.5  # comes to its goal without going beyond it
+    DAMPING = 2 * STIFFNESS ** 0.5  # critically damped: reaches the goal without overshoot
 
     def __init__(self, bases=40):
         self.centres = np.exp(-self.DECAY * np.linspace(0, 1, bases))
@@ -34,7 +34,7 @@ class MovementPrimitive:
         return weights / weights.sum(axis=1, keepdims=True) * np.atleast_1d(phase)[:, None]
 
     def learn(self, demonstrations, period):
-        """demonstrations: joint positions, a row each period [rad, s]."""
+        """demonstrations: joint positions [rad], one row per period [s]."""
         features, forces = [], []
         for q in demonstrations:
             duration = (len(q) - 1) * period
@@ -48,7 +48,7 @@ class MovementPrimitive:
         self.duration = float(np.mean([(len(q) - 1) * period for q in demonstrations]))
 
     def way_from(self, start, period, settle=0.5):
-        """Joint positions, a row each period, and so many seconds more to come to rest in."""
+        """Joint positions, one row per period, extended by `settle` seconds to come to rest."""
         steps = int(round((self.duration + settle) / period))
         step = period / self.duration
         q, velocity, rows = np.array(start, float), np.zeros(len(start)), []
@@ -65,12 +65,12 @@ def demonstrations_in(path):
 
 
 def repeat(address, movement):
-    import tiller  # only who moves an arm needs it
+    import tiller  # only needed to move an arm
 
     with tiller.Robot(address) as robot:
         robot.take_control()
         rows = iter(movement.way_from(robot.state.q, PERIOD))
-        report = robot.packet_loop("servo_j", lambda cycle: next(rows, None))  # one target for each packet
+        report = robot.packet_loop("servo_j", lambda cycle: next(rows, None))  # one target per packet
         print(report.cycles, "cycles,", report.missed, "missed")
 
 

@@ -8,7 +8,7 @@ namespace tiller::recording::hdf5 {
 namespace {
 
 // Above the length of all texts in recordings.
-constexpr std::size_t kLongestText = 1u << 20;
+constexpr std::size_t kMaxTextLength = 1u << 20;
 
 bool put(hid_t object, const char* name, hid_t type, const void* value) {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
@@ -47,7 +47,7 @@ std::optional<std::string> takeText(hid_t object, const char* name) {
         return std::nullopt;
     }
     const std::size_t size = H5Tget_size(type.get());
-    if (size > kLongestText) {
+    if (size > kMaxTextLength) {
         return std::nullopt;
     }
     std::string text(size, '\0');

@@ -41,7 +41,7 @@ public:
         return *this;
     }
 
-    /// Remembers where a length of four bytes belongs; closeLength() fills it in, counting itself.
+    /// Reserves a length field of four bytes; closeLength() fills it in, including its own size.
     std::size_t openLength() {
         const std::size_t at = out_.size();
         u32(0);

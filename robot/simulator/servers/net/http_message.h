@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// HTTP/1.1 as bytes: requests out of a stream, responses into one; and the multipart forms that carry files.
+// HTTP/1.1 on byte level: parses requests from a stream, writes responses to one, and parses multipart forms
+// with files.
 //
-// Ours rather than Qt's QHttpServer: that one is GPL-3.0-only, which robot/ (MIT, to be linked by others)
-// cannot be built on; and it owns its sockets, so that the faults of a cable could not be played on them.
+// Not Qt's QHttpServer, because its license is GPL-3.0-only and robot/ is MIT, to be linked by others; it
+// also owns its sockets, so that link faults could not be simulated on them.
 
 #include <cstdint>
 #include <functional>
@@ -32,23 +33,23 @@ struct HttpResponse {
     std::string body;
     std::string contentType = "application/json";
     std::vector<std::pair<std::string, std::string>> headers;
-    std::function<bool()> due;  ///< the answer is delayed until this returns true; empty: no delay
+    std::function<bool()> due;  ///< the answer is delayed until this returns true; empty: immediate
 
     std::string toBytes(bool keepAlive, bool withBody) const;
 };
 
-/// Bounded in memory for any input.
+/// Memory is bounded for any input.
 class HttpParser {
 public:
     static constexpr std::size_t kLargestHead = 32 * 1024;
     static constexpr std::size_t kLargestBody = 16 * 1024 * 1024;
 
     void feed(std::string_view bytes);
-    /// The next complete request; nothing if there is none yet, or after an error.
+    /// The next complete request; nothing if none is complete, or after an error.
     std::optional<HttpRequest> next();
-    /// Status to answer with before the connection is closed, 0 while all is well: 400, 413, 431, 501, 505.
+    /// Status to answer with before closing the connection; 0 without an error: 400, 413, 431, 501, 505.
     int fault() const { return fault_; }
-    /// True once after a head that waits for "100 Continue" before it sends its body.
+    /// True once after a head that expects "100 Continue" before the body.
     bool takeContinue() { return std::exchange(continue_, false); }
 
 private:
@@ -60,27 +61,27 @@ private:
     void fail(int status) { fault_ = fault_ == 0 ? status : fault_; }
 
     std::string buffer_;
-    std::size_t at_ = 0;  ///< how much of the buffer is done with
+    std::size_t at_ = 0;  ///< number of processed bytes of the buffer
     HttpRequest request_;
     std::size_t headSize_ = 0;
     bool inBody_ = false;
     bool chunked_ = false;
     bool sawLength_ = false;
     std::size_t length_ = 0;
-    std::optional<std::size_t> chunk_;  ///< left of the present one
+    std::optional<std::size_t> chunk_;  ///< remaining bytes of the current chunk
     bool inTrailer_ = false;
     bool continue_ = false;
     int fault_ = 0;
 };
 
-/// Decodes %41 and similar; nothing if a % is not followed by a number.
+/// Decodes %41 and similar; nothing if a % is not followed by a hexadecimal number.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 struct FormFile {
     std::string fileName;
     std::string content;
 };
-/// The field of that name out of a multipart/form-data body.
+/// The field of that name from a multipart/form-data body.
 std::optional<FormFile> fileOfForm(std::string_view contentType, std::string_view body,
                                    std::string_view field);
 

@@ -6,8 +6,9 @@
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kLongestLine = 16 * 1024;
-/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+constexpr std::size_t kMaxLineLength = 16 * 1024;
+/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
+/// others.
 constexpr std::size_t kLineShare = 64 * 1024;
 }  // namespace
 
@@ -46,11 +47,11 @@ void LineServer::read(Client& client) {
                 out += given.text;
                 closes = given.closes;
                 client.line.clear();
-            } else if (client.line.size() < kLongestLine) {
+            } else if (client.line.size() < kMaxLineLength) {
                 client.line += c;
                 client.answeredUnfinished = false;
             } else {
-                client.peer.close();  // this is no client of ours
+                client.peer.close();  // not a valid client
                 return;
             }
         }

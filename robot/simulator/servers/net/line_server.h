@@ -19,15 +19,15 @@ public:
 
 protected:
     struct LineAnswer {
-        std::string text;  ///< including the newline, if there is one
+        std::string text;  ///< including the newline, if any
         bool closes = false;
     };
-    /// tag  a number of the service's choice, given to each connection when it is made
+    /// tag  chosen by the service for each new connection
     virtual std::uint64_t tagOfNewClient() { return 0; }
     virtual std::string greeting() { return {}; }
-    /// line  without its end
+    /// line  without the newline
     virtual LineAnswer answer(std::string_view line, std::uint64_t tag) = 0;
-    /// What has come so far of a line: an answer to it takes it as it stands, and no end is waited for.
+    /// Handles an incomplete line. If it returns an answer, the line counts as complete.
     virtual std::optional<LineAnswer> answerUnfinished(std::string_view) { return std::nullopt; }
 
 private:
@@ -37,7 +37,7 @@ private:
         Peer peer;
         std::uint64_t tag;
         std::string line;
-        bool answeredUnfinished = false;  ///< the end of that line may come still
+        bool answeredUnfinished = false;  ///< the newline may still follow
     };
     void read(Client& client);
 

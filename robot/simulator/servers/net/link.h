@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The cable between a controller and its clients, with the faults a cable has. One for all connections of a
-// controller; as long as nothing is set it costs a branch.
+// The network cable between a controller and its clients, with simulated faults. One object for all
+// connections of a controller; without faults it costs only a branch.
 //
-// Times are controller times, so that a test in virtual time decides when a delayed package arrives.
+// Times are controller times, so that a test in virtual time determines when a delayed package arrives.
 
 #include <cstdint>
 #include <random>
@@ -17,11 +17,11 @@ namespace tiller::simulator {
 
 struct LinkConditions {
     double delay = 0;   ///< [s] in each direction
-    double jitter = 0;  ///< [s] at most, added to the delay; the order of bytes is kept
+    double jitter = 0;  ///< [s] maximum, added to the delay; the order of bytes is kept
     std::size_t splitAt =
         0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
     double coalesce = 0;  ///< [s] data sent within this time are delivered together
-    double drop = 0;      ///< share of the RTDE data packages that a controller which is too busy never sends
+    double drop = 0;      ///< fraction of RTDE data packages not sent, as by a busy controller
     /// the cable is unplugged: no data pass and connections do not notice; when it is plugged in again, buffered
     /// data are delivered
     bool lost = false;
@@ -43,22 +43,22 @@ public:
 
     /// Detects data at the controller.
     SocketPoller& poller() { return poller_; }
-    /// Bytes pass as they are.
+    /// True if bytes pass unchanged and without delay.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
-    /// This RTDE data package is one of those that are never sent.
+    /// Returns whether this RTDE data package is dropped.
     bool drops();
-    /// Time at which data that enter the cable now arrive [s].
+    /// Arrival time of data that enter the cable now [s].
     double arrival();
-    /// The same for data of the controller, which may be delayed to be sent together.
+    /// The same for data from the controller, which may be delayed to be sent together.
     double departure();
 
-    /// Connections that the controller closes now do not notify the other end: they stay half open until the cable
-    /// is plugged in again, or until unbury().
+    /// While set, connections closed by the controller do not notify the other end: they stay half open until
+    /// the cable is plugged in again, or until unbury().
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
-    /// Takes a descriptor that the controller is done with, if the other end shall not notice.
+    /// Takes over the descriptor of a closed connection if the other end must not be notified.
     bool bury(native_socket::Descriptor descriptor);
-    /// Ends the half-open connections. As on a network: the other end hears of it when it sends.
+    /// Ends the half-open connections. As on a real network, the other end notices it when it sends.
     void unbury();
     std::size_t buried() const { return buried_.size(); }
 

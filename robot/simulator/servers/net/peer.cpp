@@ -12,11 +12,12 @@ namespace tiller::simulator {
 namespace {
 /// Capacity of the socket buffer of the system while the cable is unplugged [bytes].
 constexpr std::size_t kSystemBuffer = 256 * 1024;
-/// The longest delay at the highest rate fits into this [bytes].
-constexpr std::size_t kMostOnTheWay = 16 * 1024 * 1024;
-/// More segments than this wait: splitting them one by one would never catch up.
-constexpr std::size_t kMostSplitWaiting = 64;
-/// The second piece of a split is sent in the next control period, independent of the cycles of the loop.
+/// Large enough for the longest delay at the highest data rate [bytes].
+constexpr std::size_t kMaxBuffered = 16 * 1024 * 1024;
+/// With more waiting segments than this, segments are not split, because they could never be sent in time.
+constexpr std::size_t kMaxSplitWaiting = 64;
+/// Delay of the second piece of a split [s]: it is sent in the next control period, independent of the cycles
+/// of the loop.
 constexpr double kMoment = 1e-6;
 }  // namespace
 
@@ -114,7 +115,7 @@ std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
 
 std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     std::size_t done = 0;
-    while (open_ && !isMute_ && done < bytes.size()) {
+    while (open_ && !isUnresponsive_ && done < bytes.size()) {
         const native_socket::Transfer moved = native_socket::send(descriptor_, bytes.subspan(done));
         if (moved.status == native_socket::Status::Ok) {
             done += moved.bytes;
@@ -127,13 +128,13 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// The client has closed the connection. Data sent before still count: a program whose sender did not wait for an
-// answer.
+// The client has closed the connection. Data sent before are still processed, e.g. a program whose sender did
+// not wait for an answer.
 void Peer::endSending() {
-    isMute_ = true;
+    isUnresponsive_ = true;
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t kept = 0;
-    while (link_ != nullptr && !ended_ && kept < kMostOnTheWay) {
+    while (link_ != nullptr && !ended_ && kept < kMaxBuffered) {
         const native_socket::Transfer got = native_socket::receive(descriptor_, buffer);
         if (got.status != native_socket::Status::Ok) {
             break;
@@ -157,7 +158,7 @@ void Peer::put(std::span<const std::uint8_t> bytes) {
 }
 
 bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
-    if (!open_ || closing_ || isMute_) {
+    if (!open_ || closing_ || isUnresponsive_) {
         return true;  // no client to notify
     }
     flush();
@@ -172,7 +173,8 @@ bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp
     return true;
 }
 
-// What the socket does not take now is not waited for: this client does not read.
+// Called after sending; data that the socket has not accepted do not count as delivered, because the client
+// does not read.
 void Peer::noteDelivered(std::optional<double> stamp) {
     if (stamp && pending() == 0) {
         delivered_ = stamp;
@@ -184,7 +186,7 @@ bool Peer::send(std::string_view text) {
 }
 
 bool Peer::hold(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
-    const std::size_t most = link_->isLost() ? backlog_ + kSystemBuffer : kMostOnTheWay;
+    const std::size_t most = link_->isLost() ? backlog_ + kSystemBuffer : kMaxBuffered;
     if (pending() > backlog_ || heldBytes_ + bytes.size() > most) {
         return false;
     }
@@ -198,7 +200,7 @@ void Peer::releaseHeld() {
     if (link_->isLost()) {
         return;
     }
-    const std::size_t splitAt = held_.size() > kMostSplitWaiting ? 0 : link_->conditions().splitAt;
+    const std::size_t splitAt = held_.size() > kMaxSplitWaiting ? 0 : link_->conditions().splitAt;
     while (!held_.empty() && held_.front().due <= link_->now()) {
         Segment& first = held_.front();
         const std::size_t left = first.bytes.size() - first.gone;
@@ -220,7 +222,7 @@ void Peer::flush() {
     if (!open_) {
         return;
     }
-    if (isMute_) {
+    if (isUnresponsive_) {
         out_.clear();
         sent_ = 0;
         held_.clear();

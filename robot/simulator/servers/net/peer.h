@@ -19,35 +19,35 @@ class Link;
 
 class Peer {
 public:
-    /// backlog  bytes kept for a peer that does not read at the moment
+    /// backlog  maximum number of bytes buffered for a client that currently does not read
     Peer(native_socket::Descriptor descriptor, std::size_t backlog);
     ~Peer();
     Peer(const Peer&) = delete;
     Peer& operator=(const Peer&) = delete;
 
-    /// The cable it is connected by; outlives this object.
+    /// The cable of the connection; must outlive this object.
     void attach(Link* link);
 
     bool isOpen() const { return open_; }
     void close();
 
-    /// Receives once. Returns how many bytes came; closes when the peer has ended the connection.
+    /// Receives once. Returns the number of received bytes; closes when the client has ended the connection.
     std::size_t receive(std::span<std::uint8_t> into);
 
-    /// Sends, or keeps for later what the socket does not take now. False, with nothing taken, when the
-    /// backlog has no room for it: this peer does not read.
-    /// stamp  of the bytes, for delivered()
+    /// Sends the data, or buffers what the socket does not accept now. False, without sending anything, when
+    /// they do not fit into the backlog because the client does not read.
+    /// stamp  time stamp of the bytes, for delivered()
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
-    /// Of the newest bytes that the client can read completely; nothing: none with a stamp.
+    /// Time stamp of the newest bytes that the client can read completely; nothing if they have none.
     std::optional<double> delivered() const { return delivered_; }
     std::uint16_t port() const { return port_; }  ///< Of the client's end.
-    /// Sends what is due and what the socket takes now.
+    /// Sends everything that is due and accepted by the socket.
     void flush();
     /// Bytes not yet accepted by the socket; data delayed by a slow link do not count.
     std::size_t pending() const { return out_.size() - sent_; }
 
-    /// Closes once everything has gone out.
+    /// Closes once all data have been sent.
     void closeAfterFlush();
 
 private:
@@ -75,15 +75,15 @@ private:
     std::size_t backlog_;
     std::vector<std::uint8_t> out_;
     std::size_t sent_ = 0;
-    std::deque<Segment> held_;      ///< on their way to the client
-    std::deque<Segment> arriving_;  ///< on their way from it
+    std::deque<Segment> held_;      ///< in transit to the client
+    std::deque<Segment> arriving_;  ///< in transit from the client
     std::size_t heldBytes_ = 0;
-    bool isWatched_ = false;  ///< by the poller of the link, which sets:
-    bool hasArrived_ = true;  ///< there may be something to read
+    bool isWatched_ = false;  ///< by the poller of the link, which sets hasArrived_
+    bool hasArrived_ = true;  ///< data may be available
     bool open_ = true;
     bool closing_ = false;
-    bool isMute_ = false;  ///< nothing reaches the client any more
-    bool ended_ = false;   ///< the client has closed the connection; remaining data were sent before
+    bool isUnresponsive_ = false;  ///< no data reach the client any more
+    bool ended_ = false;           ///< the client has closed the connection; remaining data were sent before
 };
 
 }  // namespace tiller::simulator

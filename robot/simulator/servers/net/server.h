@@ -21,7 +21,7 @@ class Server {
 public:
     virtual ~Server() = default;
 
-    /// The cable its clients are connected by.
+    /// The cable of its clients.
     void setLink(Link* link) { link_ = link; }
     /// poller  watches the port; must outlive this object
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name,
@@ -38,7 +38,7 @@ public:
     }
     std::uint16_t port() const { return listener_.serverPort(); }
 
-    /// Takes new clients, reads all and answers.
+    /// Accepts new clients, reads all and answers.
     virtual void service() = 0;
     /// Sends the data of a control period.
     virtual void publish() {}
@@ -54,7 +54,7 @@ private:
     Listener listener_;
 };
 
-/// Removes clients whose connection has ended. leaving  is called for each of them first.
+/// Removes clients whose connection has ended. leaving  is called for each of them before.
 template <class Client, class Leaving>
 void removeClosed(std::vector<std::unique_ptr<Client>>& clients, Leaving leaving) {
     std::erase_if(clients, [&leaving](const std::unique_ptr<Client>& client) {

@@ -37,7 +37,7 @@ void SocketPoller::remove(native_socket::Descriptor descriptor) {
 }
 
 bool SocketPoller::poll() {
-    // The next call reports descriptors beyond this limit: the kernel returns them in turn.
+    // The next call reports descriptors beyond this limit, because the kernel returns them in turn.
     std::array<epoll_event, 64> events;
     const int count = descriptor_ < 0 ? 0
                                       : epoll_wait(static_cast<int>(descriptor_), events.data(),

@@ -8,7 +8,7 @@
 
 namespace tiller::simulator {
 
-/// On systems without epoll, all clients and ports count as readable.
+/// On systems without epoll, all clients and ports always count as readable.
 /// Threads  the simulator's.
 class SocketPoller {
 public:
@@ -17,8 +17,9 @@ public:
     SocketPoller(const SocketPoller&) = delete;
     SocketPoller& operator=(const SocketPoller&) = delete;
 
-    /// From now on poll() sets `rung` when data or the end of the connection can be read, until remove(), which must
-    /// be called before the descriptor is closed. Returns  false if the descriptor cannot be watched
+    /// From now on poll() sets `rung` when data or the end of the connection can be read, until remove(),
+    /// which must be called before the descriptor is closed.
+    /// Returns  false if the descriptor cannot be watched
     bool add(native_socket::Descriptor descriptor, bool* rung);
     void remove(native_socket::Descriptor descriptor);
     /// Watches a listening port until it is closed.

@@ -25,7 +25,7 @@ enum Kind : unsigned {
     Exception = 10
 };
 
-/// Writes frame and header around the content of `body`.
+/// Writes the package frame and header around the content from `body`.
 template <class Body>
 Bytes message(std::uint64_t timestampNs, Source source, Kind kind, Body body) {
     Bytes bytes;
@@ -37,7 +37,7 @@ Bytes message(std::uint64_t timestampNs, Source source, Kind kind, Body body) {
     return bytes;
 }
 
-/// Text counted by one byte.
+/// Text preceded by its length in one byte.
 void counted(ByteWriter& out, std::string_view text) {
     text = text.substr(0, 255);
     out.u8(static_cast<unsigned>(text.size())).text(text);
@@ -51,7 +51,7 @@ std::string_view bounded(std::string_view text) {
 }  // namespace
 
 Bytes version(const SoftwareVersion& software) {
-    // As recorded from robots: not the time, but all bits set.
+    // As recorded from robots: all bits set instead of the time.
     constexpr std::uint64_t kNoTime = ~std::uint64_t{0};
     return message(kNoTime, RobotInterface, Version, [&](ByteWriter& out) {
         counted(out, "URControl");

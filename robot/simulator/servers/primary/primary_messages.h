@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The messages of the primary interface as bytes: those that the pendant shows, and those that clients wait for.
+// The messages of the primary interface as bytes: those shown by the pendant, and those that clients wait
+// for.
 
 #include <cstdint>
 #include <string>
@@ -36,7 +37,7 @@ Bytes errorCode(std::uint64_t timestampNs, const ErrorCode& error);
 Bytes runtimeException(std::uint64_t timestampNs, std::int32_t line, std::int32_t column,
                        std::string_view text);
 Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode);
-/// Whether a message is one of safetyMode().
+/// Returns whether a message is one of safetyMode().
 bool isSafetyMode(const Bytes& message);
 
 struct PopupMessage {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/servers/primary/primary_state.h"
 #include "robot/simulator/servers/primary/primary_variables.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double kStatePeriod = 0.1;  ///< [s]
 }
 
-PrimaryServer::PrimaryServer(Plant& plant, bool messages, bool acceptsScripts)
+PrimaryServer::PrimaryServer(ControllerModel& plant, bool messages, bool acceptsScripts)
     : plant_(plant)
     , messages_(messages)
     , acceptsScripts_(acceptsScripts)
@@ -74,11 +74,11 @@ void PrimaryServer::sendMessages(const std::vector<primary::Bytes>& messages) {
     for (auto message = messages.begin(); message != messages.end(); ++message) {
         const bool safety = primary::isSafetyMode(*message);
         if (safety && message + 1 != last.base()) {
-            continue;  // overtaken within the period: no state shows it
+            continue;  // replaced by a later mode in this period, so no state contains it
         }
         for (const auto& client : clients_) {
             if (!safety || client->hasState) {
-                client->peer.send(*message);  // kept as long as the buffer permits
+                client->peer.send(*message);  // buffered up to the limit
             }
         }
     }

@@ -10,16 +10,18 @@ namespace tiller::simulator::primary {
 namespace {
 
 constexpr unsigned kRobotState = 16;
-/// The same word in MasterboardData and SafetyData; its meaning is specific to the manufacturer.
+/// Internal word of MasterboardData and SafetyData; its meaning is specific to the manufacturer.
 constexpr std::uint32_t kInternalWord = 1475618907;
 
-/// The manual of "newer software" adds to the layouts recorded from 5.8; 5.10 is our reading of it.
+/// The manual lists these additions for "newer software" than the recorded layouts of 5.8; 5.10 is our
+/// interpretation.
 bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
-/// Since then the masterboard data have one more byte: clients treat a package of another size as damaged. Source:
-/// urcl reads all 75 bytes of a 3.14, ur_modern_driver 74 of a 3.2 and fails with a 3.10 and 5.4.
+/// From this version on, the masterboard data have one more byte; clients treat a package of another size as
+/// damaged. Source: urcl reads all 75 bytes of a 3.14; ur_modern_driver reads 74 of a 3.2 and fails with a
+/// 3.10 and 5.4.
 bool hasSafetyStatus(const SoftwareVersion& software) {
     return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
 }
@@ -105,7 +107,7 @@ void masterboardData(ByteWriter& out, const Telemetry& now) {
         out.flag(now.reduced).u8(0);
         out.u32(kInternalWord);
         if (now.software >= SoftwareVersion{3, 2, 0, 0}) {
-            // Mode selector: 0 MANUAL, 1 otherwise, as a robot without one reports. Unconfirmed.
+            // Mode selector: 0 MANUAL, otherwise 1, as reported by a robot without selector. Unconfirmed.
             out.u8(now.operationalMode == OperationalMode::Manual ? 0 : 1);
             out.flag(now.safetyStatus != SafetyMode::SystemThreePositionEnablingStop);
         }
@@ -153,7 +155,8 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.i32(6).i32(controllerBoxType(*now.model)).i32(now.model->robotType);
         out.i32(now.model->isCb3() ? 2 : 3);
         if (isNewer(now)) {
-            // Type of control box and of tool flange, in software that reports them; reserved before.
+            // Type of control box and of tool flange in software that reports them; reserved in older
+            // software.
             const bool told = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
                                                                            : SoftwareVersion{5, 26, 0, 0});
             out.u16(told ? 5 : 0).u16(told ? 1 : 0);
@@ -175,7 +178,7 @@ void smallParts(ByteWriter& out, const Telemetry& now) {
     });
     part(out, 12, [&] { out.u8(0).u8(1).u8(1); });
     if (isNewer(now)) {
-        part(out, 13, [&] { out.u8(0).u8(0); });  // no singularity near
+        part(out, 13, [&] { out.u8(0).u8(0); });  // no singularity nearby
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The ten-a-second RobotState package of the primary and secondary interfaces.
-// Source: client interface manual; sizes and order as recorded from the vendor's simulator.
+// The RobotState package of the primary and secondary interfaces, sent ten times a second. Source: client
+// interface manual; sizes and order as recorded from the vendor's simulator.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tiller::simulator::primary {
 
-/// first  with KinematicsInfo and ConfigurationData, which a client gets once
+/// first  include KinematicsInfo and ConfigurationData, which a client receives once
 std::vector<std::uint8_t> robotState(const Telemetry& now, bool first);
 
 }  // namespace tiller::simulator::primary

@@ -17,7 +17,7 @@ using urscript::Value;
 constexpr unsigned kProgramState = 25;
 enum Content : unsigned { kSetup = 0, kUpdate = 1 };
 enum : unsigned { kNone = 0, kString = 3 };  // in all software
-/// The other types' numbers, which changed when matrices came.
+/// Numbers of the other types, which changed when matrices were introduced.
 struct TypeNumbers {
     unsigned pose, boolean, integer, real, list, matrix;
 };
@@ -31,10 +31,10 @@ const TypeNumbers& numbersOf(const SoftwareVersion& software) {
 }
 /// Clients drop packages of 4092 bytes and more.
 constexpr std::size_t kLargest = 3000;
-/// Where one value ends, whatever it holds.
+/// Maximum size of one value of any type.
 constexpr std::size_t kLargestValue = 2800;
 
-/// Cuts a row of items into packages. item  appends the n-th one
+/// Divides a sequence of items into packages. item  appends the n-th one
 std::vector<Bytes> packed(Content kind, std::size_t count,
                           const std::function<void(std::size_t, Bytes&)>& item) {
     std::vector<Bytes> all;
@@ -51,7 +51,7 @@ std::vector<Bytes> packed(Content kind, std::size_t count,
     return all;
 }
 
-/// Writes values one after the other, each with its type before it.
+/// Writes successive values, each preceded by its type.
 class ValueWriter {
 public:
     ValueWriter(Bytes& into, const TypeNumbers& numbers) : into_(into), out_(into), types_(numbers) {}
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    /// Number of elements reported of a list that is too long for a package.
+    /// Number of list elements that fit into a package; further ones are not reported.
     std::size_t thatFit(std::size_t count, std::size_t bytesEach) const {
         const std::size_t room = kLargestValue - std::min(into_.size(), kLargestValue);
         return std::min(count, room / bytesEach);

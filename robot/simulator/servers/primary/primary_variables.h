@@ -17,13 +17,13 @@ class Value;
 
 namespace tiller::simulator::primary {
 
-/// One or more packages, each small enough for every client. `body` is compared, so without time.
+/// One or more packages, each small enough for every client. Without time stamp, because `body` is compared.
 struct VariableBodies {
     std::vector<Bytes> names, values;
 };
-/// Of the program's own globals; empty for a program without any.
+/// For the program's own globals; empty for a program without globals.
 VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software);
-/// A body with its frame.
+/// Adds the package frame to a body.
 Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);
 
 }  // namespace tiller::simulator::primary

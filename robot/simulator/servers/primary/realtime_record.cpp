@@ -21,7 +21,8 @@ void unused(ByteWriter& out, int count) {
     }
 }
 
-/// A double like all other fields. The note of the vendor's table, an integer of 64 bits, is the other reading.
+/// A double like all other fields, or a 64-bit integer as in the note of the vendor's table; see
+/// BehaviourOptions::realtimeBits.
 void bits(ByteWriter& out, const Telemetry& now, std::uint64_t pins) {
     if (now.bitsAsIntegers) {
         out.u64(pins);
@@ -94,7 +95,7 @@ void writeRealtimeRecord(const Telemetry& now, std::vector<std::uint8_t>& into) 
     out.f64(now.payload.mass);
     three(out, now.payload.centreOfGravity);
     six(out, now.payload.inertia);
-    into.resize(size);  // older software ends earlier
+    into.resize(size);  // older software has shorter records
 }
 
 }  // namespace tiller::simulator

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The record that the realtime interface (ports 30003, 30013) sends every control period.
-// Source: realtime interface manual; its size grew with the software.
+// The record that the realtime interface (ports 30003, 30013) sends every control period. Source: realtime
+// interface manual; its size increased with newer software.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tiller::simulator {
 
-/// Size of the record [bytes] of a software from 3.0 on.
+/// Size of the record [bytes] by software version, from 3.0 on.
 std::size_t realtimeRecordSize(const SoftwareVersion& software);
 
 /// Replaces `into` with the record.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/primary/realtime_server.h"
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
 
 namespace tiller::simulator {
 
-RealtimeServer::RealtimeServer(Plant& plant, bool acceptsScripts)
+RealtimeServer::RealtimeServer(ControllerModel& plant, bool acceptsScripts)
     : plant_(plant), acceptsScripts_(acceptsScripts) {}
 
 void RealtimeServer::service() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The realtime service, port 30003 and its read-only twin 30013: one record every control period, scripts the
-// other way. A client that never reads keeps its connection and misses records.
+// The realtime service, port 30003 and its read-only version 30013: one record every control period, and
+// scripts in the other direction. A client that never reads stays connected and misses records.
 
 #include "robot/simulator/servers/net/server.h"
 #include "robot/simulator/servers/service/script_intake.h"
@@ -11,7 +11,7 @@ namespace tiller::simulator {
 
 class RealtimeServer final : public Server {
 public:
-    RealtimeServer(Plant& plant, bool acceptsScripts);
+    RealtimeServer(ControllerModel& plant, bool acceptsScripts);
 
     void service() override;
     void publish() override;
@@ -25,7 +25,7 @@ private:
         ScriptIntake intake;
     };
 
-    Plant& plant_;
+    ControllerModel& plant_;
     bool acceptsScripts_;
     std::vector<std::unique_ptr<Client>> clients_;
     std::vector<std::uint8_t> record_;

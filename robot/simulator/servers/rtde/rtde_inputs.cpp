@@ -3,13 +3,13 @@
 
 #include <charconv>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
 namespace {
 
-/// The number behind `prefix`, or nothing.
+/// The number after `prefix`, or nothing.
 std::optional<std::size_t> numberAfter(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) {
         return std::nullopt;
@@ -28,7 +28,7 @@ rtde::DataType typeIn(rtde::ProtocolVersion protocol, const rtde::Field& field) 
 
 }  // namespace
 
-RtdeInputs::RtdeInputs(Plant& plant, const SoftwareVersion& software)
+RtdeInputs::RtdeInputs(ControllerModel& plant, const SoftwareVersion& software)
     : plant_(plant), software_(software), owners_(rtde::inputFields().size(), 0) {}
 
 RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::string>& names,
@@ -66,7 +66,7 @@ RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::stri
 }
 
 void RtdeInputs::release(ClientId client) {
-    const bool zeroed = plant_.assumptions().registers == Assumptions::Registers::Zeroed;
+    const bool zeroed = plant_.assumptions().registers == BehaviourOptions::Registers::Zeroed;
     for (std::size_t index = 0; index < owners_.size(); ++index) {
         if (owners_[index] != client) {
             continue;
@@ -80,18 +80,18 @@ void RtdeInputs::release(ClientId client) {
     }
 }
 
-// Those that a package leaves for the next period.
+// The fields of a package that are applied in the next period.
 std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
     std::vector<bool> late(count, false);
-    const Assumptions::Inputs reading = plant_.assumptions().inputs;
+    const BehaviourOptions::Inputs reading = plant_.assumptions().inputs;
     for (std::size_t i = 0; i < count; ++i) {
-        // Any pattern is acceptable, but it has to be the same each time, otherwise values would overtake each
-        // other.
+        // Any fixed pattern is suitable. It must not change, otherwise older values could overwrite newer
+        // ones.
         const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
-        late[i] = reading == Assumptions::Inputs::FirstHalf   ? i >= count / 2
-                  : reading == Assumptions::Inputs::LastHalf  ? i < count / 2
-                  : reading == Assumptions::Inputs::Scattered ? scattered
-                                                              : false;
+        late[i] = reading == BehaviourOptions::Inputs::FirstHalf   ? i >= count / 2
+                  : reading == BehaviourOptions::Inputs::LastHalf  ? i < count / 2
+                  : reading == BehaviourOptions::Inputs::Scattered ? scattered
+                                                                   : false;
     }
     return late;
 }
@@ -129,7 +129,7 @@ bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
     applyRest();
     const std::vector<bool> late = lateFields(recipe.fields.size());
     storeFields(recipe, values_, late);
-    if (plant_.assumptions().inputs != Assumptions::Inputs::Whole) {
+    if (plant_.assumptions().inputs != BehaviourOptions::Inputs::Whole) {
         rests_.push_back({plant_.tick(), recipe, values_, late});
     }
     ++packages_;
@@ -183,7 +183,7 @@ void RtdeInputs::store(const rtde::Field& field, const double* value) {
 }
 
 void RtdeInputs::applyMasks(const InputRecipe& recipe) {
-    // Only the inputs of this package: an old mask of another client must not be applied again.
+    // Only for the inputs of this package: an old mask of another client must not be applied again.
     bool slider = false, standard = false, configurable = false, tool = false, analog = false;
     for (const std::size_t index : recipe.fields) {
         const std::string_view name = rtde::inputFields()[index].name;

@@ -16,7 +16,7 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 /// One input recipe of one client.
 struct InputRecipe {
@@ -29,29 +29,29 @@ class RtdeInputs {
 public:
     using ClientId = std::uint64_t;
 
-    RtdeInputs(Plant& plant, const SoftwareVersion& software);
+    RtdeInputs(ControllerModel& plant, const SoftwareVersion& software);
 
     struct Claim {
         std::vector<rtde::FieldAnswer> answers;
         std::optional<InputRecipe> recipe;  ///< nothing when a name is unknown or owned by another client
     };
-    /// Takes ownership of all names, or of none. protocol: the client's, on which some types depend
+    /// Takes ownership of all names, or of none. protocol: that of the client, which determines some types
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees the inputs of the client; whether the values are kept is an assumption.
+    /// Frees the inputs of the client; whether their values are kept is an option.
     void release(ClientId client);
 
-    /// Applies one data package. False, and nothing changed, when its length is not the recipe's.
+    /// Applies one data package. False, without change, when its length does not match the recipe.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
-    /// Runs once per control period before reading: applies the rest of packages of the previous period that were
-    /// applied only in part.
+    /// To be called once per control period before reading: applies the remaining fields of packages that
+    /// were applied only in part in the previous period.
     void applyRest();
 
-    /// Packages applied so far.
+    /// Number of packages applied so far.
     std::uint64_t packages() const { return packages_; }
 
 private:
-    /// The part of a package that a later period applies.
+    /// The part of a package that is applied in a later period.
     struct Rest {
         std::uint64_t period;
         InputRecipe recipe;
@@ -65,14 +65,14 @@ private:
     void store(const rtde::Field& field, const double* value);
     void applyMasks(const InputRecipe& recipe);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     SoftwareVersion software_;
     std::vector<ClientId> owners_;  ///< by field; 0: none
-    std::vector<double> values_;    ///< scratch of apply()
+    std::vector<double> values_;    ///< buffer of apply()
     std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;
 
-    // Values of the fields that act on the robot, as last written.
+    // Last written values of the fields that affect the robot.
     double sliderMask_ = 0, sliderFraction_ = 1;
     struct DigitalGroup {
         unsigned mask = 0, value = 0;

@@ -12,7 +12,7 @@ constexpr std::uint32_t hardware(std::uint32_t kind, std::uint32_t subtype) {
     return (kind << 24) | (subtype << 16);
 }
 
-/// The type's name; empty for a property there is not.
+/// Returns the name of the type; empty for an unknown property.
 std::string_view append(ByteWriter& values, std::string_view name, const SoftwareVersion& software) {
     if (name == "v1.software.version") {
         // The lowest word is reserved.

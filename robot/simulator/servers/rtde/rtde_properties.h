@@ -11,11 +11,11 @@
 
 namespace tiller::simulator {
 
-/// Whether this software answers RTDE_READ_PROPERTIES; it speaks protocol version 3 then. Older software
-/// takes no notice of the request.
+/// Returns whether this software answers RTDE_READ_PROPERTIES, which requires protocol version 3. Older
+/// software ignores the request.
 bool hasProperties(const SoftwareVersion& software);
 
-/// Writes the reply: the types, NOT_FOUND for unknown names, and the values only if every name is known.
+/// Writes the reply: the types, NOT_FOUND for unknown names, and the values only if all names are known.
 void writeProperties(rtde::Bytes& out, const std::vector<std::string>& names,
                      const SoftwareVersion& software);
 

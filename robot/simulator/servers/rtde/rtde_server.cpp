@@ -4,24 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/rtde/rtde_properties.h"
 
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kMostInputRecipes = 255;
-/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+constexpr std::size_t kMaxInputRecipes = 255;
+/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
+/// others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
-/// A CB3 serves so many clients; a further one completes its handshake and is closed after so long [s].
-/// Source: Universal Robots forum, threads 2793 and 3673
-constexpr int kMostCb3Clients = 3;
+/// Maximum number of clients of a CB3. A further one completes its handshake and is closed after this time
+/// [s]. Source: Universal Robots forum, threads 2793 and 3673
+constexpr int kMaxCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
-/// Owner of the inputs that a fault holds; clients count from 1.
-constexpr RtdeInputs::ClientId kNobodyHere = ~RtdeInputs::ClientId{0};
+/// Owner of the inputs held by an injected fault; client ids start at 1.
+constexpr RtdeInputs::ClientId kReservedClient = ~RtdeInputs::ClientId{0};
 }  // namespace
 
-RtdeServer::RtdeServer(Plant& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
+RtdeServer::RtdeServer(ControllerModel& plant) : plant_(plant), inputs_(plant, plant.options().software) {}
 
 void RtdeServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
@@ -33,18 +34,18 @@ void RtdeServer::service() {
     for (const auto& client : clients_) {
         read(*client);
         if (!client->peer.isOpen()) {
-            // At once, not at the end of the round: the same program may be back already and ask for them
-            // again.
+            // Immediately, not at the end of the round: the same program may already have reconnected and
+            // request them again.
             inputs_.release(client->id);
         }
         client->peer.flush();
     }
-    removeGone();
+    removeDisconnected();
 }
 
 void RtdeServer::greet(Client& client) {
-    // The only text that comes unasked, and only from a PolyScope X whose safety configuration waits for
-    // somebody: there are clients that take whatever comes first for their answer.
+    // The only unsolicited text message, sent only by a PolyScope X with an unconfirmed safety configuration,
+    // because some clients take the first message for the answer they wait for.
     if (plant_.options().software.isPolyScopeX() && plant_.power().mode() == RobotMode::ConfirmSafety) {
         reply_.clear();
         rtde::writeControllerText(
@@ -54,7 +55,7 @@ void RtdeServer::greet(Client& client) {
     }
 }
 
-void RtdeServer::removeGone() {
+void RtdeServer::removeDisconnected() {
     removeClosed(clients_, [this](const Client& client) {
         inputs_.release(client.id);
         --connected_;
@@ -110,7 +111,7 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             onData(client, package.payload);
             break;
         case rtde::PackageType::TextMessage:
-            break;  // taken note of, as the guide says: never answered
+            break;  // received, but never answered, as described in the guide
         case rtde::PackageType::ReadProperties:
             if (hasProperties(plant_.options().software)) {
                 writeProperties(reply_, rtde::readPropertiesRequest(package.payload),
@@ -125,7 +126,7 @@ bool RtdeServer::placesAreTaken() const {
     return plant_.options().software.isCb3() &&
            std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {
                return client->started && !client->leaves;
-           }) >= kMostCb3Clients;
+           }) >= kMaxCb3Clients;
 }
 
 void RtdeServer::reply(Client& client) {
@@ -149,7 +150,7 @@ unsigned RtdeServer::dividerFor(double frequency) const {
     if (!(frequency > 0) || frequency >= most) {
         return 1;
     }
-    // A hair's width more, so that a third of the maximum, rounded, still gives every third period.
+    // A small margin, so that a third of the maximum frequency, rounded, still selects every third period.
     return static_cast<unsigned>(std::floor(most / std::max(frequency, 1.0) + 1e-9));
 }
 
@@ -170,7 +171,7 @@ void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
 
 void RtdeServer::onInputs(Client& client, rtde::ByteView payload) {
     const Result<std::vector<std::string>> names = rtde::readSetupInputsRequest(payload);
-    if (!names || client.inputs.size() >= kMostInputRecipes) {
+    if (!names || client.inputs.size() >= kMaxInputRecipes) {
         rtde::writeSetupInputsReply(reply_, 0, {});
         return;
     }
@@ -204,7 +205,7 @@ void RtdeServer::publish() {
             periods > 0 && periods % client->divider == 0 && (link() == nullptr || !link()->drops());
         const auto id =
             client->protocol == rtde::ProtocolVersion::V1 ? std::nullopt : std::optional<std::uint8_t>(1);
-        if (plant_.assumptions().data == Assumptions::Data::Even && client->waiting.empty()) {
+        if (plant_.assumptions().data == BehaviourOptions::Data::Even && client->waiting.empty()) {
             if (on) {
                 send(*client, client->output->write(plant_.telemetry(), id));
             }
@@ -212,21 +213,21 @@ void RtdeServer::publish() {
         }
         if (on) {
             const rtde::ByteView package = client->output->write(plant_.telemetry(), id);
-            const int times = plant_.assumptions().data == Assumptions::Data::Doubled ? 2 : 1;
+            const int times = plant_.assumptions().data == BehaviourOptions::Data::Doubled ? 2 : 1;
             for (int i = 0; i < times; ++i) {
                 client->waiting.push_back({departure(), {package.begin(), package.end()}});
             }
         }
         sendDue(*client);
     }
-    removeGone();
+    removeDisconnected();
 }
 
 void RtdeServer::send(Client& client, rtde::ByteView package) {
     if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
-        client.peer.close();  // as the guide says of a client that does not read
+        client.peer.close();  // as described in the guide for a client that does not read
     }
 }
 
@@ -243,19 +244,19 @@ std::vector<RtdeDelivery> RtdeServer::deliveries() const {
 double RtdeServer::departure() const {
     const double now = plant_.elapsed();
     switch (plant_.assumptions().data) {
-        case Assumptions::Data::Late: {
-            constexpr double kLeast = 0.004;
+        case BehaviourOptions::Data::Late: {
+            constexpr double kMinValue = 0.004;
             constexpr double kMore = 0.020;
-            // Any scatter will do; the order is kept by the queue.
+            // Any deterministic scatter is suitable; the queue keeps the order.
             const auto scatter = static_cast<double>(plant_.tick() * 2654435761U >> 8U & 0xFFU) / 255.0;
-            return now + kLeast + kMore * scatter;
+            return now + kMinValue + kMore * scatter;
         }
-        case Assumptions::Data::Bunched: {
+        case BehaviourOptions::Data::Bunched: {
             constexpr std::uint64_t kBunch = 10;
             return now + static_cast<double>(kBunch - 1 - plant_.tick() % kBunch) * plant_.stepTime();
         }
-        case Assumptions::Data::Even:
-        case Assumptions::Data::Doubled:
+        case BehaviourOptions::Data::Even:
+        case BehaviourOptions::Data::Doubled:
             break;
     }
     return now;
@@ -274,11 +275,11 @@ bool RtdeServer::holdInputs(const QStringList& names) {
     for (const QString& name : names) {
         wanted.push_back(name.toStdString());
     }
-    return inputs_.claim(kNobodyHere, wanted, rtde::ProtocolVersion::V2).recipe.has_value();
+    return inputs_.claim(kReservedClient, wanted, rtde::ProtocolVersion::V2).recipe.has_value();
 }
 
 void RtdeServer::releaseHeldInputs() {
-    inputs_.release(kNobodyHere);
+    inputs_.release(kReservedClient);
 }
 
 void RtdeServer::closeClients() {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE service, port 30004. Source: RTDE guide. What the guide leaves open is decided here so:
+// The RTDE service, port 30004. Source: RTDE guide. Where the guide is not specific, this implementation
+// behaves as follows:
 //
-// - A size field below 3 ends the connection: nothing after it could be understood.
-// - A well-framed package of unknown type is ignored. A request whose payload makes no sense is refused in
-//   the reply that belongs to it (version not accepted, recipe id 0); a data package of unknown recipe or
-//   wrong length is not applied. No text message is sent: clients take it for the answer they wait for.
-// - A frequency that is not a number above zero, or is above the maximum, means the maximum; below 1 Hz
-//   means 1 Hz.
+// - A size field below 3 ends the connection, because nothing after it could be parsed.
+// - A well-framed package of unknown type is ignored. A request with an invalid payload is refused in its
+// reply (version not accepted, recipe id 0); a data package of unknown recipe or wrong length is not applied.
+// No text message is sent, because clients take it for the answer they wait for.
+// - A frequency that is not a positive number, or is above the maximum, is set to the maximum; below 1 Hz it
+// is set to 1 Hz.
 // - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
-// - START without a valid output recipe is refused, PAUSE always accepted.
+// - START without a valid output recipe is refused; PAUSE is always accepted.
 // - PolyScope X informs new clients while its safety configuration has not been confirmed.
 
 #include <QStringList>
@@ -26,13 +27,13 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class RtdeServer final : public Server {
 public:
-    explicit RtdeServer(Plant& plant);
+    explicit RtdeServer(ControllerModel& plant);
 
-    /// Once a control period, before anything is read.
+    /// To be called once per control period, before reading.
     void beginPeriod() {
         ++period_;
         inputs_.applyRest();
@@ -41,12 +42,12 @@ public:
     void publish() override;
     void closeClients() override;
 
-    /// Inputs owned by somebody who is not here: a fieldbus, a client that died. False, and nothing taken,
-    /// when one of them does not exist or has an owner.
+    /// Marks inputs as owned by an absent client, e.g. a fieldbus or a crashed client. False, without change,
+    /// when one of them does not exist or already has an owner.
     bool holdInputs(const QStringList& names);
     void releaseHeldInputs();
 
-    /// Of all clients since the start.
+    /// Total of all clients since the start.
     /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
@@ -60,7 +61,8 @@ private:
         Client(native_socket::Descriptor descriptor, RtdeInputs::ClientId number)
             : peer(descriptor, kBacklog), id(number) {}
 
-        /// What a client may lag behind, besides the system's own buffer, before it is dropped [bytes].
+        /// Maximum amount of unread data, in addition to the system's own buffer, before the client is
+        /// disconnected [bytes].
         static constexpr std::size_t kBacklog = 64 * 1024;
 
         Peer peer;
@@ -70,14 +72,14 @@ private:
         std::optional<OutputRecipe> output;
         unsigned divider = 1;  ///< every n-th control period
         bool started = false;
-        std::optional<double> leaves;     ///< when it is closed, as one too many [s]
-        std::uint64_t startPeriod = 0;    ///< the period that answered START
+        std::optional<double> leaves;     ///< when it is closed as a surplus client [s]
+        std::uint64_t startPeriod = 0;    ///< the period in which START was answered
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
         struct Waiting {
             double due;  ///< [s]
             rtde::Bytes package;
         };
-        std::deque<Waiting> waiting;  ///< packages that have not left yet
+        std::deque<Waiting> waiting;  ///< packages that have not been sent yet
     };
 
     void greet(Client& client);
@@ -90,17 +92,17 @@ private:
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
     void send(Client& client, rtde::ByteView package);
-    /// When a package of now leaves [s].
+    /// Time at which a package created now is sent [s].
     double departure() const;
     void sendDue(Client& client);
     bool placesAreTaken() const;
-    void removeGone();
+    void removeDisconnected();
 
-    Plant& plant_;
+    ControllerModel& plant_;
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
     RtdeInputs::ClientId lastId_ = 0;
-    std::uint64_t period_ = 0;  ///< that is under way, or the last one
+    std::uint64_t period_ = 0;  ///< the current package, or the last one
     rtde::Bytes reply_;
     std::atomic<std::uint64_t> packages_{0};
     std::atomic<std::uint64_t> sent_{0};

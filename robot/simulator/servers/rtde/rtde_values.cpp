@@ -36,12 +36,12 @@ void put(double* into, Number v) {
     *into = static_cast<double>(v);
 }
 
-/// The terminal's value as RTDE gives it: milliampere in the current domain, volt otherwise.
+/// The value of the terminal as reported by RTDE: milliampere in the current domain, otherwise volt.
 double analog(double terminal, unsigned domain) {
     return domain == 0 ? terminal * 1000.0 : terminal;
 }
 
-// One line a field; `t` is the telemetry and `a` the arm's state.
+// One line per field; `t` is the telemetry and `a` the state of the arm.
 #define TILLER_FIELD(name, expression)                                    \
     {                                                                     \
 #name, [](const Telemetry& t, std::size_t, double* into) {              \

@@ -23,20 +23,20 @@ struct FieldSource {
     std::size_t components = 1;
 };
 
-/// Nothing when this catalogue entry has no source; every output field has one (a test checks that).
+/// Nothing when this catalogue entry has no source; a test checks that every output field has one.
 std::optional<FieldSource> fieldSource(const rtde::Field& field);
 
 /// The fields of one output recipe.
 class OutputRecipe {
 public:
-    /// Fields that exist on this software; answers() lists them.
+    /// True for each field that exists in this software; answers() lists them.
     OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software);
 
     /// In the order of the names.
     const std::vector<rtde::FieldAnswer>& answers() const { return answers_; }
-    /// There is at least one name and each was found.
+    /// True if there is at least one name and all were found.
     bool isValid() const { return valid_; }
-    /// Writes a whole data package; recipeId as in rtde::writeDataPackage.
+    /// Writes a complete data package; recipeId as in rtde::writeDataPackage.
     rtde::ByteView write(const Telemetry& now, std::optional<std::uint8_t> recipeId);
 
 private:

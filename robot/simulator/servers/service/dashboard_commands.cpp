@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "robot/core/ascii.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/box/personality.h"
-#include "robot/simulator/box/plant.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/support_file.h"
@@ -37,7 +37,7 @@ std::string upper(std::string text) {
 
 }  // namespace
 
-// Longer words first where one begins like another.
+// If one command begins with another, the longer one comes first.
 const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
     {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
     {"load", &C::load, true, true, {}, {}},
@@ -78,13 +78,13 @@ const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
 };
 
 DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
-    // One that was made in local control never gets any.
+    // A connection opened in local control never gets rights.
     return plant_.isRemoteControl() ? plant_.controlEpoch() + 1 : 0;
 }
 
 bool DashboardCommands::mayControl(Rights rights) const {
-    // Clients on the controller itself are exempt; with a simulator on this machine that is everybody, unless
-    // the option says otherwise.
+    // Clients on the controller itself are exempt. For a simulator on this machine this applies to every
+    // client, unless the option is set.
     const SimulatorOptions& options = plant_.options();
     const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
     const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
@@ -128,7 +128,7 @@ DashboardCommands::Reply DashboardCommands::run(std::string_view line, Rights ri
 // ---- program --------------------------------------------------------------------------------------------
 
 namespace {
-/// Some send file names in quotes.
+/// Some clients send file names in quotes.
 QString unquoted(const std::string& name) {
     const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
     return QString::fromStdString(quoted ? name.substr(1, name.size() - 2) : name);
@@ -141,10 +141,10 @@ std::string DashboardCommands::load(const std::string& name) {
         if (error.code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
         }
-        plant_.tellLog("Error while loading program: " + name + ": " + error.context.toStdString());
+        plant_.appendToLog("Error while loading program: " + name + ": " + error.context.toStdString());
         return "Error while loading program: " + name;
     }
-    // The reply means "loaded": what ran before has ended by then.
+    // The reply means "loaded", so the previous program must have ended.
     plant_.programs().stopNow();
     return "Loading program: " + name;
 }
@@ -154,7 +154,8 @@ std::string DashboardCommands::loadInstallation(const std::string& name) {
         if (loaded.error().code == ErrorCode::FileNotReadable) {
             return "File not found: " + name;
         }
-        plant_.tellLog("Failed to load installation: " + name + ": " + loaded.error().context.toStdString());
+        plant_.appendToLog("Failed to load installation: " + name + ": " +
+                           loaded.error().context.toStdString());
         return "Failed to load installation: " + name;
     }
     plant_.programs().stopNow();
@@ -174,15 +175,15 @@ std::string DashboardCommands::play(const std::string&) {
         return "Starting program";
     }
     if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
-        programs.stopNow();  // "stop" has been answered: "play" may follow at once
+        programs.stopNow();  // "stop" has been answered, so "play" may follow immediately
     }
     if (!store_.isLoaded() || programs.isActive()) {
         return kFailed;
     }
     const Result<std::string> text = store_.script();
     if (!text) {
-        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
-                       text.error().context.toStdString());
+        plant_.appendToLog("Error while loading program: " + store_.name() + ": " +
+                           text.error().context.toStdString());
         return kFailed;
     }
     if (text->find(pendant::kControlNode) != std::string::npos) {
@@ -193,7 +194,8 @@ std::string DashboardCommands::play(const std::string&) {
 }
 
 std::string DashboardCommands::stop(const std::string&) {
-    // Positive also when nothing runs: clients that stop a program which has just ended by itself rely on it.
+    // Successful also if no program runs, because clients that stop a program which has just ended rely on
+    // it.
     plant_.programs().requestStop();
     return "Stopped";
 }
@@ -213,11 +215,11 @@ std::string DashboardCommands::running(const std::string&) {
 
 std::string DashboardCommands::programState(const std::string&) {
     if (!store_.isLoaded()) {
-        // A name always follows: there are clients that wait for one, and none that minds.
+        // The name is always included: some clients wait for it, and none is affected by it.
         return "STOPPED <unnamed>";
     }
     const ProgramRunner& programs = plant_.programs();
-    // Scripts sent over a socket are not what this command is about.
+    // This command does not refer to scripts sent over a socket.
     const char* state = !programs.isFileProgram() ? "STOPPED" : programs.isPaused() ? "PAUSED" : "PLAYING";
     return state + (" " + store_.name());
 }
@@ -300,8 +302,8 @@ std::string DashboardCommands::addToLog(const std::string& text) {
     if (text.empty()) {
         return "No log message to add";
     }
-    constexpr std::size_t kMostMessages = 10'000;
-    if (log_.size() >= kMostMessages) {
+    constexpr std::size_t kMaxMessages = 10'000;
+    if (log_.size() >= kMaxMessages) {
         log_.pop_front();
     }
     log_.push_back(std::to_string(plant_.timestamp()) + ' ' + text);
@@ -386,8 +388,8 @@ std::string DashboardCommands::flightReport(const std::string& type) {
     if (!wanted.empty() && wanted != "CONTROLLER" && wanted != "SOFTWARE" && wanted != "SYSTEM") {
         return "Error: unknown flight report type: " + type;
     }
-    // A controller takes up to minutes for one; two shortly after each other are both made. Source: urcl
-    // tests.
+    // A controller needs up to minutes for a report; two requests in quick succession both create one.
+    // Source: urcl tests.
     return "Flight Report generated with id:" + std::to_string(++flightReports_);
 }
 

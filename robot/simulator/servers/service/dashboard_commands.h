@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The vocabulary of the dashboard: each command with its exact reply. Source: Dashboard Server guide; the
-// replies that clients compare letter by letter are those of the vendor's simulator.
+// The commands of the dashboard, each with its exact reply. Source: Dashboard Server guide; replies that
+// clients compare literally are those of the vendor's simulator.
 
 #include <cstdint>
 #include <deque>
@@ -13,14 +13,14 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ProgramStore;
 
 class DashboardCommands {
 public:
-    DashboardCommands(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
+    DashboardCommands(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// Rights of a connection: set when it is opened, lost when the switch on the pendant is turned.
+    /// Rights of a connection: determined when it is opened, revoked when the switch on the pendant changes.
     using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 
@@ -87,7 +87,7 @@ private:
 
     bool mayControl(Rights rights) const;
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ProgramStore& store_;
     std::deque<std::string> log_;
     std::string userRole_ = "PROGRAMMER";

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The dashboard service, port 29999: one line in, one line out. Source: Dashboard Server guide.
+// The dashboard service, port 29999: one line per request, one line per reply. Source: Dashboard Server
+// guide.
 
 #include "robot/simulator/servers/net/line_server.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"
@@ -10,7 +11,7 @@ namespace tiller::simulator {
 
 class DashboardServer final : public LineServer {
 public:
-    DashboardServer(Plant& plant, ProgramStore& store) : commands_(plant, store) {}
+    DashboardServer(ControllerModel& plant, ProgramStore& store) : commands_(plant, store) {}
 
 protected:
     std::uint64_t tagOfNewClient() override { return commands_.rightsOfNewClient(); }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The port of faults on demand, 29990: lines as faults.h describes, one answer each. No real robot has it.
+// The port for fault injection, 29990: lines as described in faults.h, with one answer each. Real robots do
+// not have it.
 
 #include <functional>
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 
@@ -16,17 +16,17 @@ namespace {
 
 using urscript::InterpreterMode;
 
-constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< of one client at a stretch [bytes]
+constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< read from one client at a time [bytes]
 
 std::string discard(std::string_view reason, std::string_view line) {
-    // The reason ends where the statement begins.
+    // The reason ends before the statement.
     while (!reason.empty() && reason.back() == ':') {
         reason.remove_suffix(1);
     }
     return "discard: " + std::string(reason) + ": " + std::string(line) + "\n";
 }
 
-/// Answer to a command that is executed at once; empty if the line is a statement.
+/// Answer to a command that is executed immediately; empty if the line is a statement.
 std::string stateReply(InterpreterMode* mode, const std::string& line) {
     const InterpreterMode::Counts counts = mode == nullptr ? InterpreterMode::Counts() : mode->counts();
     std::uint32_t number = 0;
@@ -69,7 +69,7 @@ void InterpreterServer::service() {
 void InterpreterServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    while (client.peer.isOpen() && total < kInterpreterShare && client.lines.size() < kMostWaiting) {
+    while (client.peer.isOpen() && total < kInterpreterShare && client.lines.size() < kMaxWaiting) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
             return;
@@ -108,7 +108,7 @@ void InterpreterServer::answer(Client& client, int& lines) {
         }
         client.lines.pop_front();
         if (!client.peer.send(reply)) {
-            client.peer.close();  // the client reads none of its replies, and they cannot be kept forever
+            client.peer.close();  // the client does not read its replies, and buffering is limited
             return;
         }
     }

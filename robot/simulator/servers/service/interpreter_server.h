@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interpreter service, port 30020: one statement or one command a line, one reply a line. Source: client
+// The interpreter service, port 30020: one statement or command per line, one reply per line. Source: client
 // interface notes on the interpreter socket.
 
 #include <deque>
@@ -14,19 +14,19 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class InterpreterServer final : public Server {
 public:
-    /// Longest line [bytes]; a longer line is refused with a message.
+    /// Maximum length of a line [bytes]; a longer one is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
-    /// Lines of one client that may wait for a clear_interpreter(); reading stops there.
-    static constexpr std::size_t kMostWaiting = 1000;
+    /// Maximum number of lines per client that may wait for a clear_interpreter(); then reading stops.
+    static constexpr std::size_t kMaxWaiting = 1000;
 
-    /// Lines compiled at a stretch: a flood of them shall not make the robot late.
+    /// Maximum number of lines compiled per cycle, so that many lines do not delay the robot.
     static constexpr int kLinesAtOnce = 32;
 
-    explicit InterpreterServer(Plant& plant) : plant_(plant) {}
+    explicit InterpreterServer(ControllerModel& plant) : plant_(plant) {}
 
     void service() override;
     void closeClients() override { clients_.clear(); }
@@ -37,16 +37,16 @@ private:
             : peer(descriptor, 1 << 20), mayWrite(writes) {}
         Peer peer;
         bool mayWrite;
-        bool overlong = false;  ///< in a line that is too long
+        bool overlong = false;  ///< within a line that is too long
         std::string line;       ///< begun, not ended
         std::deque<std::string> lines;
     };
     void read(Client& client);
     void answer(Client& client, int& lines);
-    /// What to reply, or nothing yet.
+    /// The reply; nothing if it is not available yet.
     std::string replyTo(const Client& client, const std::string& line);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     std::vector<std::unique_ptr<Client>> clients_;
 };
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "robot/core/file_reading.h"
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 
@@ -50,7 +50,7 @@ HttpResponse invalid(const QString& what) {
     return refuse(422, QStringLiteral("Validation error"), what);
 }
 
-/// Description of a program in its own file; handwritten flat files may have it at the root.
+/// Description stored in a program file; handwritten files without nesting may have it at the root.
 QJsonObject informationOf(const QJsonObject& root) {
     const QJsonObject program = root.value(QLatin1String("program")).toObject();
     const QString key = QStringLiteral("programInformation");
@@ -177,7 +177,8 @@ HttpResponse RobotApi::docs(const HttpRequest&, const std::string&) {
 
 // ---- robot ----------------------------------------------------------------------------------------------
 
-// Each is answered once the robot has done it: clients ask for the new state, or for the next step, at once.
+// Requests are answered when the robot has completed them, because clients query the new state, or request
+// the next step, immediately.
 HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
@@ -210,7 +211,7 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
             return refuse(409, QStringLiteral("Not possible now"),
                           QStringLiteral("There is no protective stop"));
         }
-        safety.unlockProtectiveStop(false);  // the vendor's client unlocks within a second here
+        safety.unlockProtectiveStop(false);  // the vendor's client unlocks within one second after the stop
         return done([&safety] { return !safety.isProtectiveStopped(); });
     }
     if (action == QLatin1String("RESTART_SAFETY")) {
@@ -239,7 +240,7 @@ HttpResponse RobotApi::controlMode(const HttpRequest&, const std::string&) {
 }
 
 HttpResponse RobotApi::operationalMode(const HttpRequest&, const std::string&) {
-    // There is always one here: without a selector programs run.
+    // Always reported: without a selector programs can run.
     return mode(plant_.safety().operationalMode() == OperationalMode::Manual ? QStringLiteral("MANUAL")
                                                                              : QStringLiteral("AUTOMATIC"));
 }
@@ -286,7 +287,8 @@ HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
     }
     if (!loaded) {
         const QString why = loaded.error().context;
-        plant_.tellLog(QStringLiteral("Error while loading program: %1: %2").arg(name, why).toStdString());
+        plant_.appendToLog(
+            QStringLiteral("Error while loading program: %1: %2").arg(name, why).toStdString());
         return refuse(500, QStringLiteral("The program cannot be read"),
                       QStringLiteral("%1: %2").arg(name, why));
     }
@@ -325,8 +327,8 @@ HttpResponse RobotApi::play(bool resuming) {
     const Result<std::string> text =
         store_.isLoaded() ? store_.script() : Result<std::string>("def Default_program():\nend\n");
     if (!text) {
-        plant_.tellLog("Error while loading program: " + store_.name() + ": " +
-                       text.error().context.toStdString());
+        plant_.appendToLog("Error while loading program: " + store_.name() + ": " +
+                           text.error().context.toStdString());
     }
     if (!text || !runner.submitText(*text)) {
         return notNow(QStringLiteral("The program has errors"));
@@ -419,7 +421,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     if (!document.isObject()) {
         return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is no program (JSON)"));
     }
-    // The name inside the program has priority over the file name.
+    // The name stored in the program has priority over the file name.
     const QJsonObject root = document.object();
     QString name = informationOf(root).value(QLatin1String("name")).toString();
     name = name.isEmpty() ? root.value(QLatin1String("name")).toString() : name;

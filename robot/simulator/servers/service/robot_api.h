@@ -12,25 +12,25 @@
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 class ProgramStore;
 
 /// Threads  the simulator's.
 class RobotApi {
 public:
-    RobotApi(Plant& plant, ProgramStore& store) : plant_(plant), store_(store) {}
+    RobotApi(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// What takes its time is answered when it is done: see HttpResponse::due.
+    /// Requests that take time are answered on completion: see HttpResponse::due.
     HttpResponse run(const HttpRequest& request);
 
 private:
     using Handler = HttpResponse (RobotApi::*)(const HttpRequest& request, const std::string& rest);
     struct Route {
         std::string_view method;
-        std::string_view path;  ///< behind the base; ending with '*': whatever follows is handed over
+        std::string_view path;  ///< relative to the base; ending with '*': the rest goes to the handler
         Handler handler;
         bool changes = false;   ///< refused in local control
-        bool since1012 = true;  ///< 10.12, else 10.11
+        bool since1012 = true;  ///< first version: 10.12, otherwise 10.11
         bool until1012 = false;
     };
     static const Route kRoutes[];
@@ -59,7 +59,7 @@ private:
     QString loadedName() const;
     const char* stateName() const;
 
-    Plant& plant_;
+    ControllerModel& plant_;
     ProgramStore& store_;
 };
 

@@ -3,15 +3,16 @@
 
 #include <array>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 namespace tiller::simulator {
 
 namespace {
-/// Bytes of one client read at a stretch, so that one that floods does not keep the others waiting.
+/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
+/// others.
 constexpr std::size_t kRequestShare = 256 * 1024;
-/// How long an answer waits for the robot [s]: the vendor's client gives up after 10.
-constexpr double kMostPatience = 8.0;
+/// Maximum time for which an answer waits for the robot [s]: the vendor's client gives up after 10.
+constexpr double kMaxAnswerTime = 8.0;
 }  // namespace
 
 void RobotApiServer::service() {
@@ -30,7 +31,7 @@ void RobotApiServer::service() {
 void RobotApiServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    // Requests that arrive while an answer is delayed remain in the network buffers, which are limited.
+    // Requests received while an answer is delayed remain in the network buffers, which are limited.
     while (client.peer.isOpen() && !client.next && total < kRequestShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
@@ -69,15 +70,16 @@ void RobotApiServer::answer(Client& client) {
     }
 }
 
-/// False while there is an answer that is not due yet.
+/// False while an answer is not due yet.
 bool RobotApiServer::sendNext(Client& client) {
     if (!client.next) {
         return true;
     }
     Client::HttpAnswer& answer = *client.next;
-    // In virtual time a client could not wait: time advances only after its request has been answered.
+    // In virtual time a client could not wait, because time advances only after its request has been
+    // answered.
     if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
-        if (plant_.elapsed() - answer.asked < kMostPatience) {
+        if (plant_.elapsed() - answer.asked < kMaxAnswerTime) {
             return false;
         }
         answer.response = HttpResponse{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The web server of a PolyScope X controller, as far as the Robot API goes: HTTP/1.1 with kept connections.
+// The web server of a PolyScope X controller, for the Robot API only: HTTP/1.1 with persistent connections.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace tiller::simulator {
 
 class RobotApiServer final : public Server {
 public:
-    RobotApiServer(Plant& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
+    RobotApiServer(ControllerModel& plant, ProgramStore& store) : plant_(plant), api_(plant, store) {}
 
     void service() override;
     void closeClients() override { clients_.clear(); }
@@ -24,20 +24,20 @@ private:
             : peer(descriptor, HttpParser::kLargestBody + 64 * 1024) {}
         Peer peer;
         HttpParser parser;
-        bool done = false;  ///< nothing more is read
+        bool done = false;  ///< no further requests are read
         struct HttpAnswer {
             HttpResponse response;
             bool keepAlive = true;
             bool withBody = true;
-            double asked = 0;  ///< when its request came [s]
+            double asked = 0;  ///< time of the request [s]
         };
-        std::optional<HttpAnswer> next;  ///< kept back; those behind it wait
+        std::optional<HttpAnswer> next;  ///< delayed; later ones wait for it
     };
     void read(Client& client);
     void answer(Client& client);
     bool sendNext(Client& client);
 
-    Plant& plant_;
+    ControllerModel& plant_;
     RobotApi api_;
     std::vector<std::unique_ptr<Client>> clients_;
 };

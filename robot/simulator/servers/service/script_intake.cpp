@@ -4,17 +4,17 @@
 #include <array>
 #include <string_view>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kScriptShare = 256 * 1024;  ///< of one client at a stretch [bytes]
+constexpr std::size_t kScriptShare = 256 * 1024;  ///< read from one client at a time [bytes]
 constexpr std::int32_t kReadOnlyInLocal = 210;
 }  // namespace
 
-void ScriptIntake::read(Peer& peer, Plant* plant) {
+void ScriptIntake::read(Peer& peer, ControllerModel* plant) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
     while (peer.isOpen() && total < kScriptShare) {

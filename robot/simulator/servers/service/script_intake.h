@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The receiving side of a script port for one client: bytes in, programs to the runner.
+// The receiving side of a script port for one client: passes received programs to the runner.
 
 #include "robot/simulator/servers/net/peer.h"
 #include "robot/simulator/urscript/source_splitter.h"
 
 namespace tiller::simulator {
 
-class Plant;
+class ControllerModel;
 
 class ScriptIntake {
 public:
-    /// mayWrite  false: what the client writes is not run, because the robot is in local control
+    /// mayWrite  false: received scripts are not run, because the robot is in local control
     explicit ScriptIntake(bool mayWrite) : mayWrite_(mayWrite) {}
 
-    /// Reads what has come. plant  null: a read-only port, everything is thrown away
-    void read(Peer& peer, Plant* plant);
+    /// Reads the received data. plant  null: a read-only port, all data are discarded
+    void read(Peer& peer, ControllerModel* plant);
 
 private:
     bool mayWrite_;

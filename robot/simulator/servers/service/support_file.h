@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The archive that `generate support file` leaves: a zip with one text in it.
+// The archive created by `generate support file`: a zip file with one text.
 
 #include <QByteArray>
 

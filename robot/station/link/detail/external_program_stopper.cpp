@@ -54,7 +54,7 @@ bool ExternalProgramStopper::isMeant(StopCause cause, const SessionState& state)
     }
     const bool button = cause == StopCause::StopButton;
     if (state.control == ControlState::Taking) {
-        return true;  // one that is being replaced by ours, or ours on its way
+        return true;  // a program that ours is replacing, or ours being uploaded
     }
     if (state.control == ControlState::InControl) {
         return false;
@@ -89,7 +89,7 @@ void ExternalProgramStopper::request(StopCause cause, const receive::Receiver& r
 
 void ExternalProgramStopper::askService() {
     const auto stop = [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
-        // It may have waited for a connection meanwhile: nothing is stopped that was begun since.
+        // The job may have waited for a connection: it must not stop a program started since.
         return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
     };
     service_.post(
@@ -148,7 +148,7 @@ ExternalProgramStopper::Outcome ExternalProgramStopper::follow(const SessionStat
     if (!request_) {
         return Outcome::None;
     }
-    // While control is being taken our own program may still come.
+    // While control is being taken, our own program may still start.
     if (state.control != ControlState::Taking && isStopped(state)) {
         withdraw();
         return Outcome::Stopped;

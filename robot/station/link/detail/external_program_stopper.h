@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops whatever program runs on the robot: one of others (from the pendant, another PC, or left running), and our
-// own where the control connection cannot be relied on. All routes are used at once: "stop program" on the primary
-// interface, and the stop of the dashboard or the Robot API; each on a connection that is made beforehand and on a
-// new one, because the robot may have forgotten the other without a sign. The result is judged by the robot's own
-// data. Private to robot/station/link.
+// Stops any program that runs on the robot: an external one (from the pendant, another PC, or left running),
+// and our own when the control connection is unreliable. All routes are used at once: "stop program" on the
+// primary interface, and the stop command of the dashboard or the Robot API; each on a connection opened in
+// advance and on a new one, because the robot may have dropped the existing one silently. The robot's own
+// data decide whether the stop succeeded. Private to robot/station/link.
 
 #include <atomic>
 #include <memory>
@@ -23,49 +23,49 @@ namespace tiller {
 /// Threads  GUI; the destructor any
 class ExternalProgramStopper {
 public:
-    /// context  in whose thread the answers come; must outlive this
+    /// context  receives the answers in its thread; must outlive this object
     ExternalProgramStopper(QObject& context, const QString& host, int portOffset, const Clock& clock);
     ~ExternalProgramStopper();
     ExternalProgramStopper(const ExternalProgramStopper&) = delete;
     ExternalProgramStopper& operator=(const ExternalProgramStopper&) = delete;
 
-    /// Whether the cause is a key that stops everything: STOP (a device's stop key too), Esc, Space.
+    /// True if the cause stops everything: STOP (also the stop key of a device), Esc, Space.
     static bool isByStopKey(control::StopCause cause);
-    /// Whether a stop for this cause goes out on all routes at once: to a program that plays or is just being
-    /// paused or resumed, and an arm that moves, for every stop key; to a paused program, for STOP alone, because
-    /// it moves nothing; and, when no fresh data show an arm at standstill, always for STOP, and for every stop key
-    /// while control is in doubt. A stop in control, by fresh control data, goes to our own program first: see
-    /// control::StopConfirmation.
+    /// Returns whether a stop for this cause is sent on all routes at once. Only stop keys count. While
+    /// control is being taken: always. With fresh data: if an external program runs or is just being paused
+    /// or resumed, or if the arm moves; for STOP also if a program is paused. Without fresh data: always for
+    /// STOP; for the other keys if control is in doubt, if there were no data yet, or if the last data showed
+    /// a program. While in control, a stop goes to our own program first: see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
-    /// Opens the connections that are not there yet, so that a stop need not wait for them.
+    /// Opens missing connections so that a stop does not have to wait for them.
     void warmUp();
-    /// The word on the primary interface goes out with the request, and need not wait for a connection.
+    /// True if the stop on the primary interface can be sent immediately, without connecting first.
     bool isReady() const { return stopper_.isConnected(); }
-    /// The robot honours its switch to Remote on new connections only.
+    /// The robot applies a switch to Remote only to new connections.
     void reconnect() { stopper_.reconnect(); }
 
     void request(control::StopCause cause, const receive::Receiver& receiver);
-    /// Asks no more: whoever starts a program now wants it to run.
+    /// Cancels the request, because a program started from now on is meant to run.
     void withdraw();
 
-    bool isPending() const { return request_.has_value(); }  ///< Asked for, and not seen yet.
+    bool isPending() const { return request_.has_value(); }  ///< Requested, and not confirmed yet.
 
     enum class Outcome { None, Stopped, Failed };
-    /// Once a frame, with what it brought: measures, asks again where that helps.
-    /// Returns  what came of the request, once
+    /// To be called once per frame with its samples: measures the stop, and repeats the request where useful.
+    /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
-    /// Why the last one failed.
+    /// Error of the last failed request.
     const Error& error() const { return error_; }
-    /// The last stop that was measured, from the request to standstill.
+    /// The last measured stop, from the request to standstill.
     const control::StopMeasurement& last() const { return meter_.last(); }
 
 private:
     struct StopRequest {
         std::int64_t ns = 0;
-        std::uint64_t sequence = 0;  ///< of the newest sample then
+        std::uint64_t sequence = 0;  ///< of the newest sample at that time
     };
-    /// Of the service; outlives this where an answer is still under way.
+    /// Answer of the service; outlives this object while an answer is pending.
     struct ServiceAnswer {
         bool busy = false;
         Error error;
@@ -79,7 +79,7 @@ private:
     QObject& context_;
     const Clock& clock_;
     script::ProgramStopper stopper_;
-    dashboard::ServiceWorker service_;       ///< on a connection that is made beforehand
+    dashboard::ServiceWorker service_;       ///< on a connection opened in advance
     dashboard::ServiceWorker freshService_;  ///< on a new connection each time
     std::shared_ptr<ServiceAnswer> answer_ = std::make_shared<ServiceAnswer>();
     std::shared_ptr<std::atomic<bool>> wanted_ = std::make_shared<std::atomic<bool>>(false);
@@ -87,7 +87,7 @@ private:
     Error error_;
 
     control::StopMeter meter_;
-    std::uint64_t measuredFrom_ = 0;  ///< the newest sample when the stop was asked for
+    std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
 };
 
 }  // namespace tiller

@@ -22,7 +22,7 @@ void ExtraFieldStream::follow(const QString& host, std::uint16_t port, const QSt
     receiver_ = std::make_shared<receive::Receiver>(options);
     stream_ = receiver_->subscribe();
     lost_ = 0;
-    static_cast<void>(receiver_->start());  // the fields are from the catalogue: nothing to refuse
+    static_cast<void>(receiver_->start());  // fields of the catalogue are not refused
 }
 
 void ExtraFieldStream::end() {

@@ -19,15 +19,15 @@ namespace tiller {
 /// Threads  GUI; the receiver's own thread runs at normal priority
 class ExtraFieldStream {
 public:
-    /// cleanup  joins the threads of receivers that are not needed any more
+    /// cleanup  joins the threads of receivers that are no longer needed
     ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
 
-    /// Receives only these fields of this robot from now on. Empty: none.
+    /// Receives exactly these fields of this robot from now on. Empty: none.
     void follow(const QString& host, std::uint16_t port, const QStringList& fields);
     void end();
-    /// Samples since the last call; valid as long as `into` is.
+    /// Samples since the last call; valid as long as `into` exists.
     SampleBatch drain(std::vector<receive::Sample>& into);
-    /// Those of the fields that the robot does not have.
+    /// The requested fields that the robot does not have.
     QSet<QString> absent() const;
 
 private:

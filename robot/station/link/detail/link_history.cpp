@@ -10,12 +10,12 @@ constexpr std::int64_t kStepNs = LinkHistory::kSpanNs / 40;
 
 PacketCounts LinkHistory::add(std::int64_t nowNs, const PacketCounts& now) {
     if (!points_.empty() && now.packets < points_.back().counts.packets) {
-        points_.clear();  // counted anew
+        points_.clear();  // the counters were reset
     }
     if (points_.empty() || nowNs - points_.back().ns >= kStepNs) {
         points_.push_back({nowNs, now});
     }
-    // The one before the span stays: what grew since it came is what the span saw.
+    // Keep the last point before the time span: the growth since then is the result.
     while (points_.size() > 1 && nowNs - points_[1].ns >= kSpanNs) {
         points_.pop_front();
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Packet statistics of the last ten seconds, because totals since the start say nothing about the present
-// connection. Private to robot/station/link.
+// Packet statistics of the last ten seconds, because totals since the start do not show the current quality
+// of the connection. Private to robot/station/link.
 
 #include <deque>
 
@@ -16,8 +16,8 @@ class LinkHistory {
 public:
     static constexpr std::int64_t kSpanNs = 10'000'000'000;
 
-    /// Takes the counters of now.
-    /// Returns  how much they grew within the span
+    /// Adds the current counters.
+    /// Returns  their increase within the last kSpanNs
     PacketCounts add(std::int64_t nowNs, const PacketCounts& now);
     void clear() { points_.clear(); }
 
@@ -26,7 +26,7 @@ private:
         std::int64_t ns = 0;
         PacketCounts counts;
     };
-    std::deque<Point> points_;  ///< a few a second
+    std::deque<Point> points_;  ///< a few per second
 };
 
 }  // namespace tiller

@@ -10,7 +10,8 @@
 namespace tiller {
 namespace {
 
-/// The joints of a target; nothing where the arm cannot get to: the controller refuses that itself.
+/// The joint positions of a target; nothing if it cannot be reached, because the controller refuses such a
+/// target itself.
 std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOffset,
                                        const control::PathEntry::Target& target, const JointPositions& from) {
     if (const auto* q = std::get_if<JointPositions>(&target)) {
@@ -19,10 +20,10 @@ std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOf
     return kinematics::inverseNearest(dh, std::get<Pose>(target), tcpOffset, from);
 }
 
-/// The position on this way at which the TCP is so far from the corner, searched from there.
+/// The first position along this path at which the TCP has this distance from the corner.
 JointPositions positionAt(const DhParameters& dh, const Pose& tcpOffset,
                           std::span<const JointPositions> fromCorner, double distance) {
-    constexpr int kParts = 16;  // of a stretch between two positions
+    constexpr int kParts = 16;  // subdivisions between two positions
     const Eigen::Vector3d corner = kinematics::forwardTcp(dh, fromCorner.front(), tcpOffset).position;
     for (std::size_t i = 0; i + 1 < fromCorner.size(); ++i) {
         for (int part = 1; part <= kParts; ++part) {
@@ -94,7 +95,7 @@ Result<void> MoveGuard::permit(const SessionState& state, const control::MotionP
         const bool linear = entry.kind != control::PathEntry::Kind::MoveJ;
         if (entry.via) {
             legs.push_back(
-                {*entry.via, linear, 0});  // an arc is taken as the two lines through the point on it
+                {*entry.via, linear, 0});  // an arc is approximated by two lines through its via point
         }
         legs.push_back({entry.target, linear, entry.blend});
     }
@@ -126,7 +127,7 @@ Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Le
         }
         const std::vector<JointPositions> way = before;
         if (blend > 0 && reached.size() > 1 && way.size() > 1) {
-            // The controller cuts the corner between the two.
+            // The controller blends the corner between the two.
             const collision::Move corner{positionAt(arm_.dh, tcpOffset_, reached, blend),
                                          positionAt(arm_.dh, tcpOffset_, way, blend), false};
             if (const auto error = examine(corner)) {

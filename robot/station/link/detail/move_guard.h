@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The objects that the arm could touch, and the check of moves against them. Updated when the arm, its tool or its
-// surroundings change.
+// The collision model of the arm and its surroundings, and the check of moves against it. Updated when the
+// arm, its tool or its surroundings change.
 
 #include <memory>
 #include <span>
@@ -18,10 +18,10 @@ class MoveGuard {
 public:
     void setSurroundings(const collision::CellSurroundings& cell);
     const collision::CellSurroundings& surroundings() const { return cell_; }
-    /// Follows the arm and its tool.
+    /// Updates the arm and its tool.
     /// Returns  true if check() has changed
     bool follow(const SessionState& state);
-    void forget() { check_.reset(); }  ///< There is no arm.
+    void forget() { check_.reset(); }  ///< Call when no arm is connected.
     /// Null while there is no arm.
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
@@ -50,7 +50,7 @@ private:
     Pose tcpOffset_;
     std::shared_ptr<const collision::CollisionCheck> check_;
     collision::NeverMeeting
-        neverMeeting_;  ///< of this arm: the cell is edited far more often than the arm changes
+        neverMeeting_;  ///< for this arm; kept because the cell changes more often than the arm
 };
 
 }  // namespace tiller

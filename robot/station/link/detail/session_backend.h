@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State of a session while it is connected, and between two frames. Private to robot/station/link.
+// State of a session while connected, and between two frames. Private to robot/station/link.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -32,7 +32,8 @@
 
 namespace tiller {
 
-/// A path that is being sent to the robot. Its motion is known only after that; the path keeps a separate number.
+/// A path that is being sent to the robot. Its motion is known only afterwards, so the path has a number of
+/// its own.
 struct PathStart {
     enum class Phase {
         Sending,
@@ -40,21 +41,22 @@ struct PathStart {
         Begun,
         Failed
     };
-    control::MotionId ticket = control::kNoMotion;  ///< of the newest; above all that the controller gives
+    control::MotionId ticket = control::kNoMotion;  ///< of the newest path
     Phase phase = Phase::Failed;
     control::PreparedPath prepared;
     control::Motion motion;  ///< after the start
-    Error error;             ///< why it did not begin
-    int sending = 0;         ///< number of paths being sent, including those already ended
+    Error error;             ///< why it did not start
+    int sending = 0;         ///< number of paths being sent, including cancelled ones
 
+    /// Path numbers start above all motion numbers of the controller.
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 62;
 };
 
-/// Everything that talks to one robot. Torn down on the worker, because joining threads takes a moment.
+/// All connections to one robot. Destroyed on the worker, because joining threads takes time.
 struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
     receive::Subscription stream;  ///< every sample, fetched once per frame
-    std::uint64_t lost = 0;        ///< of the stream, until the last frame
+    std::uint64_t lost = 0;        ///< samples lost by the stream up to the last frame
     std::shared_ptr<control::Controller> controller;
     control::Jog jog;                                  ///< the newest one
     control::Motion move;                              ///< the newest move or freedrive
@@ -62,10 +64,10 @@ struct RobotLink {
     PathStart path;                                    ///< the newest path
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
-    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< only looks: never behind a command
+    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< queries, separate from commands
     std::unique_ptr<ExternalProgramStopper> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
-    script::MessageLimiter messageLimiter;  ///< of what `primary` received
+    script::MessageLimiter messageLimiter;  ///< for messages received by `primary`
 };
 
 struct SessionBackend {
@@ -74,48 +76,48 @@ struct SessionBackend {
     const Clock* clock;
     SessionState state;
     RobotAddress address;
-    std::uint64_t generation = 0;  ///< of the connection; answers to an older one are dropped
+    std::uint64_t generation = 0;  ///< number of the connection; answers to earlier ones are dropped
     std::unique_ptr<RobotLink> link;
     recording::Recorder recorder;
     QTimer frameClock;
 
     LinkHistory history;
-    receive::Sample sample;             ///< the newest, as all parts of the window show it
-    std::vector<receive::Sample> room;  ///< for the samples of a frame, kept from frame to frame
+    receive::Sample sample;             ///< the newest sample, shown by all parts of the window
+    std::vector<receive::Sample> room;  ///< buffer for the samples of a frame, reused
     control::AbandonedProgram abandoned;
     const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
-    dashboard::ServiceReport report;  ///< queried about once a second; Unknown until the first answer
+    dashboard::ServiceReport report;    ///< queried about once a second; Unknown until the first answer
     bool localRefuses = false;  ///< was in Remote before, or has refused a command because it was in Local
     bool takingControl = false;
     bool monitorOnly = false;
     CancelToken taking;  ///< cancels taking control
     control::MotionLimits limits;
     MoveGuard guard;
-    QString refusal;  ///< why taking control failed last
+    QString refusal;  ///< why the last attempt to take control failed
     QString linkReason;
 
-    bool movedBefore = false;  ///< by the newest data that were fresh
+    bool movedBefore = false;  ///< according to the newest fresh data
 
     std::uint64_t stopsSeen = 0;
-    std::uint64_t ownStops = 0;  ///< measured by the controller, of those shown
+    std::uint64_t ownStops = 0;  ///< stops measured by the controller that have been shown
     std::uint64_t foreignStops = 0;
 
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
     std::optional<std::int64_t>
-        freshSinceLossNs;     ///< since when data have been fresh after a loss of control
-    bool doubtEnded = false;  ///< they have been for long enough
-    control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< and reported
+        freshSinceLossNs;     ///< start of fresh data after a loss of control, by the monotonic host clock
+    bool doubtEnded = false;  ///< data have been fresh long enough
+    control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
 
-    QStringList extraFields;                 ///< asked for besides what comes anyway
+    QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< as `room`
 
     // Last: their jobs use the members above.
     SerialExecutor files;
-    SerialExecutor controlling;  ///< takes control and gives it back
+    SerialExecutor controlling;  ///< takes and releases control
     SerialExecutor worker;
-    SerialExecutor pulses;  ///< each takes as long as its output is on: nothing else waits for that
+    SerialExecutor pulses;  ///< a pulse occupies it until its output is off
     ExtraFieldStream further{*clock, worker};
 
     /// Requests extraFields from the connected robot.
@@ -125,9 +127,9 @@ struct SessionBackend {
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
-    /// The state of the last frame, with current values of everything that a stop depends on.
+    /// The state of the last frame, with current values of everything relevant for a stop.
     SessionState stateNow() const;
-    /// Present knowledge about a stop in control.
+    /// Current evidence about a stop in control.
     control::StopEvidence stopEvidence() const;
 
 private:

@@ -10,7 +10,7 @@
 
 namespace tiller::program {
 
-/// Ends a branch of an `if`: with `end`, unless one of these kinds comes next and continues it.
+/// Ends a branch of an `if` with `end`, unless the next step is of one of these kinds and continues it.
 inline void closeBranch(StepWriter& writer, std::initializer_list<const char*> continuations) {
     const StepKind* next = writer.next();
     const bool goesOn =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The fields that step kinds are made of. Private to robot/station/program.
+// Field definitions shared by the step kinds. Private to robot/station/program.
 
 #include "robot/station/program/program_text.h"
 #include "robot/station/program/step_field.h"
@@ -45,9 +45,9 @@ inline StepField optionalField(const char* key, const QString& label, FieldType 
     return plainField(key, label, type, {}, true);
 }
 inline StepField timeLimitField() {
-    return optionalNumber("timeLimit", ProgramText::tr("At most"), Unit::Time, 0.01, kMaxStepTime);
+    return optionalNumber("timeLimit", ProgramText::tr("Maximum"), Unit::Time, 0.01, kMaxStepTime);
 }
-/// What happens when the step fails.
+/// Choice of the reaction when the step fails.
 inline StepField otherwiseField(const QString& label) {
     return choiceField("otherwise", label,
                        {{"fail", ProgramText::tr("Fail")}, {"continue", ProgramText::tr("Continue")}});

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the loops share. Private to robot/station/program.
+// Common code of the loops. Private to robot/station/program.
 
 #include "robot/station/program/detail/step_writer.h"
 
 namespace tiller::program {
 
-/// The steps of a loop. A pass that may take no time is made to wait for the next control period.
-/// mayNotEnd  nothing counts the passes, so a loop that never waits is an error
+/// Writes the steps of a loop. If an iteration may take no time, it waits for the next control period.
+/// mayNotEnd  iterations are not counted, so a loop that never waits is an error
 void writeLoopBody(StepWriter& writer, bool mayNotEnd);
 
-/// A loop with the pose of one place after the other in the step's `variable`.  key  of the field with the places
+/// Writes a loop that sets the step's `variable` to one pose after the other.  key  of the field with the
+/// poses
 void writePlaceLoop(StepWriter& writer, const std::vector<project::Waypoint>& places, const char* key);
 
 }  // namespace tiller::program

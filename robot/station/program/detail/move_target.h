@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where the move steps go, and how fast. Private to robot/station/program.
+// Targets and speeds of the move steps. Private to robot/station/program.
 
 #include "robot/station/program/detail/step_writer.h"
 
@@ -9,31 +9,32 @@ namespace tiller::program {
 
 enum class MoveCommand { J, L, P };
 
-/// Waypoint or pose, distance before it, speed, acceleration, blend and actions, as the move has them.
+/// Fields for waypoint or pose, approach distance, speed, acceleration, blend and actions, depending on the
+/// command.
 std::vector<StepField> moveFields(MoveCommand command);
 
 /// A target as URScript.
 struct MoveTarget {
-    QString joints;             ///< where the joints are the target; else empty
+    QString joints;             ///< if the target is given in joint space; otherwise empty
     QString pose;               ///< of the TCP in the base frame
-    QString near;               ///< joints that choose the posture; may be empty
-    std::optional<Pose> known;  ///< `pose`, where it does not depend on the run
-    /// For movel and the like, which take both.
+    QString near;               ///< joint positions for selecting the solution; may be empty
+    std::optional<Pose> known;  ///< `pose`, if it is known before the run
+    /// For movel and similar commands, which accept both.
     QString either() const { return joints.isEmpty() ? pose : joints; }
     /// For movej.
     QString asJoints() const;
 };
 
-/// before  distance along -Z of the tool [m].  key  the field that problems are reported at
+/// before  distance from the target along -Z of the tool [m].  key  the field for reported problems
 std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& waypoint, double before,
                                    const char* key);
 
-/// The whole step: the move to its target and the actions there.
+/// Writes the whole step: the move to its target and the actions there.
 void writeMove(StepWriter& writer, MoveCommand command);
-/// A move to one waypoint with its own speed and blend, or those of the step.
+/// Writes a move to one waypoint with the waypoint's own speed and blend, or with those of the step.
 void writeMoveTo(StepWriter& writer, MoveCommand command, const project::Waypoint& waypoint, bool stops);
 
-/// The waypoint of a field; the field has been checked.
+/// The waypoint of a field that has already been checked.
 const project::Waypoint& waypointOf(StepWriter& writer, const char* key);
 
 }  // namespace tiller::program

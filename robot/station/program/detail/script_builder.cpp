@@ -138,7 +138,7 @@ void StepWriter::Private::report(const QString& fieldKey, const QString& text) {
     problem.number = place.step ? numberOf(*place.step) : 0;
     problem.field = fieldKey;
     problem.text = text;
-    // A called program is written once per scope.
+    // A called program is written once per scope, so problems can occur twice.
     if (std::find(result.problems.begin(), result.problems.end(), problem) == result.problems.end()) {
         result.problems.push_back(std::move(problem));
     }
@@ -316,13 +316,13 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
                                     [&](const ProgramStep& step) { return step.id == options.from; });
     const StepKind* kind = first == owner.steps.end() ? nullptr : findStepKind(first->kind);
     if (kind == nullptr || !kind->follows.empty()) {
-        report({},
-               ProgramText::tr(
-                   "A program can begin only at a step of its top level, and not between parts that belong "
-                   "together."));
+        report(
+            {},
+            ProgramText::tr(
+                "A program can start only at a top-level step, and not between parts such as If and Else."));
         return;
     }
-    // The rest as a list of its own; kept alive by this frame.
+    // Writes the remaining steps as a separate list, which lives until the call returns.
     const Steps rest(first, owner.steps.end());
     writeSteps(rest);
 }
@@ -384,7 +384,7 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     return result;
 }
 
-// ---- what step kinds use --------------------------------------------------------------------------------
+// ---- functions for step kinds -------------------------------------------------------------------------
 
 const ProgramStep& StepWriter::step() const {
     return *d_.place.step;
@@ -601,11 +601,9 @@ std::optional<Pose> StepWriter::tcpFor(const project::Waypoint& waypoint, const 
     if (!d_.result.tcp) {
         d_.result.tcp = waypoint.tcpOffset;
     } else if (!(d_.result.tcp->transform().isApprox(waypoint.tcpOffset.transform(), 1e-6))) {
-        error(key,
-              ProgramText::tr(
-                  "“%1” was taught with another TCP than the waypoints before. Choose an active tool, or "
-                  "put the step in a TCP section.")
-                  .arg(waypoint.name));
+        error(key, ProgramText::tr("“%1” was taught with another TCP than the waypoints before it. Set the "
+                                   "active TCP, or put the step in a TCP section.")
+                       .arg(waypoint.name));
     }
     return d_.result.tcp;
 }
@@ -617,11 +615,10 @@ void StepWriter::noteMove(const std::optional<Pose>& target, double blend) {
     }
     const double distance = (last.target->position - target->position).norm();
     if (last.blend > 0 && last.blend + blend > distance) {
-        error("blend",
-              ProgramText::tr("The blends of this move and the one before, %1 and %2, are longer than the %3 "
-                              "between them.")
-                  .arg(numberText(blend, Unit::Length), numberText(last.blend, Unit::Length),
-                       numberText(distance, Unit::Length)));
+        error("blend", ProgramText::tr("The blends of this move and the previous move, %1 and %2, exceed the "
+                                       "distance of %3 between them.")
+                           .arg(numberText(blend, Unit::Length), numberText(last.blend, Unit::Length),
+                                numberText(distance, Unit::Length)));
     }
 }
 

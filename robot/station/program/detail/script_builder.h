@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The script while it is being written. Private to robot/station/program.
+// State of the script under construction. Private to robot/station/program.
 
 #include <QHash>
 #include <QMap>
@@ -29,7 +29,7 @@ public:
         double blend = 0;
     };
     using Steps = std::vector<project::ProgramStep>;
-    /// The step being written, with what surrounds it.
+    /// The current step and its context.
     struct Place {
         const project::ProgramStep* step = nullptr;
         const StepKind* kind = nullptr;
@@ -52,7 +52,7 @@ public:
     QString fieldError(const StepField& field) const;
     void checkPosition();
     void report(const QString& field, const QString& text);
-    /// Index of the enabled sibling before (-1) or behind (1) the step that is no comment; -1: none.
+    /// Index of the previous (-1) or next (1) enabled sibling that is not a comment; -1: none.
     std::ptrdiff_t neighbour(int direction) const;
     const StepField* field(const char* key) const;
     QJsonValue value(const char* key) const;
@@ -62,14 +62,14 @@ public:
     const ScriptOptions options;
     const RobotModel& model;
     ProgramScript result;
-    const project::Program* program = nullptr;  ///< the one being written
+    const project::Program* program = nullptr;  ///< the current one
     Lines main;
     Lines functions;
     QMap<QString, QString> helpers;
     std::vector<std::pair<QString, VariableType>> variables;
     QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< by program and step
-    QStringList calls;                      ///< ids of the programs being written, the main program first
-    QHash<QString, QString> callFunctions;  ///< by program and scope
+    QStringList calls;                            ///< ids of the programs being written, main program first
+    QHash<QString, QString> callFunctions;        ///< by program and scope
     Scope scope;
     Place place;
     Lines* lines = nullptr;

@@ -7,7 +7,7 @@
 
 namespace tiller::program {
 
-/// By the word in the field `type`.
+/// Converts the value of the field `type`.
 inline VariableType variableType(const QString& word) {
     return word == QLatin1String("whole")  ? VariableType::Whole
            : word == QLatin1String("flag") ? VariableType::Flag

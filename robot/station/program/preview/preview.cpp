@@ -37,7 +37,7 @@ QString contactText(const collision::Contact& contact, const collision::Surround
     return {};
 }
 
-/// One run of a script, followed step by step.
+/// One simulated run of a script, observed step by step.
 class Follower {
 public:
     Follower(const project::Project& project, const ProgramScript& script, const ScriptOptions& scriptOptions,
@@ -149,7 +149,7 @@ private:
     bool isOver() {
         if (run_.time() > options_.timeLimit) {
             find(Finding::Kind::TimeLimit, step_,
-                 ProgramText::tr("The program has not ended after %1 s.").arg(options_.timeLimit));
+                 ProgramText::tr("The program did not end within %1 s.").arg(options_.timeLimit));
             return true;
         }
         if (options_.isCancelled && ++steps_ % kCancelEvery == 0 && options_.isCancelled()) {
@@ -159,7 +159,7 @@ private:
         return false;
     }
 
-    /// Adds to the path, and examines the part since the sample before.
+    /// Adds a sample to the path, and checks the segment since the previous sample for collisions.
     void sample() {
         nextSample_ = run_.time() + options_.sampleInterval;
         const PathSample now{run_.time(), step_, run_.q(), run_.tcpPose()};
@@ -210,7 +210,7 @@ private:
     double stepBegan_ = 0;
     double nextSample_ = 0;
     std::optional<double> askedAt_;
-    std::set<std::array<int, 3>> contactSteps_;  ///< each contact is one finding per step
+    std::set<std::array<int, 3>> contactSteps_;  ///< each contact is reported once per step
     int steps_ = 0;
     bool failed_ = false;
 };

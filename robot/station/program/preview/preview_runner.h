@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A preview in the background.
+// Runs a preview in the background.
 
 #include <atomic>
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace tiller::program {
 
-/// Thread: one at a time, normal priority, started by start(), ended by cancel(), the next start() and the destructor.
-/// Copies of project and script cross into it, the preview out of it.
+/// Thread: one at a time, normal priority, started by start(), ended by cancel(), the next start() and the
+/// destructor. Copies of project and script are passed into it, the preview out of it.
 class PreviewRunner {
 public:
     PreviewRunner() = default;
@@ -20,12 +20,12 @@ public:
     PreviewRunner(const PreviewRunner&) = delete;
     PreviewRunner& operator=(const PreviewRunner&) = delete;
 
-    /// Cancels the preview under way and starts this one.
+    /// Cancels the running preview and starts this one.
     /// done     called in the thread of the preview, unless it is cancelled before
-    /// Threads  one. Blocks: for some milliseconds while another one ends
+    /// Threads  one. Blocks: some milliseconds while a running preview ends
     void start(project::Project project, ProgramScript script, ScriptOptions scriptOptions,
                PreviewOptions options, std::function<void(const Preview&)> done);
-    void cancel();  ///< Ends the preview under way; `done` is not called afterwards.
+    void cancel();  ///< Ends the running preview; `done` is not called afterwards.
 
 private:
     std::thread thread_;

@@ -7,7 +7,7 @@ namespace tiller::program {
 
 namespace {
 
-/// Values separated by commas that are in no brackets.
+/// Splits at commas that are not inside brackets.
 qsizetype argumentCount(const QString& arguments) {
     qsizetype depth = 0;
     qsizetype commas = 0;
@@ -45,7 +45,7 @@ const StepKind& callStep() {
                 if (const qsizetype values = argumentCount(arguments); values != called.parameters.size()) {
                     writer.error(
                         "arguments",
-                        ProgramText::tr("The program “%1” needs %2 values separated by commas, and has %3.")
+                        ProgramText::tr("The program “%1” needs %2 comma-separated values, but %3 are given.")
                             .arg(called.name)
                             .arg(called.parameters.size())
                             .arg(values));

@@ -10,7 +10,7 @@ const StepKind& endProgramStep() {
     static const StepKind kind{
         .id = "end",
         .group = StepGroup::Flow,
-        .name = [] { return ProgramText::tr("End the program"); },
+        .name = [] { return ProgramText::tr("End program"); },
         .fields = [] { return std::vector<StepField>{}; },
         .write =
             [](StepWriter& writer) {

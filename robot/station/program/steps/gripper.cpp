@@ -15,10 +15,9 @@ const StepKind& gripperStep() {
                 return std::vector<StepField>{
                     choiceField("action", ProgramText::tr("Action"),
                                 {{"close", ProgramText::tr("Close")}, {"open", ProgramText::tr("Open")}}),
-                    plainField("closeOutput", ProgramText::tr("Output that closes"), FieldType::DigitalOutput,
+                    plainField("closeOutput", ProgramText::tr("Closing output"), FieldType::DigitalOutput,
                                16),
-                    optionalField("openOutput", ProgramText::tr("Output that opens"),
-                                  FieldType::DigitalOutput),
+                    optionalField("openOutput", ProgramText::tr("Opening output"), FieldType::DigitalOutput),
                     numberField("time", ProgramText::tr("Time"), Unit::Time, 0, 60, 0.5),
                     optionalField("input", ProgramText::tr("Check input"), FieldType::DigitalInput),
                     otherwiseField(ProgramText::tr("If the input is off"))};
@@ -42,7 +41,7 @@ const StepKind& gripperStep() {
                 if (writer.has("input")) {
                     writer.failIfChosen("otherwise",
                                         QStringLiteral("not %1").arg(inputCall(writer.whole("input"))),
-                                        ProgramText::tr("The gripper does not hold a part."));
+                                        ProgramText::tr("The gripper is not holding a part."));
                 }
             },
     };

@@ -9,12 +9,12 @@ const StepKind& leaveLoopStep() {
     static const StepKind kind{
         .id = "leaveLoop",
         .group = StepGroup::Flow,
-        .name = [] { return ProgramText::tr("Leave the loop"); },
+        .name = [] { return ProgramText::tr("Exit loop"); },
         .fields = [] { return std::vector<StepField>{}; },
         .write =
             [](StepWriter& writer) {
                 if (writer.scope().loops == 0) {
-                    writer.error("", ProgramText::tr("There is no loop around this step."));
+                    writer.error("", ProgramText::tr("This step is not inside a loop."));
                 }
                 writer.line(QStringLiteral("break"));
             },

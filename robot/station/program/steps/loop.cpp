@@ -14,7 +14,7 @@ const StepKind& loopStep() {
         .fields =
             [] {
                 return std::vector<StepField>{
-                    wholeField("times", ProgramText::tr("Times (0: without end)"), 0, 1'000'000, 2),
+                    wholeField("times", ProgramText::tr("Repetitions (0: endless)"), 0, 1'000'000, 2),
                     optionalField("variable", ProgramText::tr("Counter"), FieldType::Variable)};
             },
         .write =

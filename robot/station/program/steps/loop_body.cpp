@@ -9,13 +9,13 @@
 namespace tiller::program {
 namespace {
 
-/// More would make one function of the script too long for a control period.
+/// With more, one function of the script would take longer than a control period.
 constexpr std::size_t kMaxPlaces = 1000;
 
 bool mayTakeTime(const std::vector<project::ProgramStep>& steps) {
     return std::any_of(steps.begin(), steps.end(), [](const project::ProgramStep& step) {
         const StepKind* kind = findStepKind(step.kind);
-        // A called program or a script may wait, and may leave.
+        // A called program or a script may wait or leave the loop.
         const bool isOpaque = step.kind == QLatin1String("call") || step.kind == QLatin1String("script") ||
                               step.kind == QLatin1String("leaveLoop") || step.kind == QLatin1String("end") ||
                               step.kind == QLatin1String("fail");
@@ -29,8 +29,7 @@ bool mayTakeTime(const std::vector<project::ProgramStep>& steps) {
 void writeLoopBody(StepWriter& writer, bool mayNotEnd) {
     const std::vector<project::ProgramStep>& steps = writer.step().steps;
     if (mayNotEnd && !mayTakeTime(steps)) {
-        writer.error("",
-                     ProgramText::tr("This loop may never end, and nothing in it takes time. Add a Wait."));
+        writer.error("", ProgramText::tr("This loop may never end and contains no delay. Add a Wait step."));
     }
     writer.inScope([&] {
         ++writer.scope().loops;
@@ -48,7 +47,7 @@ void writeLoopBody(StepWriter& writer, bool mayNotEnd) {
 
 void writePlaceLoop(StepWriter& writer, const std::vector<project::Waypoint>& places, const char* key) {
     if (places.empty() || places.size() > kMaxPlaces) {
-        writer.error(key, ProgramText::tr("A loop can have 1 to %1 places; this one has %2.")
+        writer.error(key, ProgramText::tr("A loop can have 1 to %1 positions; this loop has %2.")
                               .arg(kMaxPlaces)
                               .arg(places.size()));
         return;

@@ -14,7 +14,7 @@ const StepKind& moveCircleStep() {
         .fields =
             [] {
                 return std::vector<StepField>{
-                    plainField("via", ProgramText::tr("Through"), FieldType::Waypoint),
+                    plainField("via", ProgramText::tr("Via"), FieldType::Waypoint),
                     plainField("waypoint", ProgramText::tr("To"), FieldType::Waypoint),
                     optionalNumber("speed", ProgramText::tr("Speed"), Unit::Speed, 0.0001, 3),
                     optionalNumber("acceleration", ProgramText::tr("Acceleration"), Unit::Acceleration, 0.001,
@@ -22,7 +22,7 @@ const StepKind& moveCircleStep() {
                     numberField("blend", ProgramText::tr("Blend"), Unit::Length, 0, 1, 0),
                     choiceField(
                         "orientation", ProgramText::tr("Orientation"),
-                        {{"free", ProgramText::tr("Free")}, {"fixed", ProgramText::tr("Fixed to the arc")}})};
+                        {{"free", ProgramText::tr("Free")}, {"fixed", ProgramText::tr("Fixed to arc")}})};
             },
         .write =
             [](StepWriter& writer) {

@@ -42,10 +42,10 @@ void writeActions(StepWriter& writer, const project::Waypoint& waypoint) {
                 break;
             case Kind::OpenGripper:
             case Kind::CloseGripper:
-                writer.error("actions", ProgramText::tr(
-                                            "The waypoint “%1” moves the gripper. In a program, use the step "
-                                            "Gripper and turn the actions of the waypoint off.")
-                                            .arg(waypoint.name));
+                writer.error("actions",
+                             ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use the "
+                                             "Gripper step and turn off the actions of the waypoint.")
+                                 .arg(waypoint.name));
                 break;
         }
     }
@@ -76,7 +76,7 @@ std::vector<StepField> moveFields(MoveCommand command) {
     return {
         optionalField("waypoint", ProgramText::tr("Waypoint"), FieldType::Waypoint),
         optionalField("pose", ProgramText::tr("Pose"), FieldType::Expression),
-        numberField("before", ProgramText::tr("Distance before it"), Unit::Length, -kMaxDistanceBefore,
+        numberField("before", ProgramText::tr("Approach distance"), Unit::Length, -kMaxDistanceBefore,
                     kMaxDistanceBefore, 0),
         joint ? optionalNumber("speed", speed, Unit::AngularSpeed, 0.001, kMaxJointSpeed)
               : optionalNumber("speed", speed, Unit::Speed, 0.0001, kMaxToolSpeed),
@@ -101,7 +101,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
                                    const char* key) {
     const std::optional<Pose> tcp = writer.tcpFor(waypoint, key);
     const project::FrameList& frames = writer.project().frames;
-    const std::optional<Pose> taught = waypoint.ruling == project::Ruling::Joints
+    const std::optional<Pose> taught = waypoint.ruling == project::TargetKind::Joints
                                            ? kinematics::forwardTcp(writer.model().dh, waypoint.joints, *tcp)
                                            : project::targetForTcp(waypoint, frames, *tcp);
     MoveTarget target;
@@ -109,7 +109,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
     if (taught) {
         target.known = *taught * along(before);
     }
-    const bool joints = waypoint.ruling == project::Ruling::Joints;
+    const bool joints = waypoint.ruling == project::TargetKind::Joints;
     const bool reached = joints && before == 0
                              ? waypoint.joints.values.cwiseAbs().maxCoeff() <= kJointPositionLimit
                              : target.known && kinematics::inverseNearest(writer.model().dh, *target.known,
@@ -119,7 +119,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
         return std::nullopt;
     }
     if (joints) {
-        // The robot's own kinematics are calibrated, so that it computes the pose.
+        // The robot computes the pose because its own kinematics are calibrated.
         target.joints = before == 0 ? target.near : QString();
         target.pose =
             QStringLiteral("pose_trans(get_forward_kin(%1), %2)").arg(target.near, scriptPose(along(before)));

@@ -22,7 +22,7 @@ const StepKind& moveUntilStep() {
                     choiceField("axes", ProgramText::tr("Along"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
-                                 {"frame", ProgramText::tr("Frame of the section")}}),
+                                 {"frame", ProgramText::tr("Frame of section")}}),
                     choiceField("direction", ProgramText::tr("Direction"),
                                 {{"+z", QStringLiteral("+Z")},
                                  {"-z", QStringLiteral("-Z")},
@@ -30,9 +30,9 @@ const StepKind& moveUntilStep() {
                                  {"-x", QStringLiteral("-X")},
                                  {"+y", QStringLiteral("+Y")},
                                  {"-y", QStringLiteral("-Y")}}),
-                    numberField("distance", ProgramText::tr("At most"), Unit::Length, 0.0001, 2, 0.1),
+                    numberField("distance", ProgramText::tr("Maximum"), Unit::Length, 0.0001, 2, 0.1),
                     numberField("speed", ProgramText::tr("Speed"), Unit::Speed, 0.0001, 0.5, 0.02),
-                    otherwiseField(ProgramText::tr("If it is not reached"))};
+                    otherwiseField(ProgramText::tr("If not reached"))};
             },
         .write =
             [](StepWriter& writer) {
@@ -50,7 +50,7 @@ const StepKind& moveUntilStep() {
                                .arg(axis);
                 }
                 if (until == QLatin1String("input") && !writer.has("input")) {
-                    writer.error("input", ProgramText::tr("Set the input."));
+                    writer.error("input", ProgramText::tr("Select an input."));
                     return;
                 }
                 QString reached = QStringLiteral("False");
@@ -78,7 +78,7 @@ const StepKind& moveUntilStep() {
                     writer.failIfChosen("otherwise", QStringLiteral("not tiller_reached_%1").arg(n),
                                         until == QLatin1String("input")
                                             ? ProgramText::tr("The input did not switch on.")
-                                            : ProgramText::tr("There was no contact."));
+                                            : ProgramText::tr("No contact was detected."));
                 }
                 writer.noteMove(std::nullopt, 0);
             },

@@ -23,13 +23,13 @@ const StepKind& switchStep() {
                                     return !step.disabled && step.kind == QLatin1String("case");
                                 });
                 if (!hasCase) {
-                    writer.error("", ProgramText::tr("A Switch needs a Case in it."));
+                    writer.error("", ProgramText::tr("A Switch needs at least one Case."));
                 }
                 for (const project::ProgramStep& step : writer.step().steps) {
                     if (!step.disabled && step.kind != QLatin1String("case") &&
                         step.kind != QLatin1String("default") && step.kind != QLatin1String("comment")) {
-                        writer.error(
-                            "", ProgramText::tr("Directly in a Switch there are only Case and Default."));
+                        writer.error("",
+                                     ProgramText::tr("A Switch can directly contain only Case and Default."));
                         return;
                     }
                 }

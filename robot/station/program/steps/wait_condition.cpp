@@ -14,7 +14,7 @@ const StepKind& waitConditionStep() {
             [] {
                 return std::vector<StepField>{
                     plainField("condition", ProgramText::tr("Condition"), FieldType::Expression),
-                    timeLimitField(), otherwiseField(ProgramText::tr("After that time"))};
+                    timeLimitField(), otherwiseField(ProgramText::tr("On timeout"))};
             },
         .write =
             [](StepWriter& writer) {

@@ -15,7 +15,7 @@ const StepKind& waitInputStep() {
                 return std::vector<StepField>{
                     plainField("input", ProgramText::tr("Input"), FieldType::DigitalInput, 0),
                     flagField("value", ProgramText::tr("On"), true), timeLimitField(),
-                    otherwiseField(ProgramText::tr("After that time"))};
+                    otherwiseField(ProgramText::tr("On timeout"))};
             },
         .write =
             [](StepWriter& writer) {

@@ -3,7 +3,7 @@
 // the file back, compares it with the model, and starts a server for viewers.
 #include "robot/control/motions.h"
 
-// Names that Qt's keywords would replace, as Python.h has them.
+// Identifiers that Qt's keyword macros would replace; Python.h also uses such names.
 struct Names {
     int signals = 1;
     int slots = 2;

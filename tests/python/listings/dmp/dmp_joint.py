@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""As much of a joint-space dynamic movement primitive as listing 4 uses: a spring to the goal, and a forcing term
-learned from the demonstration that fades with the phase."""
+"""The part of a joint-space dynamic movement primitive that listing 4 uses: a spring towards the goal, and a forcing
+term learned from the demonstration that decays with the phase."""
 import numpy as np
 
 

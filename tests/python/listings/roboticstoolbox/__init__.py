@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-"""As much of the Robotics Toolbox for Python as listing 5 uses."""
+"""The part of the Robotics Toolbox for Python that listing 5 uses."""
 from . import tools

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""As much of Spatial Maths for Python as listing 5 uses."""
+"""The part of Spatial Maths for Python that listing 5 uses."""
 import numpy as np
 
 from . import base

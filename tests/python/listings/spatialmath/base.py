@@ -3,7 +3,7 @@ import numpy as np
 
 
 def tr2angvec(R):
-    """Angle and axis of a rotation; half turns too."""
+    """Angle and axis of a rotation, including half turns."""
     angle = np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1))
     axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     if np.linalg.norm(axis) < 1e-6:

@@ -66,7 +66,7 @@ double between(const Capsule& rod, const Border& border) {
     return std::min((T * rod.from).z(), (T * rod.to).z()) - rod.radius;
 }
 
-/// The smallest distance in one position; `enough` ends the search.
+/// The minimum distance in one position. The search ends early once it is below `enough`.
 double nearest(const CollisionCheck& check, const DhParameters& dh, const JointPositions& q, double enough) {
     const auto rods = placedCapsules(check.capsules(), dh, q);
     double least = 1e9;
@@ -106,7 +106,7 @@ struct Sampled {
     double hitAt = -1;  ///< as Contact::at; negative: none
 };
 
-/// In steps of at most a millimetre at the outermost point.
+/// Samples the path in steps of at most 1 mm at the outermost point.
 Sampled sampled(const CollisionCheck& check, const RobotModel& model,
                 const std::vector<JointPositions>& way) {
     const double longest = std::abs(model.dh.a[1]) + std::abs(model.dh.a[2]) + model.dh.d[0] + model.dh.d[3] +
@@ -157,7 +157,8 @@ class TestCollisionCheck : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The floor may be at any height below the shoulder. The housing of the shoulder cannot come nearer to it.
+    // The floor may be at any height below the shoulder because the shoulder housing cannot get any closer to
+    // it.
     void whatNoJointMovesTowardsTheFloorIsNotMeasured_data() {
         QTest::addColumn<RobotModelId>("id");
         for (const RobotModel& model : robotModels()) {
@@ -270,7 +271,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(contact->distance - safety) < 0.001,
                      qPrintable(QString::number(contact->distance)));
             QVERIFY(!check.isInside(kStance, *contact));
-            // Half the distance inside, and 5 mm inside the floor itself.
+            // Starts at half the safety distance, and 5 mm inside the floor itself.
             for (const double start : {safety / 2 - 0.05, -0.055}) {
                 const JointPositions inside = shifted(start);
                 QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));
@@ -280,8 +281,8 @@ private Q_SLOTS:
         }
     }
 
-    // Bodies that no motion brings together have no safety distance that could stop a motion.
-    // One memo for many cells, arms and tools gives the same pairs as a check without.
+    // Pairs of bodies that no motion can bring together have no safety distance that could stop a motion.
+    // A memo shared by several cells, arms and tools must find the same pairs as a check without a memo.
     void whatNeverMeetsIsRememberedForTheSameArmOnly() {
         NeverMeeting known;
         const Surroundings cell{{{"box", Pose(0.5, 0, 0.2, 0, 0, 0), {0.1, 0.1, 0.1}}}, {floorAt(-0.1)}};
@@ -306,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    // A path that cannot be followed is not free.
+    // A path that the arm cannot follow does not count as free of collisions.
     void aPathWithNumbersThatAreNoneIsObstructed() {
         const CollisionCheck check(robotModel(RobotModelId::UR5e), {}, {});
         const JointPositions good(0, -1.57, 0.8, -1.57, -1.57, 0);
@@ -342,7 +343,7 @@ private Q_SLOTS:
         }
     }
 
-    // No collision is missed; false alarms are closer than a millimetre.
+    // No collision is missed. False alarms occur only below a distance of 1 mm.
     void agreesWithSamplingEveryMillimetre_data() {
         QTest::addColumn<int>("model");
         for (const RobotModel& model : robotModels()) {
@@ -398,7 +399,7 @@ private Q_SLOTS:
                 ++hits;
                 QVERIFY2(contact, what);
                 QVERIFY2(contact->at <= truth.hitAt + 1e-9, what);
-                // And not much earlier: the two bodies are nearly in contact there.
+                // The reported collision is not much too early: the two bodies are nearly in contact there.
                 QVERIFY2(nearest(check, robot.dh, contact->q, 0) < 0.001, what);
             } else {
                 ++misses;

@@ -153,7 +153,7 @@ private Q_SLOTS:
             QCOMPARE(bench.causeOf(jog), StopCause::ControlLost);
             QVERIFY(!bench.loop.isInControl());
             QCOMPARE(bench.loop.status().loss, ControlLoss::ScriptStopped);
-            // The program is resumed by play: it answers again, and still nothing may move.
+            // The program is resumed by Play: it answers again, and still no motion is permitted.
             bench.data.runtimeState = RuntimeState::Playing;
             bench.tick(10);
             QVERIFY(!bench.loop.isInControl());
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
-    // For a jog, for force mode alone, and for a stream that has just sent its set point.
+    // Applies to a jog, to force mode alone, and to a stream that has just sent its set point.
     void aStopGoesOutBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();

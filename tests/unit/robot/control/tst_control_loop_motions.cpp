@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::JointLimit);
         QCOMPARE(bench.loop.status().limiter.joint, 3);
-        // Motion away from it is free, and the limit is no longer reported.
+        // Motion away from the limit is not slowed down, and the limit is no longer reported.
         jog.jog.qd[3] = -0.2;
         bench.mailbox.start(jog, bench.now());
         QCOMPARE(bench.tick().kind, ScriptCommand::JogJoints);
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, limiter);
         QCOMPARE(bench.loop.status().limiter.scale, 0.0);
-        // Without a cap no speed exceeds it.
+        // Without a chosen limit the speed does not exceed the limit of the arm.
         bench.loop.setSpeedCap(kNoCap);
         const MotionId next = bench.mailbox.start(stream, bench.now());
         QVERIFY(bench.mailbox.change(next, target, bench.now()));
@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(moved > 10'000);
     }
 
-    // Eight threads permanently start, hold, change and stop motions while the loop ticks.
+    // Eight threads continuously start, hold, change and stop motions while the loop ticks.
     void stopIsFinalForTheRobotUnderContention() {
         Bench bench;
         bench.takeControl();
@@ -353,7 +353,7 @@ private Q_SLOTS:
         }
     }
 
-    // A round trip of more than 100 ms: a stop would be as late.
+    // With a round trip of more than 100 ms, a stop would be equally late.
     void aLateLinkEndsTheMotionAndLetsNoneBegin() {
         Bench bench;
         bench.takeControl();
@@ -476,8 +476,8 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().request.kind, RequestKind::None);
     }
 
-    // Eight threads permanently send targets; 10 000 times a stop occurs in between. After the first idle package,
-    // no later package moves the robot.
+    // Eight threads continuously send targets, with 10 000 stops in between. After the first idle package, no
+    // later package moves the robot.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Bench bench;
         bench.takeControl();

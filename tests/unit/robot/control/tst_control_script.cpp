@@ -40,7 +40,7 @@ private Q_SLOTS:
         }
     }
 
-    // A name the controller does not know is left out, with what needs it.
+    // Functions that the controller does not know are left out, together with the features that need them.
     void compilesWithoutWhatItCanDoWithout_data() {
         QTest::addColumn<QString>("name");
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits",
@@ -67,7 +67,8 @@ private Q_SLOTS:
         QCOMPARE(refusedName(QStringLiteral("syntax_error_on_line:3:teach_mode():")), QString());
     }
 
-    // A controller may take two periods to hand over a package: each then shows a mixture of the newest two.
+    // A controller may take two periods to transfer a package: each period then shows a mixture of the two
+    // newest packages.
     void halfAPackageMovesNothing_data() {
         QTest::addColumn<int>("pattern");
         QTest::newRow("first half first") << 0;
@@ -89,13 +90,13 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 1);
         const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
         QCOMPARE(target(*bench.last<urscript::Move>()), there);
-        // Another one behind it, with numbers of its own.
+        // A second move directly after the first one, with its own parameters.
         const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
         bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
         QCOMPARE(bench.count<urscript::Move>(), 2);
         QCOMPARE(target(*bench.last<urscript::Move>()), elsewhere);
         QCOMPARE(bench.state(), ScriptState::Done);
-        // A stop is not lost, and what begins after it is not dead with it.
+        // A stop takes effect, and the motion after it is executed.
         bench.hold(ScriptCommand::JogCartesian, 4, 5, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
         bench.hold(ScriptCommand::Idle, 5, 2);
@@ -104,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Ready);
         bench.hold(ScriptCommand::JogCartesian, 6, 4, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
-        // Straight from one kind into another, and a servo whose first target comes later.
+        // A direct change from one kind of motion to another, and a servo whose first target arrives later.
         bench.hold(ScriptCommand::Idle, 7, 40);
         Command servo;
         servo.kind = ScriptCommand::ServoJ;
@@ -124,7 +125,7 @@ private Q_SLOTS:
             const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
             QVERIFY(servoed == nullptr || (servoed->q == bench.host.q && servoed->lookahead >= 0.03));
         }
-        // A request comes with its numbers.
+        // A request is executed with its own parameters.
         bench.idleEpoch = 9;
         QCOMPARE(bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0}).outcome, Outcome::Done);
         QCOMPARE(bench.host.load.mass, 1.5);
@@ -133,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(bench.running());
     }
 
-    // Its own count of periods stands still in a pause; the clock does not.
+    // The script's own period counter does not advance during a pause; the clock does.
     void whatWasToldBeforeAPauseIsOver() {
         for (const bool isMove : {false, true}) {
             Bench bench;
@@ -189,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Done);
     }
 
-    // It stands then, but program time may begin again at the speed from before.
+    // The arm is at standstill then, but program time may resume at the previous speed.
     void theArmIsStoppedHardBehindAPause() {
         for (const bool moves : {false, true}) {
             for (const auto kind : {ScriptCommand::JogJoints, ScriptCommand::JogCartesian}) {
@@ -239,7 +240,7 @@ private Q_SLOTS:
             hold(ScriptCommand::Idle, 1);
             hold(ScriptCommand::Idle, 1);
             for (int i = 0; i < 100; ++i) {
-                // As fast as an arm can get.
+                // Accelerates as fast as an arm can.
                 bench.host.qd[1] = std::min(kSpeed, bench.host.qd[1] + 40 * bench.host.step);
                 bench.host.q[1] += bench.host.qd[1] * bench.host.step;
                 hold(ScriptCommand::JogJoints, 2);
@@ -249,7 +250,7 @@ private Q_SLOTS:
             bench.host.qd[1] = 0;
             record.insert(record.end(), 60, bench.host.q);
             hold(ScriptCommand::JogJoints, 2);
-            // Without a record, a stand without a way might be one that was asked for.
+            // Without a position record, a standstill without a braking distance might have been commanded.
             const bool shows = hasRecord || slowingDown > 0;
             QCOMPARE(bench.state(), shows ? ScriptState::Braking : ScriptState::Executing);
         }
@@ -276,7 +277,7 @@ private Q_SLOTS:
         QVERIFY(bench.host.motions.empty());
     }
 
-    // What an earlier client left in the registers, a jog and all, moves nothing.
+    // Values that an earlier client left in the registers, such as a jog, cause no motion.
     void registersFoundAtTheStartMoveNothing() {
         Bench bench;
         Command left;
@@ -310,7 +311,7 @@ private Q_SLOTS:
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
-        QCOMPARE(bench.count<urscript::SpeedL>(), 0);  // half of it might still be missing
+        QCOMPARE(bench.count<urscript::SpeedL>(), 0);  // the other half of the package may still be missing
         bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.count<urscript::SpeedL>(), 1);
         QCOMPARE(bench.state(), ScriptState::Executing);
@@ -415,7 +416,7 @@ private Q_SLOTS:
         bench.frame();
         QCOMPARE(bench.state(), ScriptState::Braking);
         bench.host.moveFrames = 3;
-        // The same epoch, late: it is dead for good.
+        // The same epoch, received late, is never executed again.
         const auto before = bench.host.motions.size();
         bench.hold(command, 2, 2000, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.host.motions.size(), before);
@@ -425,13 +426,13 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Executing);
     }
 
-    // The faster the arm, the harder it brakes: at standstill 210 ms after the newest package.
+    // The faster the arm, the harder it brakes: it is at standstill 210 ms after the newest package.
     void brakingEndsInTime_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<double>("turning");  // of the leading joint [rad/s]
         QTest::addColumn<double>("speed");    // of the TCP [m/s]
         QTest::addColumn<double>("silent");   // deceleration when the heartbeat ends
-        QTest::addColumn<double>("asked");    // and when a stop comes
+        QTest::addColumn<double>("asked");    // and when a stop command arrives
         QTest::newRow("movej, slow") << 3 << 0.4 << 0.1 << 4.0 << 4.0;
         QTest::newRow("movej, default speed") << 3 << 1.05 << 0.5 << 1.05 / 0.11 << 1.05 / 0.21;
         QTest::newRow("movej, fast") << 3 << 3.0 << 1.5 << 3.0 / 0.11 << 3.0 / 0.21;
@@ -473,7 +474,7 @@ private Q_SLOTS:
         }
     }
 
-    // A gentle stop is for a client that watches it.
+    // A gentle stop is only kept while the client monitors it.
     void aGentleStopEndsInTimeWithoutTheClient() {
         Bench bench;
         bench.host.moveFrames = 1000;
@@ -497,7 +498,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
     }
 
-    // A stop in general ends a stop with a given deceleration in time, too.
+    // A normal stop also replaces a gentler stop that is already in progress.
     void aStopEndsAGentlerOneInTime() {
         Bench bench;
         bench.host.moveFrames = 1000;
@@ -597,7 +598,7 @@ private Q_SLOTS:
         QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
 
-    // Press, release, press while the arm still brakes: the second motion begins after the braking.
+    // Press, release, press while the arm is still braking: the second motion begins after the braking.
     void aPressDuringBrakingWaitsForStandstill() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -639,7 +640,7 @@ private Q_SLOTS:
         QVERIFY(!bench.running());
     }
 
-    // A rotation holds the TCP where it was when it began: what it wanders off is led back.
+    // A rotation keeps the TCP where it was at the start: deviations are corrected.
     void aRotationLeadsTheTcpBack() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);

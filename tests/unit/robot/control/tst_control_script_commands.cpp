@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What control.script can do: streams, sections, braking as asked, and requests.
+// Functions of control.script: streams, sections, stops with a given deceleration, and requests.
 #include <QFile>
 #include <QTest>
 
@@ -28,7 +28,7 @@ Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
 
 constexpr SoftwareVersion kHasTorque{5, 25, 1, 0};
 
-/// One set of torques of a stream, under a cap of 0.25 m/s.
+/// One set of torques of a stream, with a speed limit of 0.25 m/s.
 Command torque(std::int32_t epoch, const JointTorques& target, const TorqueParameters& parameters = {}) {
     MotionCommand filled;
     fill(filled, target);
@@ -59,7 +59,7 @@ struct TorqueBench : Bench {
             frame();
         }
     }
-    /// What the newest motion gives to the base [Nm]; nothing if it is none of torques.
+    /// Torque of the base joint in the latest command [Nm]; no value if that is not a torque command.
     std::optional<double> base() const {
         const auto* given = last<urscript::DirectTorque>();
         return given != nullptr ? std::optional(given->torque[0]) : std::nullopt;
@@ -74,7 +74,7 @@ Command stopJ(std::int32_t epoch, double deceleration) {
     return stop;
 }
 
-/// A stream along a line, and stops that take long.
+/// Starts a linear stream whose stops take long.
 void moveInEpoch2(Bench& bench) {
     bench.host.moveFrames = 1000;
     bench.hold(ScriptCommand::Idle, 1, 2);
@@ -91,7 +91,7 @@ class TestControlScriptCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Standard 2, configurable 1 and tool 0 at once; the robot counts their time.
+    // Standard output 2, configurable output 1 and tool output 0 at once; the robot measures the time.
     void pulsedOutputsGoBackAfterTheirTime() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -112,7 +112,7 @@ private Q_SLOTS:
         }
     }
 
-    // Without a heartbeat a held pulse ends like a motion, another one at its time.
+    // Without a heartbeat, a held pulse ends like a motion; other pulses end after their time.
     void aSilentComputerEndsHeldPulsesOnly() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -139,7 +139,8 @@ private Q_SLOTS:
         QVERIFY2(bench.host.pins[4], "no pulse was under way there");
     }
 
-    // No pulse outlives the program, whether it is asked to end or hears nothing for five seconds.
+    // No pulse outlives the program, whether the program is asked to end or receives no data for five
+    // seconds.
     void aProgramThatEndsEndsItsPulses() {
         for (const bool asked : {true, false}) {
             Bench bench;
@@ -175,13 +176,13 @@ private Q_SLOTS:
         QCOMPARE(last->duration, 0.002);
     }
 
-    // The first target has to be near the arm, and each later one near the one before.
+    // The first target must be near the arm, and each later one near its predecessor.
     void aServoDoesNotJump() {
         Bench bench;
         bench.host.q = JointPositions(0.2, -1, 1, -1, -1, 0);
         bench.hold(ScriptCommand::Idle, 1, 2);
         Command target = servo(ScriptCommand::ServoJ, 2, true);
-        target.values[3] += 0.05;  // 0.02 rad, and what a joint turns in 2 ms, would do
+        target.values[3] += 0.05;  // permitted: 0.02 rad plus the rotation of a joint in 2 ms
         for (int i = 0; i < 60; ++i) {
             bench.send(target);
             bench.frame();
@@ -193,7 +194,7 @@ private Q_SLOTS:
             const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
             QVERIFY(servoed == nullptr || servoed->q == bench.host.q);
         }
-        // Small steps lead anywhere.
+        // Small steps are permitted over any distance.
         target = servo(ScriptCommand::ServoJ, 3, true);
         for (int i = 0; i < 50; ++i) {
             target.values[3] += 0.015;
@@ -204,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Executing);
         QCOMPARE(bench.last<urscript::ServoJ>()->q[3], target.values[3]);
         const double before = target.values[3];
-        target.values[3] += 0.4;  // further than any joint gets while packages may stay away
+        target.values[3] += 0.4;  // more than a joint can turn while packages may be missing
         for (int i = 0; i < 60; ++i) {
             bench.send(target);
             bench.frame();
@@ -250,7 +251,7 @@ private Q_SLOTS:
         bench.frame();
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.7);
-        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key: as hard as ever
+        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key: still with full deceleration
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
@@ -282,7 +283,7 @@ private Q_SLOTS:
         QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
         QCOMPARE(script.place(script.sectionLine + 5, 5), plain.place(plain.sectionLine + 3, 5));
         QVERIFY(script.place(3, 1).startsWith(QLatin1String("control.script line ")));
-        // Whatever the part, the line is the one of its file.
+        // In every part of the script, the line number is that of its source file.
         const QStringList sent = script.text.split(QLatin1Char('\n'));
         for (const char* sought : {"thread tiller_move_line()", "def tiller_serve()", "def tiller_obey()"}) {
             const auto at = std::find_if(sent.begin(), sent.end(), [&](const QString& line) {
@@ -343,7 +344,7 @@ private Q_SLOTS:
         QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
     }
 
-    // And the way back is part of the motion: a stop ends it like any other.
+    // The way back is part of the motion: a stop ends it like any other motion.
     void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
         QTest::addColumn<bool>("stopped");
         QTest::newRow("to the end") << false;
@@ -369,7 +370,7 @@ private Q_SLOTS:
         }
         bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Contact);
-        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // over for good
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // permanently ended
         QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
     }
 
@@ -411,7 +412,7 @@ private Q_SLOTS:
         bench.frame(400);
         QCOMPARE(bench.state(), finishes ? ScriptState::Done : ScriptState::Expired);
         bench.frame(static_cast<int>(6 / bench.host.step));
-        QVERIFY(bench.running());  // for the client to come
+        QVERIFY(bench.running());  // for the next client
     }
 
     void aMoveMayBeGivenALongerSilence_data() { aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data(); }
@@ -423,12 +424,12 @@ private Q_SLOTS:
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.silenceMs = 500;
         bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
-        bench.host.moveFrames = 5;  // stops
+        bench.host.moveFrames = 5;  // stops take 5 frames
         bench.frame(bench.silentFrames() + 10);
         QCOMPARE(bench.state() == ScriptState::Executing, finishes);
         bench.frame(bench.silentFrames() * 3);
         QCOMPARE(bench.state() == ScriptState::Executing, finishes);
-        bench.frame(bench.silentFrames() * 2);  // 0.5 s are over
+        bench.frame(bench.silentFrames() * 2);  // after more than 0.5 s
         QCOMPARE(bench.state(), ScriptState::Expired);
     }
 
@@ -501,7 +502,7 @@ private Q_SLOTS:
             bench.send(torque(2, JointTorques(1, -2, 3, -4, 5, -6), friction));
             bench.frame();
         }
-        // The first ones are not begun with before they must be here as a whole.
+        // The first values are not used before all of them must have arrived.
         QCOMPARE(bench.count<urscript::DirectTorque>(), kFrames - 1);
         for (const auto& motion : bench.host.motions) {
             const auto* given = std::get_if<urscript::DirectTorque>(&motion.command);
@@ -541,7 +542,8 @@ private Q_SLOTS:
             goOn();
         }
         QCOMPARE(bench.state(), ScriptState::Braking);
-        // In the same period, without one that leaves the joints to position control.
+        // The damping starts in the same period, without a command in between that returns the joints to
+        // position control.
         constexpr double kDamping = 30;
         const auto before = bench.host.motions.size();
         for (std::size_t i = 0; i < 10; ++i) {
@@ -555,7 +557,7 @@ private Q_SLOTS:
             bench.host.qd[0] *= 0.9;
             goOn();
         }
-        // As soon as it is slow, it brakes as from everything else.
+        // Once it is slow, it brakes like any other motion.
         bench.host.qd[0] = 0.04;
         goOn();
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
@@ -574,7 +576,7 @@ private Q_SLOTS:
         }
     }
 
-    // Whatever pushes the arm on: after a tenth of a second position control takes over.
+    // If something keeps pushing the arm, position control takes over after 0.1 s.
     void theDampingTakesATenthOfASecondAtMost() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
@@ -626,7 +628,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::DirectTorque>(), before);
     }
 
-    // In a pause the controller has taken the joints back, and the arm has come to rest.
+    // During a pause the controller has returned to position control, and the arm has come to rest.
     void noTorqueIsGivenBehindAPause() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
@@ -712,7 +714,7 @@ private Q_SLOTS:
         }
         QCOMPARE(bench.host.motions.empty(), !has);
         QVERIFY(bench.running());
-        // Nor does it stand in the way of what comes next.
+        // A missing feature does not prevent the next motion either.
         bench.hold(ScriptCommand::JogJoints, 3, 60, {0.1, 0, 0, 0, 0, 0});
         QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
@@ -770,13 +772,13 @@ private Q_SLOTS:
         bench.host.calls.clear();
         bench.hold(ScriptCommand::Idle, 1, 10);
         QVERIFY(!called(bench, "end_force_mode"));
-        // A package that came while the program stood still is no sign of life.
+        // A package that arrived while the program was paused does not count as a heartbeat.
         bench.host.timeNs += 200'000'000;
         bench.hold(ScriptCommand::Idle, 1, 1);
         QVERIFY(called(bench, "end_force_mode"));
     }
 
-    // On software that has neither a clock nor a record of where the arm was.
+    // The software has neither a clock nor a position record.
     void forceModeDoesNotOutliveAPauseOfOldSoftware() {
         for (const bool moves : {false, true}) {
             Bench bench(RegisterRange::Upper, {3, 15, 0, 0});
@@ -854,7 +856,7 @@ private Q_SLOTS:
         QCOMPARE(first.outcome, Outcome::Done);
         QCOMPARE(bench.host.load.mass, 1.5);
         bench.host.load.mass = 9;
-        bench.hold(ScriptCommand::Idle, 1, 20);  // the same number again and again
+        bench.hold(ScriptCommand::Idle, 1, 20);  // the same request number repeatedly
         QCOMPARE(bench.host.load.mass, 9.0);
         QCOMPARE(bench.ask(RequestKind::SetTcp, 0, {0, 0, 0.2, 0, 0, 0}).outcome, Outcome::Done);
         QCOMPARE(bench.host.tcp.position.z(), 0.2);

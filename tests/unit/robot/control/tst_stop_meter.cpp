@@ -78,7 +78,7 @@ private Q_SLOTS:
             QVERIFY(!arm.step(0));
         }
         QCOMPARE(meter.last().count, 0U);
-        // The next one is.
+        // The next stop is measured.
         arm.speed = 0.1;
         arm.step(0);
         meter.begin(StopCause::Released, arm.now);

@@ -83,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(limits.maxSpeed[3], 0.5);
     }
 
-    // Nothing is known about where such an arm is, so nothing about its limits.
+    // The position of such an arm is unknown, and therefore also the distance to its limits.
     void numbersThatAreNoneStopTheJog() {
         const JogTarget jogs[] = {linear(0.05, 0, 0), joint(1, 0.1)};
         for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -283,7 +283,7 @@ private Q_SLOTS:
         QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint jogs can always leave a singularity
     }
 
-    // A linear jog has no way out of the depth of a singularity: the robot would answer with a protective stop.
+    // No linear jog leads out of the centre of a singularity: the robot would trigger a protective stop.
     void deepInASingularityLinearJogsAreBlocked() {
         const JointPositions wristAndElbow(-0.886325, -2.81512, -0.0419052, -3.73636, 3.14351, 0.189416);
         JointPositions wrist = kGoodPose;

@@ -39,7 +39,7 @@ QByteArray pattern(qsizetype size, char first) {
     return bytes;
 }
 
-/// Around the block size of file systems and the buffer size of QFile (16384).
+/// Sizes around the block size of file systems and the buffer size of QFile (16384).
 QList<qsizetype> sizesAroundBuffers() {
     QList<qsizetype> sizes{0, 1, 100};
     for (const qsizetype buffer : {4096, 8192, 16384, 32768, 49152}) {
@@ -54,7 +54,7 @@ void replaceOnFullDisk(const SmallDisk& disk) {
     int failures = 0;
     for (const int freeBlocks : {0, 1, 3, 5, 13}) {
         for (const qsizetype size : sizesAroundBuffers()) {
-            disk.makeRoom();
+            disk.fitToContents();
             const QByteArray before = pattern(700, 'A');
             const QByteArray after = pattern(size, 'a');
             QVERIFY(writeFileAtomically(path, before).ok());
@@ -158,7 +158,7 @@ private Q_SLOTS:
         }
     }
 
-    // A file of a colleague that both write through a common group. Only root can become someone else.
+    // A colleague's file, writable for both through a common group. Only root can change the owner.
     void theGroupStaysWithoutTheOwner_data() {
         QTest::addColumn<int>("group");
         QTest::addColumn<int>("expectedGroup");

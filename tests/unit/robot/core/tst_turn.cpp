@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mutual exclusion, and waits end with their timeout.
+// The mutex excludes other threads, and waits end with their timeout.
 #include <QtTest>
 
 #include <atomic>

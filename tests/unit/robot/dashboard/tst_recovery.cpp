@@ -18,7 +18,7 @@ struct Robot {
     std::atomic<int> mode{7};    ///< RobotMode
     std::atomic<int> refusals{0};
     std::atomic<int> unlocks{0};
-    std::atomic<int> outages{0};  ///< so many times the controller ends the connection instead of an answer
+    std::atomic<int> outages{0};  ///< number of times the controller disconnects instead of answering
     RawPeer peer{[this](RawPeer::Link& link) {
         link.send("Connected\n");
         while (!link.isOver()) {

@@ -92,7 +92,7 @@ void TestDivergence::anUndisturbedArmNeverParts() {
     for (const Outcome& each : report.outcomes) {
         QVERIFY(each.missing.empty());
         QCOMPARE(each.rows, report.rows - report.leftOut);
-        // Much smaller, in fact.
+        // In fact, it is much smaller.
         QVERIFY2(each.greatest && each.greatest->amount < each.limit / 10,
                  qPrintable(QString::number(each.greatest ? each.greatest->amount : -1)));
     }
@@ -106,7 +106,7 @@ void TestDivergence::aPushIsFoundWhereItBegins_data() {
     QTest::newRow("lighter, found by the force alone") << true << 35.0;
 }
 
-// The stop comes later, as with a real controller.
+// The stop occurs later, as with a real controller.
 void TestDivergence::aPushIsFoundWhereItBegins() {
     QFETCH(bool, moving);
     QFETCH(double, force);
@@ -173,7 +173,7 @@ void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     QVERIFY2(found.row >= 450 && found.row <= 453, qPrintable(QString::number(found.row)));
     QVERIFY(found.amount > 5 * kDegree);
     QCOMPARE(report.first()->row, found.row);
-    // With another limit at another row; without a limit never.
+    // With another limit the arm deviates at another row; without a limit it never does.
     Choice choice;
     choice.limits.jointPosition = 1 * kDegree;
     const std::uint64_t later =
@@ -301,7 +301,7 @@ void TestDivergence::whichArmItIsOfHasToBeKnown() {
     robot.run(100);
     robot.model = "";
     QCOMPARE(compare(robot.recording()).error().code, ErrorCode::InvalidArgument);
-    QVERIFY(compare(robot.recording()).error().toString().contains("choose the model"));
+    QVERIFY(compare(robot.recording()).error().toString().contains("does not state the robot model"));
     robot.model = "KR6";
     QVERIFY(compare(robot.recording()).error().toString().contains("KR6"));
     Choice choice;

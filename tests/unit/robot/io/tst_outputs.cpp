@@ -161,7 +161,7 @@ void TestOutputs::waitsForTheRobotsWord() {
     QVERIFY(bench.outputs.connect(patience()).ok());
     const auto set = bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms));
     QCOMPARE(set.error().code, ErrorCode::Timeout);
-    // It was sent nevertheless, and reverting it would require a confirmation as well.
+    // The command was sent nevertheless, and reverting it would require a confirmation as well.
     QTRY_COMPARE_WITH_TIMEOUT(bench.peer.inputPackages(), 1, 20000);
 
     const CancelToken token;
@@ -246,7 +246,7 @@ void TestOutputs::inputsTheRobotLacksAreNamed() {
     Bench bench(robot);
     QVERIFY(bench.outputs.connect(patience()).ok());
     QCOMPARE(bench.outputs.setDigitalOutput(16, true, patience()).error().code, ErrorCode::FieldUnknown);
-    // All or nothing: a set including the tool leaves the others unchanged.
+    // All or nothing: a request that includes a tool output leaves the others unchanged.
     QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, patience()).error().code,
              ErrorCode::FieldUnknown);
     QCOMPARE(bench.peer.inputPackages(), 0);
@@ -264,8 +264,8 @@ void TestOutputs::connectsByItselfWhenNeeded() {
     QVERIFY(!bench.outputs.isConnected());
     QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
     QCOMPARE(bench.peer.connections(), 2);
-    // The robot was switched off and on: detected at the next command, or at the one after it. Each has time to
-    // reconnect, and a command sent on the old connection is not waited for too long.
+    // The robot was switched off and on. This is detected at the next command, or at the one after it. Each
+    // command has time to reconnect and does not wait too long for a command sent on the old connection.
     bench.peer.closeConnection();
     QTRY_VERIFY_WITH_TIMEOUT(
         bench.outputs.setDigitalOutput(0, true, Deadline::after(5s)).ok() && bench.peer.connections() >= 3,

@@ -66,7 +66,7 @@ struct Bench {
     RobotiqClient client;
 };
 
-/// Answers each line with the next of these replies, and then no more.
+/// Answers one line with each of these replies, then stops answering.
 std::function<void(RawPeer::Link&)> saying(const QByteArrayList& answers) {
     return [answers](RawPeer::Link& link) {
         for (const QByteArray& answer : answers) {

@@ -54,7 +54,7 @@ private Q_SLOTS:
         QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
     }
 
-    // The speed of both points by their positions a little earlier and later, along the whole path.
+    // The speed of both points, from their positions shortly before and after, along the whole path.
     void jointMovesStayBelowTheCap_data() {
         QTest::addColumn<JointPositions>("to");
         for (int joint = 0; joint < kJointCount; ++joint) {
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QVERIFY2(fastest < 1.001 * kCap && fastest > 0.999 * kCap, qPrintable(QString::number(fastest)));
     }
 
-    // A turn about the tip of a long tool swings the arm, while the TCP itself stays.
+    // A rotation about the tip of a long tool swings the arm while the TCP stays in place.
     void aTurnOnTheSpotIsHeldByTheElbow() {
         const Pose longTool(0, 0, 0.6, 0, 0, 0);
         const Pose here = forwardTcp(dh(), kStart, longTool);
@@ -96,7 +96,7 @@ private Q_SLOTS:
         constexpr double kCap = 0.05;
         const SpeedBound bound = lineSpeedBound(dh(), kStart, there, longTool, kCap, 0.8);
         QCOMPARE(bound.by, SpeedLimit::Elbow);
-        // Driven that fast the elbow keeps below the cap all the way, and comes near it.
+        // At this speed the elbow stays below the limit along the whole path and comes close to it.
         const double turnSpeed = bound.speed / kTurnRadius;
         double fastest = 0;
         JointPositions q = kStart;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Three points and the resulting frame; and points without a frame.
+// Three points and the resulting frame, and points that do not define a frame.
 
 #include <QTest>
 #include <limits>
@@ -92,7 +92,7 @@ private Q_SLOTS:
         Frame tray{QUuid::createUuid(), "tray", Pose(0.4, -0.1, 0.2, 0.1, -0.3, 1.2), {}};
         frames.append(tray);
         Waypoint point;
-        point.ruling = Ruling::Pose;
+        point.ruling = TargetKind::Pose;
         point.pose = Pose(0.5, 0.2, 0.3, 0, 3.1, 0);
         const Waypoint inTray = *givenIn(point, tray.id, frames);
         QVERIFY(movesWith(inTray, tray.id) && !movesWith(point, tray.id));

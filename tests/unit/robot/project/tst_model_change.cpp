@@ -26,7 +26,7 @@ const RobotModel& ur3e() {
 const JointPositions kReady(-1.6, -1.7, -2.2, -0.8, 1.6, 0.2);
 const JointPositions kFar(0.4, -0.6, 0.7, -0.3, 1.5, 0);
 
-Waypoint taught(const QString& name, const JointPositions& q, Ruling ruling, const FrameList& frames = {},
+Waypoint taught(const QString& name, const JointPositions& q, TargetKind ruling, const FrameList& frames = {},
                 const QUuid& frame = {}) {
     Waypoint point;
     point.id = QUuid::createUuid();
@@ -42,9 +42,9 @@ Project projectOfUr5e() {
     project.robot = RobotModelId::UR5e;
     const QUuid tray = QUuid::createUuid();
     project.frames.append({tray, QStringLiteral("tray"), Pose(0.2, -0.4, 0.1, 0, 0, 0.5), {}});
-    project.waypoints.append(taught(QStringLiteral("joints"), kReady, Ruling::Joints));
-    project.waypoints.append(taught(QStringLiteral("pose"), kReady, Ruling::Pose, project.frames, tray));
-    project.waypoints.append(taught(QStringLiteral("far"), kFar, Ruling::Joints));
+    project.waypoints.append(taught(QStringLiteral("joints"), kReady, TargetKind::Joints));
+    project.waypoints.append(taught(QStringLiteral("pose"), kReady, TargetKind::Pose, project.frames, tray));
+    project.waypoints.append(taught(QStringLiteral("far"), kFar, TargetKind::Joints));
     project.positions.list = {{QUuid::createUuid(), QStringLiteral("Home"), kReady, {}, {}},
                               {QUuid::createUuid(), QStringLiteral("Outside"), kFar, {}, {}}};
     project.positions.home = project.positions.list.at(1).id;
@@ -138,10 +138,10 @@ private Q_SLOTS:
         QCOMPARE(change.unreachable, QStringList{QStringLiteral("far")});
         const Waypoint& far = change.project.waypoints.at(2);
         QVERIFY(!reach(ur3e(), far, before.frames).ok());
-        QCOMPARE(far.ruling, Ruling::Pose);
+        QCOMPARE(far.ruling, TargetKind::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
-        // A position has joint positions only: it would be elsewhere.
+        // A position defined by joints only would move elsewhere.
         QCOMPARE(change.removed, QStringList{QStringLiteral("Outside")});
         QCOMPARE(change.project.positions.list.size(), std::size_t(1));
         QVERIFY(change.project.positions.home.isNull());

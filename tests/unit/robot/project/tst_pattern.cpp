@@ -102,7 +102,7 @@ private Q_SLOTS:
         QSet<QUuid> ids;
         for (const Waypoint& point : points) {
             ids.insert(point.id);
-            QVERIFY(point.ruling == Ruling::Pose && point.move == MoveKind::Linear);
+            QVERIFY(point.ruling == TargetKind::Pose && point.move == MoveKind::Linear);
             QCOMPARE(point.toolSpeed, 0.1);
             QVERIFY(isWhereLaid(point, pattern));
             const Pose there = kinematics::forwardTcp(model.dh, point.joints, point.tcpOffset);
@@ -125,13 +125,13 @@ private Q_SLOTS:
     void historyKeepsTheLatestAndSharesCopies() {
         Waypoint point = tray().first;
         const QDateTime start = QDateTime::fromString(QStringLiteral("2026-01-01T08:00:00Z"), Qt::ISODate);
-        for (int n = 0; n < WaypointHistory::kMostRevisions + 5; ++n) {
+        for (int n = 0; n < WaypointHistory::kMaxRevisions + 5; ++n) {
             Waypoint after = point;
             after.blend = 0.001 * (n + 1);
             point = withRevision(after, point, start.addMSecs(n * 60'000 + 123), "Ann", "Set the blend");
         }
-        QCOMPARE(point.history.size(), WaypointHistory::kMostRevisions);
-        const WaypointRevision& newest = point.history.at(WaypointHistory::kMostRevisions - 1);
+        QCOMPARE(point.history.size(), WaypointHistory::kMaxRevisions);
+        const WaypointRevision& newest = point.history.at(WaypointHistory::kMaxRevisions - 1);
         QVERIFY(std::abs(newest.before.blend - 0.024) < 1e-12);
         QVERIFY(newest.before.history.isEmpty());
         QCOMPARE(newest.at.time().msec(), 0);

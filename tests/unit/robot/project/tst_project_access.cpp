@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(first.save(withWaypoints({"first"}), 1)->outcome == Outcome::OpenElsewhere);
         QVERIFY(second.save(withWaypoints({"second"}), 1)->outcome == Outcome::Saved);
         first.close();
-        // The lock of the second window is still there.
+        // The lock of the second window still exists.
         ProjectAccess third(path_);
         QVERIFY(third.load().ok());
         QVERIFY(third.check().owner.has_value());
@@ -196,7 +196,7 @@ private Q_SLOTS:
         const auto saved = access.save(withWaypoints({"a", "b"}), 1);
         QVERIFY(saved.error().code == ErrorCode::DiskFull);
         QCOMPARE(loadProject(path)->waypoints.size(), 1);
-        disk.makeRoom();
+        disk.fitToContents();
         QVERIFY(access.save(withWaypoints({"a", "b"}), 1)->outcome == Outcome::Saved);
         QCOMPARE(loadProject(path)->waypoints.size(), 2);
     }

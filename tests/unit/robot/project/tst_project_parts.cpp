@@ -168,11 +168,12 @@ private Q_SLOTS:
                 << QString(path) << value << QString(said);
         };
         const QString nobody = QUuid::createUuid().toString(QUuid::WithoutBraces);
-        row("waypoints[0].colour", "mauve", "waypoints[0].colour: \"mauve\" is none of \"none\", \"blue\"");
+        row("waypoints[0].colour", "mauve",
+            "waypoints[0].colour: \"mauve\" is not one of \"none\", \"blue\"");
         row("waypoints[0].group", 3, "waypoints[0].group: is a number, not a text");
         row("waypoints[0].note", QJsonArray(), "waypoints[0].note: is a list, not a text");
         row("waypoints[0].actions", "x", "waypoints[0].actions: is a text, not a list");
-        row("waypoints[0].actions[0].do", "dance", "waypoints[0].actions[0].do: \"dance\" is none of");
+        row("waypoints[0].actions[0].do", "dance", "waypoints[0].actions[0].do: \"dance\" is not one of");
         row("waypoints[0].actions[0].pin", 8, "actions[0].pin: is 8, outside 0 ... 7");
         row("waypoints[0].actions[0].pin", 1.5, "actions[0].pin: is 1.5, not a whole number");
         row("waypoints[0].actions[0].value", 1, "actions[0].value: is a number, not true or false");
@@ -288,7 +289,7 @@ private Q_SLOTS:
         QJsonValue root = replaced(rootOfFull(), "patterns[0].columns", 200);
         root = replaced(root, "patterns[0].rows", 200);
         const Result<Project> read = parseProject(QJsonDocument(root.toObject()).toJson());
-        QVERIFY2(read.error().context.contains("has 80000 places, more than 5000"),
+        QVERIFY2(read.error().context.contains("has 80000 cells, more than 5000"),
                  qPrintable(read.error().context));
     }
 

@@ -68,8 +68,8 @@ Isometry3d flangeAt(const DhParameters& dh, const JointPositions& q) {
     return T;
 }
 
-/// Returns the length that remains at the flange pose; negative when the arm is too short or too long by that much
-/// [m].
+/// Returns the distance of the flange pose from the limit of the reach; negative when the arm is too short or
+/// too long by that much [m].
 double slack(const DhParameters& dh, const Isometry3d& flange) {
     const Vector3d axis6 = flange.linear().col(2);
     const Vector3d wrist = flange.translation() - dh.d[5] * axis6;
@@ -120,11 +120,11 @@ Case randomCase(const RobotModel& model, Dice& dice) {
     point.joints = dice.joints(kPi);
     point.move = dice.onceIn(2) ? MoveKind::Joint : MoveKind::Linear;
     if (dice.onceIn(10)) {
-        point.ruling = Ruling::Joints;
+        point.ruling = TargetKind::Joints;
         point.joints = dice.joints(1.05 * kJointPositionLimit);
         return result;
     }
-    point.ruling = Ruling::Pose;
+    point.ruling = TargetKind::Pose;
     if (dice.onceIn(2)) {
         point.tcpOffset = Pose(dice.pose(0.3));
     }
@@ -195,7 +195,7 @@ private Q_SLOTS:
         for (int i = 0; i < kWaypoints; ++i) {
             const Case c = randomCase(arm, dice);
             const Reach reach = project::reach(arm, c.point, c.frames);
-            if (c.point.ruling == Ruling::Joints) {
+            if (c.point.ruling == TargetKind::Joints) {
                 const bool inside = std::all_of(&c.point.joints.values[0], &c.point.joints.values[0] + 6,
                                                 [](double q) { return std::abs(q) <= kJointPositionLimit; });
                 QCOMPARE(reach.obstacle, inside ? Reach::Obstacle::None : Reach::Obstacle::JointLimit);

@@ -17,7 +17,7 @@ const RobotModel& model() {
 
 const JointPositions kReady(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
 
-Waypoint ready(Ruling ruling) {
+Waypoint ready(TargetKind ruling) {
     Waypoint point;
     point.id = QUuid::createUuid();
     point.name = QStringLiteral("ready");
@@ -82,7 +82,7 @@ private Q_SLOTS:
     void jointsAndPoseFollowTheMove() {
         RelativeMove move;
         move.offset = {0, 0, 0.05};
-        for (const Ruling ruling : {Ruling::Joints, Ruling::Pose}) {
+        for (const TargetKind ruling : {TargetKind::Joints, TargetKind::Pose}) {
             const auto moved = movedBy({ready(ruling)}, move, model(), {});
             QVERIFY(moved.ok());
             const Waypoint& point = moved->front();
@@ -99,14 +99,15 @@ private Q_SLOTS:
     void outOfReachIsRefusedByNameOrKeptWhereThePoseRules() {
         RelativeMove move;
         move.offset = {3, 0, 0};
-        const auto refused = movedBy({ready(Ruling::Joints)}, move, model(), {});
+        const auto refused = movedBy({ready(TargetKind::Joints)}, move, model(), {});
         QVERIFY(refused.error().code == ErrorCode::NoSolution);
         QCOMPARE(refused.error().context, QString("ready"));
-        const auto kept = movedBy({ready(Ruling::Pose)}, move, model(), {});
+        const auto kept = movedBy({ready(TargetKind::Pose)}, move, model(), {});
         QVERIFY(kept.ok());
         QCOMPARE(kept->front().joints, kReady);
         move.frame = QUuid::createUuid();
-        QVERIFY(movedBy({ready(Ruling::Pose)}, move, model(), {}).error().code == ErrorCode::InvalidArgument);
+        QVERIFY(movedBy({ready(TargetKind::Pose)}, move, model(), {}).error().code ==
+                ErrorCode::InvalidArgument);
     }
 
     void usesAreFound() {

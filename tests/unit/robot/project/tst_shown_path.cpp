@@ -19,7 +19,7 @@ const DhParameters& arm() {
 }
 const Pose kTool(0.01, 0.02, 0.15, 0, 0, 0);
 
-/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremble.
+/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremor.
 Demonstration shownBy(std::mt19937& random, int samples, double tremble) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::normal_distribution<double> noise(0, tremble > 0 ? tremble : 1);
@@ -64,7 +64,7 @@ class TestDemonstration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // For any demonstration, no demonstrated position is further from the kept path than allowed.
+    // For every demonstration, no demonstrated position is further from the stored path than allowed.
     void everyShownPlaceIsWithinTheTolerance() {
         std::mt19937 random(1);
         int kept = 0;
@@ -153,7 +153,7 @@ private Q_SLOTS:
         }
     }
 
-    // Samples along the kept path follow it with its timing.
+    // Samples along the stored path follow it with its timing.
     void alongThePathAreSamplesOfIt() {
         std::mt19937 random(3);
         const Demonstration shown = shownBy(random, 800, 0);

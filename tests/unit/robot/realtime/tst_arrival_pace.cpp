@@ -36,7 +36,7 @@ std::vector<Cycle> follow(ArrivalPace& pace, int packages, const std::function<d
     return cycles;
 }
 
-/// Largest deviation of the distance between neighbours from one period, from `first` on [ns].
+/// Largest deviation of the interval between consecutive packages from one period, starting at `first` [ns].
 double unevenness(const std::vector<Cycle>& cycles, std::size_t first) {
     double most = 0;
     for (std::size_t i = std::max<std::size_t>(first, 1); i < cycles.size(); ++i) {

@@ -85,7 +85,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     for (int i = 0; i < 100; ++i) {
         watch.add(1 + i * 0.002, i * 2 * kNsPerMs);
     }
-    // Nothing for 2 s, then all of it within 0.4 s.
+    // No packages for 2 s, then all of them within 0.4 s.
     const std::int64_t end = 198 * kNsPerMs + 2 * kNsPerSecond;
     for (int i = 0; i < 1000; ++i) {
         const std::int64_t host = end + i * 400'000;
@@ -95,7 +95,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     }
 }
 
-// A simulated robot was held up, or the route has changed: reporting lateness forever would not help.
+// A simulated robot was delayed, or the network route has changed: reporting lateness forever would not help.
 void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
     StreamWatch watch;
     watch.begin(0.002);
@@ -120,7 +120,7 @@ void TestStreamWatch::restartOfTheControllerIsNoGap() {
     QCOMPARE(verdict.lost, std::uint64_t(0));
     QVERIFY(!verdict.late);
     QVERIFY(!watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).late);
-    // The same time stamp twice does not count either.
+    // A repeated time stamp does not count either.
     QCOMPARE(watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).lost, std::uint64_t(0));
 }
 

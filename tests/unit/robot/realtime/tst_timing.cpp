@@ -91,7 +91,7 @@ void TestTiming::countAboveAThreshold() {
     for (int i = 1; i <= 100; ++i) {
         histogram.add(i * kNsPerMs);
     }
-    // Accurate to one bucket, a sixteenth.
+    // Accurate to one bucket (1/16).
     const auto above = histogram.countAbove(50 * kNsPerMs);
     QVERIFY(above <= 50 && above >= 46);
     QCOMPARE(histogram.countAbove(200 * kNsPerMs), std::uint64_t(0));
@@ -181,7 +181,7 @@ void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
     PunctualWait wait(true);
     for (int i = 0; i < 1000; ++i) {
         wait.learn(2'000'000);
-        QVERIFY(wait.awakeNs() <= PunctualWait::kMostAwakeNs);
+        QVERIFY(wait.awakeNs() <= PunctualWait::kMaxAwakeNs);
     }
     QCOMPARE(wait.awakeNs(), std::int64_t(0));
     for (int i = 0; i < 1000; ++i) {

@@ -18,9 +18,9 @@ using test::ScriptedPeer;
 namespace {
 
 // Used up only by a failing test.
-constexpr int kPatienceMs = 20000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 20000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 ReceiverOptions to(std::uint16_t port) {
     ReceiverOptions options;
@@ -36,7 +36,7 @@ ReceiverOptions to(std::uint16_t port) {
 
 /// Waits for the next sample.
 bool fetch(Subscription& subscription, Sample& sample) {
-    return QTest::qWaitFor([&] { return subscription.pending() > 0; }, kPatienceMs) &&
+    return QTest::qWaitFor([&] { return subscription.pending() > 0; }, kWaitTimeoutMs) &&
            subscription.next(sample);
 }
 
@@ -169,7 +169,8 @@ void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
-    // Nothing listens there, and nothing did before: not waited for, unless that is asked for.
+    // No server listens there, and none did before: waitForData() fails at once unless OnRefusal::Wait is
+    // given.
     QCOMPARE(refused.waitForData(Deadline::never()).error().code, ErrorCode::ConnectionRefused);
     QCOMPARE(refused.waitForData(Deadline::after(1ms), OnRefusal::Wait).error().code,
              ErrorCode::ConnectionRefused);

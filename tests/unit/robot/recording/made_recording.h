@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Samples of an imaginary robot and files made of them, without a socket or a thread.
+// Samples of a simulated robot and files written from them, without a socket or a thread.
 
 #include <QFile>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace tiller::test {
 /// 2026-01-01 00:00:00 UTC
 inline constexpr std::int64_t kMadeStartNs = 1'767'225'600'000'000'000;
 
-/// Packages of a swinging robot, from the first one on; every value is known.
+/// Consecutive packages of a swinging robot, starting with the first one; every value is known.
 class MadeSamples {
 public:
     explicit MadeSamples(std::vector<std::string> fields = receive::defaultFields())

@@ -16,9 +16,9 @@ using test::RtdePeer;
 
 namespace {
 
-constexpr int kPatienceMs = 30'000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 30'000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 receive::ReceiverOptions to(std::uint16_t port) {
     receive::ReceiverOptions options;

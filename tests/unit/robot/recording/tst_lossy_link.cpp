@@ -31,7 +31,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kPatienceMs = 100'000;
+constexpr int kWaitTimeoutMs = 100'000;
 constexpr double kPeriod = 0.002;
 constexpr std::uint64_t kHalfASecond = 250;  // packets
 
@@ -47,7 +47,7 @@ struct Bench {
         return to;
     }
     /// Sends the packets of a range, except those that the link drops, and waits until they have arrived.
-    /// Returns  false if they have not arrived
+    /// Returns false if they have not arrived in time.
     bool send(int from, int to, std::mt19937* drops) {
         std::bernoulli_distribution isDropped(0.01);
         std::uniform_int_distribution<int> burst(1, 4);
@@ -68,7 +68,7 @@ struct Bench {
             sent.push_back(i * kPeriod);
             peer.send(sent.back());
         }
-        return QTest::qWaitFor([&] { return receiver.counters().packets == sent.size(); }, kPatienceMs);
+        return QTest::qWaitFor([&] { return receiver.counters().packets == sent.size(); }, kWaitTimeoutMs);
     }
 
     test::RtdePeer peer;
@@ -122,7 +122,7 @@ std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
     return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
 }
 
-/// Checks that the rows are those that were sent, from the first one on, with the correct gaps.
+/// Checks that the rows are the sent ones, starting with the first, with the correct gaps.
 void verifyBeginningOf(const Bench& bench, const Recording& recording) {
     QVERIFY(recording.rows() <= bench.sent.size());
     const std::vector<double> stamps = column(recording, "timestamp");
@@ -175,7 +175,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         QVERIFY(bench.send(from, from + 499, &random));
         // The ring holds about 4000 samples: a sender faster than a robot waits for the file.
         const std::uint64_t due = bench.sent.size() < 1500 ? 0 : bench.sent.size() - 1500;
-        QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kWaitTimeoutMs);
     }
     QVERIFY(bench.gaps.size() > 20);
     recorder.stop();
@@ -217,7 +217,7 @@ void TestLossyLink::fullDiskKeepsWrittenData_data() {
 void TestLossyLink::fullDiskKeepsWrittenData() {
 #ifdef __linux__
     QFETCH(QString, format);
-    // A real file system of 128 kB, which only root can make.
+    // A real file system of 128 kB, which only root can create.
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=128k") != 0) {
@@ -235,7 +235,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
         QVERIFY(bench.send(at + 1, at + 50, nullptr));
         at += 50;
     }
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kWaitTimeoutMs);
     QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
     const auto opened = openRecording(options.path);
     QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
@@ -270,7 +270,7 @@ void TestLossyLink::diskErrorKeepsWrittenData() {
         at += 50;
         QTest::qWait(1);
     }
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.progress().state, RecorderState::Failed, kWaitTimeoutMs);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
     QVERIFY(story.writes > kGoodWrites);
@@ -300,7 +300,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
         story.standsStill.notify_all();
     });
     QVERIFY(bench.send(1, 500, nullptr));
-    QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kWaitTimeoutMs);
     story.standsStill = true;
     // Far more than the ring holds. send() returns when the receiver has all of them.
     constexpr int kAll = 20'000;

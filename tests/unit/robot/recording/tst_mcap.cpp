@@ -108,7 +108,7 @@ void TestMcap::factsAttachmentsAndTheLogComeAlong() {
     QVERIFY(std::abs(recording->events().front().seconds - 0.5) < 1e-6);
 }
 
-// No spike is lost, whichever level of summary answers.
+// No spike is lost, whichever summary level is used.
 void TestMcap::summariesAreThoseOfTheRows() {
     constexpr std::uint64_t kRows = 20'000;
     const auto recording = opened(test::madeFile(*mcapFormat(), kRows));
@@ -135,7 +135,7 @@ void TestMcap::summariesAreThoseOfTheRows() {
                 const auto to = raw.begin() + static_cast<std::ptrdiff_t>(
                                                   std::min(raw.size(), (block + 1) * summary.rowsEach));
                 QVERIFY(from < to);
-                // The last block may end with the range.
+                // The last block may end exactly at the end of the range.
                 if (block + 1 < summary.min.size()) {
                     QCOMPARE(summary.min[block], *std::min_element(from, to));
                     QCOMPARE(summary.max[block], *std::max_element(from, to));

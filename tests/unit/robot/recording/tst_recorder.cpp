@@ -26,9 +26,9 @@ using test::RtdePeer;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 30000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 receive::ReceiverOptions to(std::uint16_t port) {
     receive::ReceiverOptions options;
@@ -66,7 +66,7 @@ public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
-        int from = 1;               ///< the call from which on it fails
+        int from = 1;               ///< number of the first call that fails
         std::atomic<int> calls{0};  ///< calls of that step so far
         std::atomic<bool> closed{false};
     };
@@ -237,7 +237,8 @@ void TestRecorder::ringOverrunIsAGapToo() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Far more than the ring holds; how many the recorder reads depends on the machine, the sum does not.
+    // Many more packages than the ring holds. How many the recorder reads depends on the machine; the sum
+    // does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
@@ -305,7 +306,7 @@ void TestRecorder::fieldsThatDoNotComeAreRefused() {
             .error();
     QCOMPARE(error.code, ErrorCode::FieldUnknown);
     QVERIFY(error.toString().contains("\"actual_qq\": did you mean \"actual_q\"?"));
-    QVERIFY(error.toString().contains("does not follow \"input_int_register_3\""));
+    QVERIFY(error.toString().contains("does not receive \"input_int_register_3\""));
     QVERIFY(!error.toString().contains("tool_mode"));
     QCOMPARE(QFileInfo(bench.path()).size(), qint64(8));
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
@@ -361,7 +362,7 @@ void TestRecorder::csvIsNotWrittenUnderTheNameOfAnotherFormat() {
     QCOMPARE(started.error().code, ErrorCode::InvalidArgument);
     QVERIFY2(started.error().toString().contains("formatForPath"), qPrintable(started.error().toString()));
     QVERIFY(!QFile::exists(bench.path(qPrintable(name))));
-    // A format that was chosen is written under any name.
+    // An explicitly chosen format is used regardless of the file name.
     QVERIFY(
         recorder.start({.path = bench.path(qPrintable(name)), .format = csvFormat()}, bench.receiver).ok());
 }
@@ -424,7 +425,7 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
 
 void TestRecorder::fullDiskKeepsRecordedData() {
 #ifdef __linux__
-    // A real file system of 64 kB, which only root can make.
+    // A real file system of 64 kB, which only root can create.
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=64k") != 0) {
@@ -468,20 +469,20 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
     const QString path = folder.filePath(QStringLiteral("recording.csv"));
     QProcess victim;
     victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--record-until-killed"), path});
-    QVERIFY(victim.waitForStarted(kPatienceMs));
+    QVERIFY(victim.waitForStarted(kWaitTimeoutMs));
     // The child reports its progress after every package.
     qulonglong rows = 0;
     QByteArray line;
     while (rows < 200) {
         if (!victim.canReadLine()) {
-            QVERIFY(victim.waitForReadyRead(kPatienceMs));
+            QVERIFY(victim.waitForReadyRead(kWaitTimeoutMs));
             continue;
         }
         line = victim.readLine();
         rows = line.split(' ').at(1).trimmed().toULongLong();
     }
     ::kill(static_cast<pid_t>(victim.processId()), SIGKILL);
-    QVERIFY(victim.waitForFinished(kPatienceMs));
+    QVERIFY(victim.waitForFinished(kWaitTimeoutMs));
     QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
 
     const auto table = readCsv(path);
@@ -503,7 +504,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): the progress must no longer claim that a recording runs.
+    // Without stop(): the progress must no longer report a running recording.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));

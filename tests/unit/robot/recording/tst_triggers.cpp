@@ -20,9 +20,9 @@ using test::RtdePeer;
 
 namespace {
 
-constexpr int kPatienceMs = 30'000;
-#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kWaitTimeoutMs = 30'000;
+#define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
+#define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
 
 receive::ReceiverOptions to(std::uint16_t port) {
     receive::ReceiverOptions options;
@@ -44,7 +44,8 @@ struct Bench {
             peer.send(++sent * 0.002);
         }
         // The peer sends the values that are set at the time of sending.
-        QTRY_COMPARE_WITH_TIMEOUT(receiver.counters().packets, static_cast<std::uint64_t>(sent), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(receiver.counters().packets, static_cast<std::uint64_t>(sent),
+                                  kWaitTimeoutMs);
     }
     QTemporaryDir folder;
     RtdePeer peer;

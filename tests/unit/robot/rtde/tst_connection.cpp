@@ -308,7 +308,7 @@ void TestConnection::noticesTheEnd() {
 }
 
 void TestConnection::floodOfTextDoesNotHoldTheReader() {
-    // As fast as the connection accepts them, for as long as the client listens.
+    // Sends text messages as fast as the connection accepts them, until the client disconnects.
     Bytes texts;
     for (int i = 0; i < 100; ++i) {
         writeControllerText(texts, ProtocolVersion::V2, {TextLevel::Info, std::string(200, 'x'), "flood"});
@@ -400,7 +400,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
     }
     QVERIFY(busy);
     drain = true;
-    // When the peer reads again, packages pass and the stream is still synchronized.
+    // When the peer reads again, packages are sent again and the stream is still synchronized.
     QTRY_COMPARE_WITH_TIMEOUT((*connection)->sendInputs(0, values), Connection::Send::Sent, 20000);
     for (int i = 0; i < 100; ++i) {
         QVERIFY((*connection)->sendInputs(0, values) != Connection::Send::Failed);

@@ -11,7 +11,7 @@ using namespace tiller::rtde;
 
 namespace {
 
-/// Feeds a session and records what it sends.
+/// Feeds data to a session and records its requests.
 struct Talk {
     explicit Talk(SessionRequest request) : session(std::move(request)) { session.begin(sent); }
 
@@ -60,7 +60,7 @@ struct Talk {
         return readSetupOutputsRequest(payload, session.protocol()).value().names;
     }
 
-    Bytes payload;  ///< payload of the last request that asked() took
+    Bytes payload;  ///< payload of the last request returned by asked()
 };
 
 SessionRequest outputs(std::vector<std::string> names, double frequency = 0) {
@@ -374,7 +374,7 @@ void TestSession::wrongCountsAndGarbageAreErrors() {
         talk.giveVersion();
         talk.giveOutputs(0, {kDouble});
         QCOMPARE(talk.session.error().code, ErrorCode::Rejected);
-        // Nothing restores the session.
+        // The session cannot be restored.
         talk.sent.clear();
         talk.giveOutputs(1, {kDouble});
         QVERIFY(talk.session.isFailed());

@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 ProgramStopperOptions to(int port) {
     ProgramStopperOptions options;
@@ -27,12 +27,12 @@ QByteArray stateWith(bool running) {
     return robotState(robotModeData(7, running));
 }
 
-/// "The socket is read-only": what a controller in Local answers with.
+/// The reply "The socket is read-only" of a controller in Local mode.
 QByteArray refusal() {
     return message(6, Wire().i32(210).i32(0).i32(3).u32(0).u32(0).text("read-only").bytes());
 }
 
-/// What each connection was sent, one line per entry, in the order of the connections.
+/// The data received on each connection, one line per entry, in the order of the connections.
 class Heard {
 public:
     void add(const QByteArray& line) {
@@ -49,7 +49,7 @@ private:
     QList<QByteArray> lines_;
 };
 
-/// A program runs until somebody says "stop program".
+/// Runs a program until the command "stop program" arrives.
 RawPeer::Script obedient(Heard& heard) {
     return [&heard](RawPeer::Link& link) {
         link.send(versionMessage() + stateWith(true));
@@ -84,7 +84,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         QVERIFY(heard.lines().isEmpty());
         stopper.requestStop();
         heardOne.get_future().wait();
@@ -94,8 +94,8 @@ private Q_SLOTS:
         QVERIFY(!stopper.isUnderWay());
     }
 
-    // A controller that has forgotten the connection takes what is sent on it, and never reads it. The clock stands
-    // still: the second connection is made because of the request, not because time has passed.
+    // A controller that has lost the connection accepts data on it but never reads them. The clock is
+    // stopped: the second connection is made because of the request, not because time has passed.
     void itLeavesOnANewConnectionAtOnceToo() {
         Heard heard;
         native_socket::Descriptor forgotten = -1;
@@ -112,7 +112,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
@@ -131,7 +131,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         for (int s = 0; s < 600 && peer.clients() < 2; ++s) {
             clock.advanceNs(kNsPerSecond / 10);
             QTest::qWait(10);
@@ -145,7 +145,7 @@ private Q_SLOTS:
             RawPeer peer(obedient(heard));
             ProgramStopper stopper(to(peer.port()));
             stopper.start();
-            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
             QTest::qWait(50);
         }
         QCOMPARE(heard.lines(), QList<QByteArray>{QByteArray()});
@@ -157,12 +157,12 @@ private Q_SLOTS:
         RawPeer peer([&, obey = obedient(heard)](RawPeer::Link& link) {
             if (back) {
                 obey(link);
-            }  // else: hangs up at once
+            }  // otherwise it disconnects at once
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kWaitTimeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kWaitTimeoutMs);
         back = true;
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
@@ -170,8 +170,8 @@ private Q_SLOTS:
         QVERIFY(heard.lines().contains("stop program"));
     }
 
-    // A connection made in Local stays read-only after the switch to Remote. Time does not go on: the command is
-    // sent on the open connection and on one new connection, and not repeated.
+    // A connection made in Local stays read-only after the switch to Remote. The clock is stopped: the
+    // command is sent on the open connection and on one new connection, and not repeated.
     void aRefusalIsAnsweredByANewConnection() {
         Heard heard;
         native_socket::Descriptor readOnly = -1;
@@ -190,7 +190,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
         QVERIFY2(stopped.ok(), why(stopped));
@@ -228,7 +228,7 @@ private Q_SLOTS:
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         QTest::qWait(30);
         stopper.requestStop();
         const auto stopped = stopper.waitUntilStopped(patience());
@@ -254,14 +254,14 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         QList<QByteArray> expected(2, QByteArray("stop program"));
-        QTRY_COMPARE_WITH_TIMEOUT(heard.lines(), expected, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(heard.lines(), expected, kWaitTimeoutMs);
         QVERIFY(stopper.isUnderWay());
         constexpr std::int64_t kAgainNs = 300 * kNsPerMs;
         clock.advanceNs(kAgainNs);
-        QTest::qWait(50);  // five looks of its thread
+        QTest::qWait(50);  // five polling cycles of its thread
         QCOMPARE(heard.lines(), expected);
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(kNsPerMs);
@@ -284,7 +284,7 @@ private Q_SLOTS:
         options.clock = &clock;
         ProgramStopper stopper(options);
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(2 * kNsPerSecond + kNsPerMs);
@@ -302,13 +302,13 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::ConnectionRefused);
     }
 
-    // Its buffers full, a peer that does not read must not hold up whoever presses STOP.
+    // When the buffers of a peer that does not read are full, requestStop() must not block its caller.
     void whoeverAsksNeverWaits() {
         std::promise<void> done;
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         for (int i = 0; i < 400'000 && stopper.isConnected(); ++i) {
             stopper.requestStop();
         }
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Cancelled);
     }
 
-    // Whoever takes control now must not lose it to a stop of before.
+    // A client that takes control now must not lose it because of an earlier stop request.
     void whatIsWithdrawnIsNotSentAnyMore() {
         Heard heard;
         std::atomic<bool> back = false;
@@ -329,13 +329,13 @@ private Q_SLOTS:
             });
             ProgramStopper stopper(to(peer.port()));
             stopper.start();
-            QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kPatienceMs);
-            QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(peer.clients() > 0, kWaitTimeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kWaitTimeoutMs);
             stopper.requestStop();
             stopper.withdraw();
             QCOMPARE(stopper.error().code, ErrorCode::Cancelled);
             back = true;
-            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
             QTest::qWait(50);
         }
         QVERIFY(!heard.lines().contains("stop program"));
@@ -345,10 +345,10 @@ private Q_SLOTS:
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.reconnect();
-        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 2, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 2, kWaitTimeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
     }
 
     void withoutItsThreadItIsNotConnected() {

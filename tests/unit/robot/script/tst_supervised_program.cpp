@@ -43,8 +43,7 @@ struct Bench {
         }
         program = std::make_unique<urscript::Interpreter>(compiled.program, host);
     }
-    /// Runs until the program ends, for at most the given number of frames.
-    /// Returns  the number of frames run
+    /// Runs until the program ends, for at most the given number of frames. Returns the number of frames run.
     int run(int frames, bool alive) {
         for (int i = 0; i < frames; ++i) {
             host.intIn[24] += alive ? 1 : 0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Assumptions about real controllers: every switch is accepted by its name, is listed and has an effect.
+// BehaviourOptions about real controllers: every switch is accepted by its name, is listed and has an effect.
 
 #include <QFile>
 #include <QTest>
 
 #include "robot/rtde/values.h"
-#include "robot/simulator/control_box.h"
+#include "robot/simulator/controller_services.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/servers/rtde/rtde_inputs.h"
@@ -26,17 +26,17 @@ SimulatorOptions with(const char* assumption = "") {
     return options;
 }
 
-void steps(Plant& plant, int count) {
+void steps(ControllerModel& plant, int count) {
     for (int i = 0; i < count; ++i) {
         plant.step();
     }
 }
 
-void submit(Plant& plant, const char* text) {
+void submit(ControllerModel& plant, const char* text) {
     plant.programs().submit({Unit::Kind::Program, text});
 }
 
-double speed(const Plant& plant) {
+double speed(const ControllerModel& plant) {
     return plant.telemetry().arm->targetQd.values.cwiseAbs().maxCoeff();
 }
 
@@ -46,7 +46,7 @@ const char* const kTurning =
 
 /// Periods from the first stop command until the joints are at standstill.
 int brakingPeriods(const char* assumption, double slider) {
-    Plant plant(with(assumption));
+    ControllerModel plant(with(assumption));
     plant.setSpeedSlider(slider);
     steps(plant, 2);
     submit(plant, "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\n  stopj(4)\n  sync()\nend\n");
@@ -77,7 +77,7 @@ struct Writer {
         QVERIFY(rtde::encodeValues(recipe.layout, values, bytes));
         inputs.apply(recipe, bytes);
     }
-    /// Ends the current period; the next one begins.
+    /// Finishes the current period and starts the next one.
     void period() {
         plant.step();
         inputs.applyRest();
@@ -86,7 +86,7 @@ struct Writer {
     std::int32_t second() const { return plant.registers().input.ints[25]; }
     double third() const { return plant.registers().input.doubles[24]; }
 
-    Plant plant;
+    ControllerModel plant;
     RtdeInputs inputs;
     InputRecipe recipe;
 };
@@ -98,20 +98,20 @@ class TestAssumptions : public QObject {
 
 private Q_SLOTS:
     void everyReadingIsTakenByItsWords() {
-        for (const AssumptionInfo& info : assumptionTable()) {
+        for (const BehaviourOptionInfo& info : assumptionTable()) {
             QVERIFY(info.readings.size() >= 2);
             for (const QString& reading : info.readings) {
-                Assumptions assumptions;
+                BehaviourOptions assumptions;
                 const QString words = info.name + "=" + reading;
                 QVERIFY2(assume(assumptions, words).ok(), qPrintable(words));
                 QCOMPARE(assumptionText(assumptions), reading == info.readings.first() ? QString() : words);
             }
-            Assumptions assumptions;
+            BehaviourOptions assumptions;
             const Error refused = assume(assumptions, info.name + "=perhaps").error();
             QCOMPARE(refused.code, ErrorCode::InvalidArgument);
             QVERIFY(refused.context.contains(info.readings.last()));
         }
-        Assumptions assumptions;
+        BehaviourOptions assumptions;
         const Error unknown = assume(assumptions, QStringLiteral("gravity=off")).error();
         QVERIFY(unknown.context.contains(assumptionTable().back().name));
     }
@@ -120,12 +120,12 @@ private Q_SLOTS:
         QFile readme(QStringLiteral(TILLER_SOURCE_DIR "/robot/simulator/README.md"));
         QVERIFY(readme.open(QIODevice::ReadOnly));
         const QString text = QString::fromUtf8(readme.readAll());
-        for (const AssumptionInfo& info : assumptionTable()) {
+        for (const BehaviourOptionInfo& info : assumptionTable()) {
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
-            // What depends on the assumption, how the control program deals with it, and the source of the
-            // question.
+            // The remaining columns: what depends on the assumption, how the control program handles it, and
+            // the source.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
             for (const QString& told : rest.first(3)) {
@@ -135,9 +135,9 @@ private Q_SLOTS:
     }
 
     void assumptionsCanChangeAtRuntime() {
-        ControlBox controlBox(with());
+        ControllerServices controlBox(with());
         QVERIFY(injectFault(controlBox, QStringLiteral("assume registers=zeroed")).ok());
-        QVERIFY(controlBox.plant.assumptions().registers == Assumptions::Registers::Zeroed);
+        QVERIFY(controlBox.plant.assumptions().registers == BehaviourOptions::Registers::Zeroed);
         QVERIFY(!injectFault(controlBox, QStringLiteral("assume registers=lost")).ok());
         QVERIFY(!injectFault(controlBox, QStringLiteral("assume")).ok());
     }
@@ -153,7 +153,7 @@ private Q_SLOTS:
 
     void speedCommandsMayKeepTheirSpeed() {
         for (const bool real : {false, true}) {
-            Plant plant(with(real ? "speed-commands=real" : ""));
+            ControllerModel plant(with(real ? "speed-commands=real" : ""));
             plant.setSpeedSlider(0.25);
             submit(plant, "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\nend\n");
             steps(plant, 200);
@@ -164,7 +164,7 @@ private Q_SLOTS:
     void aProtectiveStopMayBeScaled() {
         int periods[2] = {0, 0};
         for (const bool scaled : {false, true}) {
-            Plant plant(with(scaled ? "program-stops=scaled" : ""));
+            ControllerModel plant(with(scaled ? "program-stops=scaled" : ""));
             plant.setSpeedSlider(0.2);
             submit(plant, "def p():\n  movej([0,-1.7271,-2.2030,-0.8080,1.5951,0],a=1,v=0.4)\nend\n");
             steps(plant, 500);
@@ -195,7 +195,7 @@ private Q_SLOTS:
              {"speedj([0.3,0,0,0,0,0], 4, 5)", "movej([0.5,-1.7271,-2.2030,-0.8080,1.5951,0],a=1,v=0.4)",
               "speedj([0.4,0,0,0,0,0], 4, 0.6)\n  stopj(0.4)"}) {
             for (int periods = 0; periods < 48; periods += 4) {
-                Plant plant(options);
+                ControllerModel plant(options);
                 plant.setSpeedSlider(0.5);
                 submit(plant, ("def p():\n  " + std::string(motion) + "\nend\n").c_str());
                 steps(plant, 700);
@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (std::int32_t n = 1; n < 5; ++n) {
             writer.write(n);
             writer.plant.step();
-            // The two newest values are mixed, nothing older.
+            // Only the two newest values are mixed.
             QCOMPARE(writer.first(), n - 1 + first);
             QCOMPARE(writer.third(), n - 1 + third);
             writer.inputs.applyRest();
@@ -257,7 +257,7 @@ private Q_SLOTS:
 
     void scriptOutputsMayAppearOnePeriodLater() {
         for (const bool late : {false, true}) {
-            Plant plant(with(late ? "outputs=next-period" : ""));
+            ControllerModel plant(with(late ? "outputs=next-period" : ""));
             submit(plant,
                    "def p():\n  i = 0\n  while True:\n    i = i + 1\n"
                    "    write_output_integer_register(0, i)\n    sync()\n  end\nend\n");
@@ -296,8 +296,8 @@ private Q_SLOTS:
         QFETCH(RuntimeState, during);
         QFETCH(QByteArray, back);
         QFETCH(RuntimeState, after);
-        ControlBox controlBox(with(assumption.constData()));
-        Plant& plant = controlBox.plant;
+        ControllerServices controlBox(with(assumption.constData()));
+        ControllerModel& plant = controlBox.plant;
         submit(plant, "def p():\n  while True:\n    speedj([0.2,0,0,0,0,0], 4, 0.002)\n  end\nend\n");
         steps(plant, 100);
         QVERIFY(injectFault(controlBox, QString::fromLatin1(fault)).ok());
@@ -314,7 +314,7 @@ private Q_SLOTS:
 
     void forceModeHoldsStillInAPauseOrGoesOn() {
         for (const bool frees : {false, true}) {
-            Plant plant(with(frees ? "pause=frees" : ""));
+            ControllerModel plant(with(frees ? "pause=frees" : ""));
             submit(plant,
                    "def p():\n  force_mode(p[0,0,0,0,0,0],[0,0,1,0,0,0],[0,0,30,0,0,0],2,"
                    "[0.1,0.1,0.1,0.5,0.5,0.5])\n  while True:\n    sync()\n  end\nend\n");
@@ -329,7 +329,7 @@ private Q_SLOTS:
     void aStopMayReturnBeforeTheArmHasSettled() {
         int periods[2] = {0, 0};
         for (const bool target : {false, true}) {
-            Plant plant(with(target ? "stop-returns=target" : ""));
+            ControllerModel plant(with(target ? "stop-returns=target" : ""));
             submit(plant, kTurning);
             while (plant.registers().output.ints[0] == 0 && periods[target] < 2000) {
                 plant.step();
@@ -342,7 +342,7 @@ private Q_SLOTS:
     void aThreadMayBeginAPeriodLater() {
         std::int32_t seen[2] = {0, 0};
         for (const bool later : {false, true}) {
-            Plant plant(with(later ? "thread-start=next-period" : ""));
+            ControllerModel plant(with(later ? "thread-start=next-period" : ""));
             submit(plant,
                    "def p():\n  thread t():\n    write_output_integer_register(0, 1)\n  end\n  run t()\n"
                    "  sync()\n  write_output_integer_register(1, read_output_integer_register(0))\n"
@@ -371,13 +371,13 @@ private Q_SLOTS:
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, call);
         const QByteArray text = "def p():\n  " + call + "\nend\n";
-        Plant present(with());
+        ControllerModel present(with());
         QVERIFY(present.programs().submitText(text.toStdString()));
-        Plant missing(with((name + "=missing").constData()));
+        ControllerModel missing(with((name + "=missing").constData()));
         QVERIFY(!missing.programs().submitText(text.toStdString()));
     }
 
-    // A camera that is switched on later need not end the program that names it.
+    // With deferred connections, a camera that is switched on later does not end the program that uses it.
     void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<bool>("goesOn");
@@ -387,7 +387,7 @@ private Q_SLOTS:
     void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall() {
         QFETCH(QByteArray, assumption);
         QFETCH(bool, goesOn);
-        Plant plant(with(assumption.constData()));
+        ControllerModel plant(with(assumption.constData()));
         submit(plant,
                "def p():\n  cam = rpc_factory(\"xmlrpc\", \"http://127.0.0.1:1/RPC2\")\n"
                "  write_output_integer_register(0, 7)\n  cam.trigger()\n"

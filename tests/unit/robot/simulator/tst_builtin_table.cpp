@@ -10,7 +10,7 @@
 #include <QTest>
 #include <map>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/builtin.h"
 
@@ -241,7 +241,7 @@ private Q_SLOTS:
         options.poweredOn = true;
         const bool polyScopeX = b.since.minor5 == urscript::kNever;
         options.software = polyScopeX ? SoftwareVersion{10, 12, 1, 0} : SoftwareVersion{5, 25, 1, 0};
-        Plant plant(options);
+        ControllerModel plant(options);
         const QString frame =
             polyScopeX ? QStringLiteral("add_frame(\"f\", p[0.3,0,0.3,0,0,0])\n") : QString();
         QTcpServer server;  // for builtins that connect to a server

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
 #include "robot/simulator/servers/rtde/rtde_values.h"
 
@@ -16,7 +16,7 @@ private Q_SLOTS:
     void everyOutputFieldHasASourceAndAFiniteValue() {
         SimulatorOptions options;
         options.poweredOn = true;
-        Plant plant(options);
+        ControllerModel plant(options);
         plant.step();
         for (const rtde::Field& field : rtde::outputFields()) {
             const auto source = fieldSource(field);
@@ -35,7 +35,7 @@ private Q_SLOTS:
     void theExecutionTimeIsThatOfARobot() {
         SimulatorOptions options;
         options.poweredOn = true;
-        Plant plant(options);
+        ControllerModel plant(options);
         const auto source = fieldSource(*rtde::findOutput("actual_execution_time"));
         double least = 1;
         double most = 0;
@@ -46,12 +46,12 @@ private Q_SLOTS:
             least = std::min(least, now);
             most = std::max(most, now);
         }
-        // The test of a client treats a controller that needs 0.4 ms or less as dead.
+        // A client check treats a controller with a period time of 0.4 ms or less as dead.
         QVERIFY(least > 0.4 && most < 1 && most > least);
     }
 
     void registersAreReadByTheirNumber() {
-        Plant plant{SimulatorOptions()};
+        ControllerModel plant{SimulatorOptions()};
         plant.registers().output.ints[47] = 47;
         plant.registers().input.doubles[0] = 0.5;
         plant.registers().output.bits[64] = true;
@@ -89,7 +89,7 @@ private Q_SLOTS:
             if (integer) {
                 QVERIFY(assume(options.assumptions, "realtime-bits=integer").ok());
             }
-            Plant plant(options);
+            ControllerModel plant(options);
             plant.pins().digitalOutputs = 1;
             plant.pins().digitalInputs = 2;
             plant.step();
@@ -103,13 +103,13 @@ private Q_SLOTS:
     }
 
     void theRealtimeRecordIsFullBeforeItIsCut() {
-        Plant plant{SimulatorOptions()};
+        ControllerModel plant{SimulatorOptions()};
         plant.arm().setPayload({1.5, {0.01, 0.02, 0.03}, Vector6::Constant(0.25)});
         plant.step();
         std::vector<std::uint8_t> record;
         writeRealtimeRecord(plant.telemetry(), record);
         QCOMPARE(record.size(), std::size_t(1220));
-        // The last double is Iyz of the payload, which shows that no field before it is missing or superfluous.
+        // The last double is Iyz of the payload; its value shows that no field before it is missing or extra.
         const std::array<std::uint8_t, 8> quarter{0x3F, 0xD0, 0, 0, 0, 0, 0, 0};
         QVERIFY(std::equal(quarter.begin(), quarter.end(), record.end() - 8));
         const std::array<std::uint8_t, 8> mass{0x3F, 0xF8, 0, 0, 0, 0, 0, 0};

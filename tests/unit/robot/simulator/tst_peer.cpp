@@ -61,7 +61,7 @@ class TestPeer : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    /// A cut is noticed when something is sent, possibly before the received data were read.
+    /// A cut connection is detected on sending, possibly before the received data were read.
     void dataSentBeforeTheEndOfAConnectionAreRead() {
         Connected c;
         const QByteArray program(40'000, 'p');
@@ -70,7 +70,7 @@ private Q_SLOTS:
             QVERIFY(c.client.waitForBytesWritten(20'000));
         }
         c.cut();
-        constexpr int kTries = 20;  // the system notices the cut with the first one
+        constexpr int kTries = 20;  // the system detects the cut with the first one
         for (int i = 0; i < kTries; ++i) {
             QVERIFY(c.peer->send(std::string_view("a state")));
         }

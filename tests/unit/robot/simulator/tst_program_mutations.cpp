@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A program file of the pendant with every known node, damaged in a thousand ways: it is converted to URScript that
-// compiles or gives an error with its position, or it is refused with a reason. It never crashes or runs forever.
+// A program file of the pendant with every known node, damaged in a thousand ways. Either it is converted to
+// URScript that compiles or fails with the position of the error, or it is refused with a reason. It never
+// crashes or runs forever.
 
 #include <QTest>
 #include <random>
@@ -216,7 +217,7 @@ private Q_SLOTS:
             const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
-        // Otherwise all of them would have ended at the first line.
+        // Otherwise all programs would have ended at the first line.
         QVERIFY2(told > 50 && refused > 50, qPrintable(QStringLiteral("%1 %2").arg(told).arg(refused)));
     }
 
@@ -234,7 +235,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Every program that the program refers to is the program itself, so that it may call itself without end.
+    /// Resolves every program reference to the program itself, so that it may call itself without end.
     static pendant::PendantSource source(const QByteArray& content) {
         pendant::PendantSource source;
         source.files = [content](const QString& name) -> std::optional<QByteArray> {

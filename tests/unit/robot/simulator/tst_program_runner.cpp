@@ -4,11 +4,11 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 
 using namespace tiller;
-using simulator::Plant;
+using simulator::ControllerModel;
 using Unit = simulator::urscript::SourceSplitter::Unit;
 
 namespace {
@@ -26,18 +26,18 @@ const char* const kEndless = "def endless():\n  while True:\n    sync()\n  end\n
 class TestProgramRunner : public QObject {
     Q_OBJECT
 
-    static void steps(Plant& plant, int count) {
+    static void steps(ControllerModel& plant, int count) {
         for (int i = 0; i < count; ++i) {
             plant.step();
         }
     }
-    static void submit(Plant& plant, const char* text, Unit::Kind kind = Unit::Kind::Program) {
+    static void submit(ControllerModel& plant, const char* text, Unit::Kind kind = Unit::Kind::Program) {
         plant.programs().submit({kind, text});
     }
 
 private Q_SLOTS:
     void aProgramOfOnePeriodIsSeenPlayingForSome() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, "def p():\n  set_standard_digital_out(0, True)\nend\n");
         QCOMPARE(plant.programs().state(), RuntimeState::Stopped);
         plant.step();
@@ -52,7 +52,7 @@ private Q_SLOTS:
     }
 
     void aStopTakesPlaceInTime() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
         plant.programs().requestStop();
@@ -63,7 +63,7 @@ private Q_SLOTS:
     }
 
     void aPausedProgramStandsStillAndGoesOn() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant,
                "def p():\n  i = 0\n  while True:\n    i = i + 1\n    write_output_integer_register(0, i)\n"
                "    sync()\n  end\nend\n");
@@ -82,7 +82,7 @@ private Q_SLOTS:
     }
 
     void aPausedProgramIsReplacedByANewOne() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, "def p():\n  movej([0.5,-1.7,-2.2,-0.8,1.6,0], a=1.4, v=0.5)\nend\n");
         steps(plant, 300);
         plant.programs().pause();
@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
 
     void noProgramStartsWhileSafetyForbidsMotion() {
-        Plant plant(running());
+        ControllerModel plant(running());
         plant.safety().set(simulator::SafetySystem::Input::RobotEmergencyStop, true);
         plant.step();
         plant.takeOutbox();
@@ -106,7 +106,7 @@ private Q_SLOTS:
     }
 
     void powerOffEndsTheProgram() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
         plant.power().powerOff();
@@ -117,7 +117,7 @@ private Q_SLOTS:
     }
 
     void aStatementThatMovesNothingRunsBesideTheProgram() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
         submit(plant, "set_standard_digital_out(2, True)\n", Unit::Kind::Statements);
@@ -127,7 +127,7 @@ private Q_SLOTS:
     }
 
     void aStatementThatMovesReplacesTheProgram() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
         submit(plant, "movej([-1.5,-1.7,-2.2,-0.8,1.6,0], a=1.4, v=1)\n", Unit::Kind::Statements);
@@ -145,7 +145,7 @@ private Q_SLOTS:
     }
     void aRefusedProgramLeavesTheRunningOneAlone() {
         QFETCH(QString, text);
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant,
                "def p():\n  i = 0\n  while True:\n    i = i + 1\n    write_output_integer_register(0, i)\n"
                "    sync()\n  end\nend\n");
@@ -158,7 +158,7 @@ private Q_SLOTS:
     }
 
     void aProgramRefusedBySafetyLeavesThePausedOneAlone() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
         plant.safety().set(simulator::SafetySystem::Input::Safeguard, true);
@@ -173,7 +173,7 @@ private Q_SLOTS:
     void aProgramSentBeforePowerOnGoesOnThroughIt() {
         simulator::SimulatorOptions options;
         options.fastTransitions = true;
-        Plant plant(options);
+        ControllerModel plant(options);
         QCOMPARE(plant.telemetry().robotMode, RobotMode::PowerOff);
         submit(plant, kEndless);
         steps(plant, 5);
@@ -192,7 +192,7 @@ private Q_SLOTS:
     }
 
     void pauseAndRunProgramAreUnderstoodOnTheScriptPorts() {
-        Plant plant(running());
+        ControllerModel plant(running());
         simulator::urscript::SourceSplitter splitter;
         const auto feed = [&](const char* text) {
             splitter.feed(text);
@@ -211,7 +211,7 @@ private Q_SLOTS:
     }
 
     void commandsOfPythonUrxAreAccepted() {
-        Plant plant(running());
+        ControllerModel plant(running());
         simulator::urscript::SourceSplitter splitter;
         for (const char* line :
              {"set sim\n", "digital_out[2]=True\n", "digital_out[3]=True\n", "digital_out[3]=False\n",
@@ -236,7 +236,7 @@ private Q_SLOTS:
     }
 
     void registersAndOutputsSurviveTheProgram() {
-        Plant plant(running());
+        ControllerModel plant(running());
         submit(plant, "def p():\n  write_output_float_register(3, 1.5)\n  set_tool_voltage(24)\nend\n");
         steps(plant, 5);
         QCOMPARE(plant.registers().output.doubles[3], 1.5);
@@ -244,7 +244,7 @@ private Q_SLOTS:
     }
 
     void speedScalingIsZeroWhileNothingRuns() {
-        Plant plant(running());
+        ControllerModel plant(running());
         plant.step();
         QCOMPARE(plant.telemetry().speedScaling, 0.0);
         submit(plant, kEndless);

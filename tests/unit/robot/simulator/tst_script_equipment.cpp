@@ -7,7 +7,7 @@
 #include <QTcpSocket>
 #include <QTest>
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 
@@ -62,7 +62,7 @@ struct Robot {
     /// Text of the last runtime exception.
     QByteArray error() const { return bodies(10).isEmpty() ? QByteArray() : bodies(10).last().mid(8); }
 
-    Plant plant;
+    ControllerModel plant;
     std::vector<QByteArray> messages;
 };
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
         const arm::Payload& load = robot.plant.arm().payload();
         QVERIFY(std::abs(load.mass - 2) < 1e-12);
         QVERIFY((load.centreOfGravity - Eigen::Vector3d(0.05, 0, 0.1)).norm() < 1e-9);
-        // Two points 0.05 m on either side of the middle, and the body's own.
+        // Two points 0.05 m on either side of the middle, and the centre of the body itself.
         QVERIFY(std::abs(load.inertia[0] - 0.01) < 1e-9);
         QVERIFY(std::abs(load.inertia[1] - (0.01 + 2 * 0.05 * 0.05)) < 1e-9);
     }

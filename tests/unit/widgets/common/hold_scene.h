@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Two hold keys, an edit field and a button in one window, in virtual time: what the tests of the guard
-// share.
+// Two hold-to-run keys, an edit field and a button in one window, in virtual time: shared by the tests of the
+// hold guard.
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 Q_DECLARE_METATYPE(tiller::control::StopCause)
 
@@ -20,7 +20,7 @@ namespace tiller::test {
 
 using control::StopCause;
 
-/// Stands for the session: counts what it is told.
+/// Replaces the session and counts the calls.
 struct FakeTarget {
     std::uint64_t next = 0;
     std::uint64_t running = 0;  // 0 = nothing moves
@@ -60,16 +60,16 @@ struct Scene {
     FakeTarget target;
     FakeTarget otherTarget;
     QWidget window;
-    HoldButton* key;
-    HoldButton* other;
+    HoldToRunButton* key;
+    HoldToRunButton* other;
     QLineEdit* edit;
     QPushButton* button;
 
     Scene() {
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(60, 60, 60, 60);
-        key = new HoldButton(QStringLiteral("X+"), &window);
-        other = new HoldButton(QStringLiteral("Y+"), &window);
+        key = new HoldToRunButton(QStringLiteral("X+"), &window);
+        other = new HoldToRunButton(QStringLiteral("Y+"), &window);
         edit = new QLineEdit(&window);
         button = new QPushButton(QStringLiteral("Teach"), &window);
         for (QWidget* w : {static_cast<QWidget*>(key), static_cast<QWidget*>(other),
@@ -93,7 +93,7 @@ struct Scene {
         QCOMPARE(target.ends, QList<StopCause>{cause});
         QVERIFY(!key->isHolding());
         QVERIFY(!key->isDown());
-        // It stays stopped, whatever the finger still does.
+        // The motion stays stopped, whatever the operator still does.
         const int holds = target.holds;
         clock.advanceNs(20 * kNsPerMs);
         key->guard().pump();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stop rule of the jog contract that a key can see by itself, with real events, in virtual time.
+// Every stop rule of the jog contract that a single key can detect, with real events, in virtual time.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>
@@ -70,7 +70,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         QTest::mouseMove(s.key, place);
-        QTest::mouseMove(s.key, QPoint(40, 30));  // coming back does not resume
+        QTest::mouseMove(s.key, QPoint(40, 30));  // moving back onto the key does not resume the motion
         s.expectStopped(StopCause::PointerLeft);
         s.expectNewPressMoves();
     }

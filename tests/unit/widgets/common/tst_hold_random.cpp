@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thousand random hands: presses, releases, focus, keys, windows and stalls in any order, in virtual time.
-// Whatever happens, nothing moves without a held key, and a stopped motion never moves again.
+// A thousand random sequences of presses, releases, focus changes, keys, windows and stalls, in virtual time.
+// In all cases nothing moves without a held key, and a stopped motion never moves again.
 #include <QApplication>
 #include <QDialog>
 #include <QHBoxLayout>
@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 using namespace tiller;
 using control::StopCause;
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kExpiryNs = 100 * kNsPerMs;
 
-/// A session by the contract: one slot, a motion expires 100 ms after its last refresh.
+/// A session that follows the contract: one motion slot, and a motion expires 100 ms after its last refresh.
 struct ExpiringSession {
     explicit ExpiringSession(const Clock& clock_) : clock(clock_) {}
 
@@ -29,7 +29,7 @@ struct ExpiringSession {
     std::uint64_t running = 0;
     std::int64_t refreshedNs = 0;
     QSet<std::uint64_t> stopped;
-    bool broken = false;  // a stopped number was taken for alive, or ended twice
+    bool broken = false;  // a stopped motion was held or ended again
 
     bool moving() const { return running != 0 && clock.nowNs() - refreshedNs <= kExpiryNs; }
 
@@ -75,9 +75,9 @@ private Q_SLOTS:
         QWidget window;
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(50, 50, 50, 50);
-        std::array<HoldButton*, 2> keys{};
+        std::array<HoldToRunButton*, 2> keys{};
         for (auto& key : keys) {
-            key = new HoldButton(QStringLiteral("X+"), &window);
+            key = new HoldToRunButton(QStringLiteral("X+"), &window);
             key->setFixedSize(80, 60);
             key->guard().setClock(clock);
             key->setMotion(session.motion());
@@ -92,14 +92,15 @@ private Q_SLOTS:
         QRandomGenerator random(20261121);
         int motions = 0;
         for (int sequence = 0; sequence < 1000; ++sequence) {
-            // What the model says may move: the key pressed last, as long as nothing disturbed it.
+            // The key that may move according to the model: the last one pressed, until something interrupts
+            // it.
             int held = -1;
-            int pressed = -1;  // the key the left button is down on
+            int pressed = -1;  // the key on which the left button is down
             const int length = 2 + static_cast<int>(random.bounded(12U));
             for (int step = 0; step < length; ++step) {
                 const auto action = random.bounded(12U);
                 const auto which = static_cast<int>(random.bounded(2U));
-                HoldButton* key = keys.at(static_cast<std::size_t>(which));
+                HoldToRunButton* key = keys.at(static_cast<std::size_t>(which));
                 switch (action) {
                     case 0:
                     case 1:
@@ -137,7 +138,7 @@ private Q_SLOTS:
                         dialog.hide();
                         break;
                     }
-                    case 8:  // the event loop stands still
+                    case 8:  // the event loop is blocked
                         clock.advanceNs(150 * kNsPerMs);
                         held = -1;
                         break;
@@ -157,7 +158,7 @@ private Q_SLOTS:
                         break;
                 }
                 clock.advanceNs(20 * kNsPerMs);
-                for (HoldButton* each : keys) {
+                for (HoldToRunButton* each : keys) {
                     each->guard().pump();
                 }
                 const QByteArray where = QByteArray("sequence ") + QByteArray::number(sequence) + " step " +

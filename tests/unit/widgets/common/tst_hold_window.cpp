@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stop rules about what happens around the key: focus, windows, dialogs, the application.
+// The stop rules for events around the key: focus, windows, dialogs, the application.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>
@@ -39,7 +39,7 @@ private Q_SLOTS:
         second.show();
         second.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&second));
-        s.expectStopped(StopCause::DialogOpened);  // showing it is enough
+        s.expectStopped(StopCause::DialogOpened);  // showing the dialog is sufficient
     }
 
     void deactivatedWindowStops() {
@@ -86,7 +86,7 @@ private Q_SLOTS:
         VirtualClock clock;
         FakeTarget target;
         QTabWidget tabs;
-        auto* key = new HoldButton(QStringLiteral("X+"));
+        auto* key = new HoldToRunButton(QStringLiteral("X+"));
         key->guard().setClock(clock);
         key->setMotion(target.motion());
         tabs.addTab(key, QStringLiteral("one"));

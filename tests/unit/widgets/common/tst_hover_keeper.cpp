@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A key looks hovered only while the pointer is over it.
+// A key has its hover look only while the pointer is over it.
 
 #include <QApplication>
 #include <QCursor>
@@ -11,7 +11,7 @@
 #include <QTest>
 #include <memory>
 
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/hover_keeper.h"
 
 using namespace tiller;
@@ -21,7 +21,7 @@ namespace {
 struct Bench {
     QWidget window;
     QPushButton key{QStringLiteral("Teach here"), &window};
-    HoldButton hold{QStringLiteral("Home"), &window};
+    HoldToRunButton hold{QStringLiteral("Home"), &window};
     HoverKeeper keeper;
 
     Bench() {

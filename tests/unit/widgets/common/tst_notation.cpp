@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths, speeds and orientations in the units the operator chose: what is shown, and what is typed.
+// Lengths, speeds and orientations are displayed and typed in the units selected by the operator.
 
 #include <QApplication>
 #include <QClipboard>
@@ -10,7 +10,7 @@
 
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/segmented_control.h"
 
 using namespace tiller;
@@ -70,22 +70,22 @@ private Q_SLOTS:
     }
 
     void valueAcceptsEitherDecimalSignAndIgnoresTheWheel() {
-        FigureBox box;
+        DecimalSpinBox box;
         box.setRange(-1000, 1000);
         box.setDecimals(2);
         box.setSuffix(QStringLiteral(" mm"));
         box.show();
         QVERIFY(QTest::qWaitForWindowActive(&box));
         int told = 0;
-        connect(&box, &FigureBox::valueChanged, &box, [&](double) { ++told; });
+        connect(&box, &DecimalSpinBox::valueChanged, &box, [&](double) { ++told; });
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");
-        QCOMPARE(told, 0);  // not before it is finished
+        QCOMPARE(told, 0);  // not before editing is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
-        // Spreadsheets and scripts know the hyphen only; both are taken.
+        // Spreadsheets and scripts use a hyphen only; the box accepts both.
         box.selectAll();
         QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));

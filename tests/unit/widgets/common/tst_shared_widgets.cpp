@@ -18,7 +18,7 @@
 #include <QWheelEvent>
 
 #include "widgets/common/elided_label.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/segmented_control.h"
@@ -130,7 +130,7 @@ private Q_SLOTS:
             teach->setProperty("primary", true);
             row->addWidget(teach);
             row->addWidget(new QPushButton(QStringLiteral("Touch up  U")));
-            row->addWidget(new HoldButton(QStringLiteral("Go to (hold)  G")));
+            row->addWidget(new HoldToRunButton(QStringLiteral("Go to (hold)  G")));
             auto* off = new QPushButton(QStringLiteral("Off"));
             off->setEnabled(false);
             row->addWidget(off);

@@ -3,7 +3,7 @@
 #include <QScrollBar>
 #include <QTest>
 
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 
 using namespace tiller;
 
@@ -13,7 +13,7 @@ class TestSteadyScrollArea : public QObject {
 private:
     /// A wide page with fields at both ends.
     struct Page {
-        SteadyScrollArea area;
+        NoFocusScrollArea area;
         QLineEdit* near = new QLineEdit;
         QLineEdit* far = new QLineEdit;
 

@@ -89,7 +89,7 @@ private Q_SLOTS:
     }
 
     void digitsOfBothFacesHaveOneWidth() {
-        for (const QFont& font : {textFont(15), figureFont(15)}) {
+        for (const QFont& font : {textFont(15), numberFont(15)}) {
             const QFontMetrics metrics(font);
             for (char digit = '1'; digit <= '9'; ++digit) {
                 QCOMPARE(metrics.horizontalAdvance(QLatin1Char(digit)),

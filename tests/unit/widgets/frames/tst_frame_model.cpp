@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames as a table, with every edit undoable on the history of the waypoints.
+// Frames as a table; every edit can be undone in the same history as those of the waypoints.
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -16,7 +16,7 @@
 using namespace tiller;
 using namespace tiller::test;
 using project::Frame;
-using project::Ruling;
+using project::TargetKind;
 using project::Waypoint;
 
 class TestFrameModel : public QObject {
@@ -37,7 +37,7 @@ private Q_SLOTS:
             Waypoint point;
             point.id = QUuid::createUuid();
             point.name = QStringLiteral("place %1").arg(i);
-            point.ruling = i < 2 ? Ruling::Pose : Ruling::Joints;
+            point.ruling = i < 2 ? TargetKind::Pose : TargetKind::Joints;
             const JointPositions q = moved(0, 0.1 * i);
             point.frame = tray_.id;
             cell.waypoints.append(*project::taughtAt(

@@ -27,7 +27,7 @@
 
 using namespace tiller;
 using namespace tiller::test;
-using project::Ruling;
+using project::TargetKind;
 using project::Waypoint;
 
 namespace {
@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         applyNotation(*qApp, {});
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<FramesTab>(*session_, *document_);
         tab_->resize(560, 560);
@@ -354,7 +354,7 @@ private:
             Waypoint point;
             point.id = QUuid::createUuid();
             point.name = QStringLiteral("place %1").arg(i);
-            point.ruling = Ruling::Pose;
+            point.ruling = TargetKind::Pose;
             point.frame = frame(0).id;
             const SessionState ready = liveState(moved(0, 0.05 * i));
             points.push_back(*project::taughtAt(point, ready.q, ready.tcpPose, {}, document_->frames()));

@@ -82,7 +82,7 @@ struct Bench : WrittenPort {
         if (!QTest::qWaitForWindowActive(&window)) {
             qFatal("the window did not become active");
         }
-        stick.shape.deadManName = QStringLiteral("left shoulder");
+        stick.shape.deadManName = QStringLiteral("left bumper");
         stick.shape.exponent = 2.2;
         stick.shape.kind = kGamepadKind;
         devices.addSource(std::make_unique<FakeSource>(stick));
@@ -220,7 +220,7 @@ private Q_SLOTS:
 
     void aDeviceThatHangsWhileDeflectedStopsTheArm() {
         Bench b;
-        QSignalSpy silent(&b.devices, &DeviceJog::fellSilent);
+        QSignalSpy silent(&b.devices, &DeviceJog::stoppedReporting);
         b.devices.use(b.device());
         b.push(0, 0.0);
         b.push(0, 1.0);
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
         QVERIFY2(b.devices.used() == b.device(), "it is still there");
-        // When it is back, the stick has to be released first.
+        // When the driver responds again, the stick has to be released first.
         b.stick.reading.fresh = true;
         b.run(100);
         QCOMPARE(b.next, 1U);
@@ -325,8 +325,8 @@ private Q_SLOTS:
         QCOMPARE(b.next, 2U);
         QVERIFY(std::abs(b.targets.last().twist.linear.x() - 0.025) < 1e-9);
         b.devices.tune(kGamepadKind, {-1, 99, false});
-        QCOMPARE(b.devices.shape(*b.device()).deadZone, DeviceTuning::kLeastDeadZone);
-        QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMostExponent);
+        QCOMPARE(b.devices.shape(*b.device()).deadZone, DeviceTuning::kMinDeadZone);
+        QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMaxExponent);
     }
 
     void theStopKeyStopsAndAsksForNeutral() {
@@ -392,7 +392,7 @@ private Q_SLOTS:
         b.devices.use(b.devices.devices().back().get());
         pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         b.run(50);
-        // A hand that holds the stick deflected and trembles.
+        // A stick held deflected by a hand with a slight tremor.
         for (int i = 0; i < 30; ++i) {
             pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
             b.run(100);
@@ -450,7 +450,7 @@ private Q_SLOTS:
         QCOMPARE(now->axes[0], 1.0);
         QCOMPARE(now->axes[1], 1.0);
         QVERIFY(now->deadMan && !now->stop);
-        QVERIFY(pad->shape().silenceAtMost <= std::chrono::seconds(2));
+        QVERIFY(pad->shape().maxReportInterval <= std::chrono::seconds(2));
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
         SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_B, 1);
         now = pad->read();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten thousand random sequences of what a hand, a keyboard and a window system can do, with every way of
-// holding at once and in any order: keys under any modifier and layout, events that get lost or come late,
-// wheels, focus, windows, dialogs, devices, a frozen display. 250 ms after the last of what held a motion
-// was let go, it does not move; short steps end by themselves, and by any stop. Nothing that was stopped
-// moves again.
+// Ten thousand random sequences of operator inputs and window system events, with all kinds of input in
+// parallel and in any order: keys with any modifier and layout, lost and late events, wheels, focus, windows,
+// dialogs, devices, a frozen display. A motion has stopped 250 ms after the release of the last input that
+// held it; short steps end by themselves, and by any stop. No stopped motion moves again.
 #include <QDialog>
 #include <QRandomGenerator>
 #include <QWheelEvent>
@@ -20,14 +19,14 @@ using control::StopCause;
 
 namespace {
 
-// In parts, so that a slow machine does not run into the time Qt gives one test function.
+// Divided into parts, so that a slow machine does not exceed Qt's time limit for a test function.
 constexpr int kParts = 10;
-constexpr int kSequences = 1000;  // a part
+constexpr int kSequences = 1000;  // per part
 constexpr quint32 kSeed = 20261122;
 constexpr std::int64_t kBoundNs = 250 * kNsPerMs;
 constexpr std::int64_t kStepNs = 400 * kNsPerMs;
 
-/// A key of the keyboard, and what layouts and modifiers make of it.
+/// A physical key, and the key codes that layouts and modifiers produce from it.
 struct KeyOfTheKeyboard {
     quint32 code;
     std::vector<int> names;
@@ -56,7 +55,7 @@ const std::vector<KeyOfTheKeyboard> kModifiers = {{scan::kShift, {Qt::Key_Shift}
                                                   {108, {Qt::Key_AltGr}},
                                                   {scan::kNumLock, {Qt::Key_NumLock}}};
 
-/// Physical things that can be down.
+/// Physical keys and buttons that can be down.
 enum : quint32 { kMouse = 100'000, kFinger, kStick };
 
 class Random {
@@ -73,7 +72,7 @@ private:
     QRandomGenerator generator_;
 };
 
-/// The world around the window, which alone knows what is really held.
+/// The environment of the window; only this class knows which keys are really held.
 class World {
 public:
     explicit World(quint32 seed) : random(seed) { h.gamepad = DeviceReading(); }
@@ -82,7 +81,7 @@ public:
     Random random;
     int motions = 0;
     QString wrong;
-    QStringList done;  ///< of this sequence, for the report
+    QStringList done;  ///< of the current sequence, for the failure report
 
     void sequence() {
         done.clear();
@@ -95,7 +94,7 @@ public:
         }
         letEverythingGo();
         advance(static_cast<int>(kBoundNs / kNsPerMs) + 20);
-        // Nothing is held: what still moves is at most the last of a short step.
+        // Nothing is held: only the rest of a short step may still move.
         if (h.arm.moves() && !isStep_) {
             fail(QStringLiteral("still moves with nothing held"));
         }
@@ -110,7 +109,7 @@ private:
         }
     }
 
-    // ---- what is really held -----------------------------------------------------------------------------
+    // ---- keys that are really held -----------------------------------------------------------------------
 
     void goesDown(quint32 what) {
         down_.insert(what);
@@ -120,12 +119,12 @@ private:
     }
     void goesUp(quint32 what) {
         down_.erase(what);
-        look();  // a motion that began meanwhile is held by what was down until now
+        look();  // a motion that began in the meantime is held by everything that was down until now
         if (holders_.erase(what) > 0 && holders_.empty()) {
             letGoNs_ = h.clock.nowNs();
         }
     }
-    /// A motion has begun: everything that is down may hold it.
+    /// When a motion has begun, everything that is down may be holding it.
     void look() {
         if (h.arm.next != seen_) {
             seen_ = h.arm.next;
@@ -149,7 +148,7 @@ private:
         }
     }
 
-    /// What the window system tells: at once, late (the display is frozen), or never.
+    /// Delivers a window system event: at once, late (the display is frozen), or never.
     void tell(const std::function<void()>& event, bool mayGetLost = false) {
         if (mayGetLost && random.oneIn(6)) {
             done << QStringLiteral("(lost)");
@@ -170,7 +169,7 @@ private:
         }
     }
 
-    // ---- what happens ------------------------------------------------------------------------------------
+    // ---- actions ----------------------------------------------------------------------------------------
 
     void act() {
         switch (random.below(24)) {
@@ -216,7 +215,7 @@ private:
         }
     }
     QWidget& anyKey() {
-        const QVector<HoldButton*> keys = h.keys();
+        const QVector<HoldToRunButton*> keys = h.keys();
         return *keys[random.below(static_cast<int>(keys.size()))];
     }
     void pressMouse() {
@@ -314,7 +313,7 @@ private:
     void releaseKey(bool mayGetLost) {
         for (const KeyOfTheKeyboard& key : kKeyboard) {
             if (down_.contains(key.code) && (!mayGetLost || random.oneIn(2))) {
-                const int name = random.of(key.names);  // another layout or modifier by now
+                const int name = random.of(key.names);  // the layout or modifier may have changed
                 done << QStringLiteral("up %1 as %2").arg(key.code).arg(name, 0, 16);
                 goesUp(key.code);
                 keyEvent(QEvent::KeyRelease, key.code, name, mayGetLost);
@@ -367,7 +366,7 @@ private:
     void leaveWindow() {
         done << QStringLiteral("window left");
         QApplication::setActiveWindow(nullptr);
-        // Releases go to whoever is there now.
+        // Releases go to the window that is active now.
         if (random.oneIn(2)) {
             goesUpUnseen();
         }
@@ -426,10 +425,10 @@ private:
                 return sendKey(h.window, QEvent::KeyRelease, 98, Qt::Key_Right);
             default:
                 done << QStringLiteral("greyed");
-                for (HoldButton* key : h.keys()) {
+                for (HoldToRunButton* key : h.keys()) {
                     key->setUnavailable(QStringLiteral("Protective stop"));
                 }
-                for (HoldButton* key : h.keys()) {
+                for (HoldToRunButton* key : h.keys()) {
                     key->setUnavailable({});
                 }
         }
@@ -478,8 +477,8 @@ private:
 
     std::set<quint32> down_;
     std::set<quint32> modifiersDown_;
-    std::set<quint32> holders_;  ///< of what is down: what may hold the motion under way
-    std::int64_t letGoNs_ = 0;   ///< when the last of them went up
+    std::set<quint32> holders_;  ///< the subset of down_ that may hold the current motion
+    std::int64_t letGoNs_ = 0;   ///< time at which the last holder was released [ns]
     std::uint64_t seen_ = 0;
     bool isStep_ = false;
     QWidget* pressedOn_ = nullptr;
@@ -503,7 +502,7 @@ private Q_SLOTS:
     void nothingMovesThatNobodyHolds() {
         QFETCH(quint32, seed);
         World world(seed);
-        // Nobody looks.
+        // No painting is needed.
         world.h.window.setUpdatesEnabled(false);
         for (int sequence = 0; sequence < kSequences; ++sequence) {
             world.sequence();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every rule of the rule book for every way of holding: pad, joint keys, Go to, Go through, Back, Align, Home, Freedrive,
-// by mouse, finger and keyboard, the armed keyboard, gamepad and SpaceMouse.
+// Every hold rule for every kind of input: pad, joint keys, Go to, Run route, Back, Align, Home and
+// Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
 #include <QDialog>
 #include <QMenu>
 #include <QSignalSpy>
@@ -25,15 +25,15 @@ struct Way {
     const char* key;      ///< on the screen, or null
     quint32 code = 0;     ///< of the keyboard
     int meaning = 0;      ///< of that key
-    double seconds = 20;  ///< the longest hold; 0: of a move
+    double seconds = 20;  ///< maximum hold time [s]; 0: that of a move
 };
 const Way kWays[] = {
     {"pad", By::Mouse, "jog.X+"},
     {"joint key", By::Mouse, "joint.2.minus"},
     {"Go to", By::Mouse, "waypoint.goTo", 0, 0, 0},
-    {"Go through", By::Mouse, "waypoint.goThrough", 0, 0, 0},
+    {"Run route", By::Mouse, "waypoint.goThrough", 0, 0, 0},
     {"Step on", By::Mouse, "waypoint.stepOn", 0, 0, 0},
-    {"Go through by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
+    {"Run route by finger", By::Finger, "waypoint.goThrough", 0, 0, 0},
     {"Back", By::Mouse, "backKey", 0, 0, 0},
     {"Align", By::Mouse, "alignKey", 0, 0, 0},
     {"Home", By::Mouse, "homeKey", 0, 0, 0},
@@ -66,14 +66,14 @@ bool isAny(By) {
     return true;
 }
 
-/// Each rule: for which ways it is, and what a hand or the world does that it is for.
+/// One rule: the kinds of input it applies to, and the stop cause it reports.
 struct Trial {
     const char* rule;
     bool (*isFor)(By);
     StopCause cause;
 };
 const Trial kTrials[] = {
-    {"let go", isAny, StopCause::Released},
+    {"the key is released", isAny, StopCause::Released},
     {"pointer leaves the key", [](By by) { return by == By::Mouse || by == By::Finger; },
      StopCause::PointerLeft},
     {"the key is pressed again", [](By by) { return by == By::Finger || by == By::Stick; },
@@ -88,9 +88,9 @@ const Trial kTrials[] = {
     {"a touch anywhere", isAny, StopCause::SecondButton},
     {"a pen anywhere", isAny, StopCause::SecondButton},
     {"the touch is cancelled", [](By by) { return by == By::Finger; }, StopCause::DeviceLost},
-    {"the key is greyed", isKeyOfTheScreen, StopCause::ControlLost},
+    {"the key is disabled", isKeyOfTheScreen, StopCause::ControlLost},
     {"the key is hidden", isKeyOfTheScreen, StopCause::SelectionChanged},
-    {"the key is moved elsewhere", isKeyOfTheScreen, StopCause::WindowClosed},
+    {"the key is moved", isKeyOfTheScreen, StopCause::WindowClosed},
     {"the key loses the focus", isKeyOfTheScreen, StopCause::FocusLost},
     {"an editor gets the focus", isAny, StopCause::FocusLost},
     {"the window is left", isAny, StopCause::WindowDeactivated},
@@ -103,18 +103,19 @@ const Trial kTrials[] = {
     {"the application is left", isAny, StopCause::WindowDeactivated},
     {"the application is inactive", isAny, StopCause::WindowDeactivated},
     {"the application quits", isAny, StopCause::WindowClosed},
-    {"the event loop stood still", isAny, StopCause::EventLoopStalled},
+    {"the event loop is stalled", isAny, StopCause::EventLoopStalled},
     {"the device is not read", [](By by) { return by == By::Stick; }, StopCause::DeviceLost},
-    {"the finger says nothing", [](By by) { return by == By::Finger; }, StopCause::HoldUnproven},
-    {"the witness says it is up", [](By by) { return by == By::Mouse || isByKeys(by); }, StopCause::Released},
-    {"the witness says nothing", [](By by) { return by == By::Mouse || isByKeys(by); },
+    {"the touch is not refreshed", [](By by) { return by == By::Finger; }, StopCause::HoldUnproven},
+    {"the key-state check reports a release", [](By by) { return by == By::Mouse || isByKeys(by); },
+     StopCause::Released},
+    {"the key-state check does not respond", [](By by) { return by == By::Mouse || isByKeys(by); },
      StopCause::HoldUnproven},
     {"held for too long", isAny, StopCause::HeldTooLong},
 };
 const char* const kBeginRules[] = {"no press in an inactive window", "no device while a dialog is open",
-                                   "no second hand", "no press while the witness is mute"};
+                                   "no second input", "no press while the key-state check does not respond"};
 
-/// One event of that type and nothing else: what the rule alone sees.
+/// Sends an event of this type only, so that no other rule sees it.
 void send(QObject& to, QEvent::Type type) {
     QEvent event(type);
     QApplication::sendEvent(&to, &event);
@@ -129,10 +130,10 @@ public:
         h.window.setFocus();
         if (way_.by == By::Stick) {
             h.devices.use(h.device(QLatin1String(way_.key)));
-            h.advance(20);  // it lies still
+            h.advance(20);  // the stick is at rest
         }
     }
-    /// "Go to" has its key always; the other keys count only while they are armed.
+    /// "Go to" always has its key; the other keys work only while the keyboard is armed.
     bool needsArming() const { return isByKeys(way_.by) && way_.meaning != Qt::Key_G; }
     void press() {
         switch (way_.by) {
@@ -170,7 +171,7 @@ public:
                 break;
         }
     }
-    /// Time goes on with the hand on the key, finger and stick trembling as they do.
+    /// Advances time with the key held. A finger produces small touch updates, as in reality.
     void hold(int ms) {
         for (int t = 0; t < ms; t += 20) {
             if (way_.by == By::Finger && h.arm.moves()) {
@@ -179,7 +180,7 @@ public:
             h.advance(20);
         }
     }
-    HoldButton& key() { return h.key(way_.key); }
+    HoldToRunButton& key() { return h.key(way_.key); }
     std::optional<DeviceReading>& stick() {
         return QLatin1String(way_.key) == kGamepadKind ? h.gamepad : h.spaceMouse;
     }
@@ -192,7 +193,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     Hands& h = holder.h;
     const Way& way = holder.way_;
     QWidget& elsewhere = *h.edit;
-    if (rule == "let go") {
+    if (rule == "the key is released") {
         holder.letGo();
     } else if (rule == "pointer leaves the key" && way.by == By::Mouse) {
         const QPointF at(-31, 5);
@@ -206,15 +207,15 @@ void provoke(const QByteArray& rule, Holder& holder) {
             .stationary(0)
             .press(1, holder.key().rect().center() + QPoint(4, 4), &holder.key());
     } else if (rule == "the key is pressed again") {
-        // The stick moves the arm, and an arrow of the keyboard is pressed: a second hand.
+        // The stick moves the arm, and an arrow key is pressed: a second hand.
         h.keyboard.setArmed(true);
         h.physicalKey(QEvent::KeyPress, scan::kRight, Qt::Key_Right);
     } else if (rule == "another key of the keyboard") {
-        // For the armed keyboard: the opposite of what is held.
+        // For the armed keyboard: the key of the opposite direction.
         h.physicalKey(QEvent::KeyPress, 117, Qt::Key_PageDown);
     } else if (rule == "a modifier of the keyboard") {
         if (way.meaning == Qt::Key_G) {
-            h.key("waypoint.goTo").guard().tell(HoldNews::Kind::Modifier);
+            h.key("waypoint.goTo").guard().tell(HoldEvent::Kind::Modifier);
         } else {
             h.physicalKey(QEvent::KeyPress, scan::kShift, Qt::Key_Shift, {Qt::ShiftModifier});
         }
@@ -227,7 +228,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "a press on a window's frame") {
         send(h.window, QEvent::NonClientAreaMouseButtonPress);
     } else if (rule == "a touch anywhere") {
-        // Where touches count at all: on another key. Elsewhere the window system makes a mouse of them.
+        // Touches count only on another key. Elsewhere the window system converts them to mouse events.
         QTouchEvent touch(QEvent::TouchBegin, h.screen.get());
         QApplication::sendEvent(&h.key("jog.Ry-"), &touch);
     } else if (rule == "a pen anywhere") {
@@ -235,9 +236,9 @@ void provoke(const QByteArray& rule, Holder& holder) {
                          Qt::LeftButton);
         QApplication::sendEvent(&elsewhere, &pen);
     } else if (rule == "the touch is cancelled") {
-        // The key hears it as the end of the touch as well; the filter hears it first.
+        // The key also receives this as the end of the touch; the event filter receives it first.
         send(holder.key(), QEvent::TouchCancel);
-    } else if (rule == "the key is greyed") {
+    } else if (rule == "the key is disabled") {
         QEvent event(QEvent::EnabledChange);
         holder.key().blockSignals(true);
         holder.key().setAttribute(Qt::WA_Disabled, true);
@@ -246,7 +247,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         holder.key().blockSignals(false);
     } else if (rule == "the key is hidden") {
         send(holder.key(), QEvent::Hide);
-    } else if (rule == "the key is moved elsewhere") {
+    } else if (rule == "the key is moved") {
         send(holder.key(), QEvent::ParentChange);
     } else if (rule == "the key loses the focus") {
         QFocusEvent event(QEvent::FocusOut, Qt::OtherFocusReason);
@@ -255,7 +256,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
         QApplication::sendEvent(&elsewhere, &event);
     } else if (rule == "the window is left") {
-        // Any window of the program: with a dock floating, another one may be the active one.
+        // Any window of the program: with a floating dock, another window may be the active one.
         QWidget other;
         send(other, QEvent::WindowDeactivate);
     } else if (rule == "the window loses the focus") {
@@ -282,24 +283,24 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "the application is inactive") {
         Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
     } else if (rule == "the application quits") {
-        // To an object that does nothing about it.
+        // To an object that does not handle the event.
         QObject other;
         send(other, QEvent::Quit);
-    } else if (rule == "the event loop stood still") {
+    } else if (rule == "the event loop is stalled") {
         h.clock.advanceNs(101 * kNsPerMs);
-        // The arm must not end it first: it would, by its own time to live.
+        // Refreshes the motion of the arm, which would otherwise expire first.
         h.arm.refreshedNs = h.clock.nowNs();
         h.pump();
     } else if (rule == "the device is not read") {
         h.devicesRead = false;
         h.advance(140);
-    } else if (rule == "the finger says nothing") {
+    } else if (rule == "the touch is not refreshed") {
         h.advance(2100);
-    } else if (rule == "the witness says it is up") {
+    } else if (rule == "the key-state check reports a release") {
         h.witness.leftDown = false;
         h.witness.keysDown.clear();
         h.advance(20);
-    } else if (rule == "the witness says nothing") {
+    } else if (rule == "the key-state check does not respond") {
         h.witness.freeze(true);
         h.advance(120);
     } else if (rule == "held for too long") {
@@ -355,7 +356,7 @@ private Q_SLOTS:
         }
         QCOMPARE(hands.arm.ends.value(0), kTrials[trial].cause);
         QVERIFY(!hands.arm.moves());
-        // The hand is still there, or comes back: nothing moves before a new press.
+        // The key is still held, or held again: nothing moves before a new press.
         const std::uint64_t begun = hands.arm.next;
         hands.devicesRead = true;
         hands.witness.freeze(false);
@@ -377,7 +378,7 @@ private Q_SLOTS:
         Holder holder(hands, kWays[way]);
         holder.prepare();
         holder.press();
-        // A move takes at least the 5 s that it has besides its time.
+        // A move may take at least 5 s in addition to its calculated time.
         const double seconds = kWays[way].seconds == 0 ? 5 : kWays[way].seconds;
         holder.hold(static_cast<int>(seconds * 1000) - 100);
         QVERIFY(hands.arm.moves());
@@ -418,9 +419,9 @@ private Q_SLOTS:
         holder.prepare();
         QApplication::setActiveWindow(nullptr);
         if (isByKeys(kWays[way].by)) {
-            // Its keys do not come here at all then; a guard that is asked all the same refuses.
+            // Its keys are not delivered then; a guard that receives a press nevertheless refuses it.
             QVERIFY(kWays[way].key == nullptr ||
-                    !holder.key().guard().press({Grip::By::Keys, {kWays[way].code}}));
+                    !holder.key().guard().press({HoldSource::By::Keys, {kWays[way].code}}));
         } else {
             holder.press();
         }
@@ -450,7 +451,7 @@ private Q_SLOTS:
             popup.popup(hands.window.mapToGlobal(QPoint(0, 0)));
         } else {
             dialog.show();
-            hands.activate();  // not modal: the window may be the active one
+            hands.activate();  // not modal: the main window may be the active one
         }
         hands.keyboard.setArmed(holder.needsArming());
         holder.press();
@@ -477,7 +478,8 @@ private Q_SLOTS:
             for (int second = 0; second < kWayCount; ++second) {
                 const Way& a = kWays[first];
                 const Way& b = kWays[second];
-                // One mouse, one stick at a time; a key of the screen held twice is another rule.
+                // There is only one mouse and one stick; the same screen key held twice is covered by another
+                // rule.
                 const bool same = (a.by == b.by && (a.by == By::Mouse || a.by == By::Stick)) ||
                                   (a.key != nullptr && b.key != nullptr && qstrcmp(a.key, b.key) == 0) ||
                                   (code(a) != 0 && code(a) == code(b));
@@ -503,7 +505,7 @@ private Q_SLOTS:
         QVERIFY2(!hands.arm.moves(), "two hands at once are no plain holding");
         QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::SecondButton});
         hands.advance(100);
-        // Neither goes on alone.
+        // Neither input continues the motion alone.
         other.letGo();
         hands.advance(100);
         one.letGo();
@@ -520,7 +522,7 @@ private Q_SLOTS:
         holder.prepare();
         holder.press();
         QSignalSpy refused(&hands.key("homeKey").guard(), &HoldGuard::refused);
-        QVERIFY(!hands.key("homeKey").guard().press({Grip::By::Keys, {scan::kHome}}));
+        QVERIFY(!hands.key("homeKey").guard().press({HoldSource::By::Keys, {scan::kHome}}));
         QCOMPARE(refused.count(), 1);
         QCOMPARE(hands.arm.next, 1U);
     }
@@ -554,7 +556,7 @@ private Q_SLOTS:
     }
 
     void theWitnessHasTimeToAnswerTheFirstQuestion() {
-        // The press comes before the answer to a question put after it.
+        // The first press starts the motion before the key-state check has answered.
         Hands hands;
         Holder holder(hands, wayOf("pad"));
         holder.prepare();
@@ -575,7 +577,7 @@ private Q_SLOTS:
         Holder holder(hands, wayOf("pad"));
         holder.prepare();
         holder.press();
-        hands.witness.leftDown = false;  // a tap: up before anybody asks
+        hands.witness.leftDown = false;  // a tap: released before the first key-state check
         hands.advance(100);
         QVERIFY(hands.arm.moves());
         holder.letGo();
@@ -608,12 +610,12 @@ private Q_SLOTS:
         QVERIFY(!hands.arm.moves());
         const double seconds = static_cast<double>(hands.arm.movedNs - from) / kNsPerSecond;
         QVERIFY(seconds <= 2.03);
-        QVERIFY2(metresPerSecond * seconds <= HoldBounds::kSilentLength + metresPerSecond * 0.03,
+        QVERIFY2(metresPerSecond * seconds <= HoldBounds::kUnconfirmedLength + metresPerSecond * 0.03,
                  qPrintable(QString::number(metresPerSecond * seconds)));
     }
 
     void oneHandDoesNotLetGoForAnother() {
-        // A stick that was stopped while pushed out does not begin again because a key was tapped.
+        // A stick that was stopped while deflected does not start again because a key was tapped.
         Hands hands;
         Holder stick(hands, wayOf("gamepad"));
         stick.prepare();

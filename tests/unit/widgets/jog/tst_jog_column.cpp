@@ -217,7 +217,7 @@ private Q_SLOTS:
         JogScene s;
         s.column.selectors().setFreeStep({0.05, 0.1});
         QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
-        QSignalSpy gone(&s.column, &JogColumn::ghostGone);
+        QSignalSpy gone(&s.column, &JogColumn::ghostHidden);
         QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
         QApplication::sendEvent(s.key("jog.Z+"), &enter);
         QCOMPARE(wanted.count(), 1);
@@ -233,7 +233,7 @@ private Q_SLOTS:
     void aGhostUnderTheRestingPointerGoesWithControl() {
         JogScene s;
         QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
-        QSignalSpy gone(&s.column, &JogColumn::ghostGone);
+        QSignalSpy gone(&s.column, &JogColumn::ghostHidden);
         QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
         QApplication::sendEvent(s.key("homeKey"), &enter);
         QCOMPARE(wanted.count(), 1);

@@ -154,7 +154,7 @@ private Q_SLOTS:
         auto* pad = s.column.findChild<JogPad*>();
         QVERIFY(!pad->reason().isEmpty());
         QVERIFY(pad->findChild<QWidget*>(QStringLiteral("jogReason"))->isVisible());
-        for (HoldButton* key : s.column.holdKeys()) {
+        for (HoldToRunButton* key : s.column.holdKeys()) {
             QVERIFY2(!key->isEnabled(), qPrintable(key->objectName()));
             QVERIFY(!key->toolTip().isEmpty());
             QTest::mousePress(key, Qt::LeftButton);
@@ -180,7 +180,7 @@ private Q_SLOTS:
         JogColumn column(port);
         column.applyState(readyState());
         QSignalSpy refused(&column, &JogColumn::refused);
-        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
+        auto* key = column.findChild<HoldToRunButton*>(QStringLiteral("jog.X+"));
         QTest::mousePress(key, Qt::LeftButton);
         QTest::mouseRelease(key, Qt::LeftButton);
         QCOMPARE(refused.count(), 1);
@@ -193,7 +193,7 @@ private Q_SLOTS:
         JogColumn column(session);
         column.show();
         QVERIFY(!column.findChild<JogPad*>()->reason().isEmpty());
-        auto* key = column.findChild<HoldButton*>(QStringLiteral("jog.X+"));
+        auto* key = column.findChild<HoldToRunButton*>(QStringLiteral("jog.X+"));
         QTest::mousePress(key, Qt::LeftButton);
         QVERIFY(!column.isHolding());
         QTest::mouseRelease(key, Qt::LeftButton);
@@ -290,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // Both fit on a screen of 1600 x 900.
+    // Joints and pose fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The armed keyboard follows physical keys by scan code from press to release, whatever modifier, lock key or
-// layout changes in between; events that do not fit end the motion.
+// The armed keyboard follows physical keys by scan code from press to release, even if modifiers, lock keys
+// or the layout change in between; unexpected events end the motion.
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>
@@ -9,7 +9,7 @@
 
 #include "tests/support/key_events.h"
 #include "tests/support/written_port.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/jog/keyboard_jog.h"
 
 using namespace tiller;
@@ -23,15 +23,15 @@ struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
-    HoldButton home{QStringLiteral("Home"), &window};
-    HoldButton freedrive{QStringLiteral("Freedrive"), &window};
+    HoldToRunButton home{QStringLiteral("Home"), &window};
+    HoldToRunButton freedrive{QStringLiteral("Freedrive"), &window};
     QLineEdit text{&window};
     AxisJog jog{port, selection, [] { return QString(); }, &window};
     KeyboardJog keyboard{jog, window};
 
     Bench() {
         auto* layout = new QVBoxLayout(&window);
-        for (HoldButton* key : {&home, &freedrive}) {
+        for (HoldToRunButton* key : {&home, &freedrive}) {
             key->setMotion({.begin = [this]() -> Result<HoldMotion::Id> { return running = ++next; },
                             .hold = port.hold,
                             .end = port.endMotion,
@@ -126,7 +126,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
-        // The next arrow key does not turn.
+        // The next arrow key does not start a rotation.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
         b.up(scan::kRight, Qt::Key_Right);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The limit that stops the arm is shown on one line and the way out of it on the next, without truncation at any
-// column width.
+// One line shows the limit that stops the arm, the next one the direction away from it, without truncation at
+// any column width.
 #include <QApplication>
 #include <QTest>
 #include <numbers>
@@ -18,7 +18,7 @@ class TestLimiterLine : public QObject {
     Q_OBJECT
 
 private:
-    /// One state per limit that the line can name.
+    /// Returns one state per limit that the line can show.
     static QList<QPair<QByteArray, SessionState>> limits() {
         using control::LimiterKind;
         QList<QPair<QByteArray, SessionState>> out;

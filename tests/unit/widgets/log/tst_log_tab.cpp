@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/log/log_model.h"
@@ -135,7 +135,7 @@ private Q_SLOTS:
     }
 
     void filtersWithoutMatchesAreReported() {
-        const auto* nothing = tab_->findChild<NothingFound*>("log.table.nothingFound");
+        const auto* nothing = tab_->findChild<EmptyState*>("log.table.nothingFound");
         QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
         tab_->append(Severity::Info, "Jog stopped: released");
         auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
@@ -232,7 +232,7 @@ private Q_SLOTS:
         }
     }
 
-    // Messages that arrived while another page was shown are the ones the operator returns for.
+    // Messages that arrived while another page was shown are the ones that the operator needs to see.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));

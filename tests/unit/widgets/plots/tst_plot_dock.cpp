@@ -42,7 +42,7 @@
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/comparison_dialog.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_layout.h"
@@ -152,7 +152,7 @@ struct Bench {
         QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(view().viewport(), &drop);
     }
-    /// Chooses an action from the context menu at a place of the view.
+    /// Chooses an action from the context menu at a position in the view.
     void menuAt(const QPointF& place, const char* action) {
         QContextMenuEvent event(QContextMenuEvent::Mouse, place.toPoint(),
                                 view().viewport()->mapToGlobal(place.toPoint()));
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QVERIFY2(b.readout().startsWith("A–B Δt −9.800 s · ΔFz −9.8 N"), qPrintable(b.readout()));
     }
 
-    /// Anywhere in a plot including its upper edge, except on a name in the legend.
+    /// A click anywhere in a plot, including its upper edge, but not on a name in the legend.
     void aClickAnywhereInAPlotPlacesACursor() {
         Bench b;
         b.view().pause();
@@ -378,7 +378,7 @@ private Q_SLOTS:
         QTest::mouseDClick(b.view().viewport(), Qt::LeftButton, {}, axis.toPoint());
         QVERIFY(!b.forces().isZoomed());
         QVERIFY(b.forces().range().max() - b.forces().range().min() > span * 0.9);
-        // With Ctrl anywhere over a plot, and by keys for the plot with the active signal.
+        // The wheel with Ctrl zooms anywhere over a plot, and keys zoom the plot with the active signal.
         b.wheelAt(b.view().panes()[1]->area().center(), 1, Qt::ControlModifier);
         QVERIFY(b.view().panes()[1]->isZoomed());
         QVERIFY(!b.forces().isZoomed());
@@ -411,7 +411,7 @@ private Q_SLOTS:
         QFile picture(folder.filePath("zeroed.svg"));
         QVERIFY(picture.open(QIODevice::ReadOnly));
         QVERIFY(picture.readAll().contains("Zeroed"));
-        // Back to the original value.
+        // Switching the offset off restores the original values.
         QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
         QVERIFY(!b.button("plots.zero")->isChecked());
         QVERIFY(b.view().zeroText().isEmpty());
@@ -419,7 +419,7 @@ private Q_SLOTS:
         QVERIFY2(b.readout().contains("Fz +60.0 N"), qPrintable(b.readout()));
     }
 
-    // Another robot has a tool of another weight.
+    // The zero offset is not kept, because another robot may have a tool of another weight.
     void anotherRobotIsNotZeroed() {
         Bench b;
         QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
@@ -482,7 +482,7 @@ private Q_SLOTS:
             std::vector<std::unique_ptr<Curve>> curves;
             curves.push_back(std::make_unique<Curve>(0));
             curves[0]->setPen(QPen(Qt::red, 2));
-            CurveSheet sheet(curves, nullptr);
+            CurveRaster sheet(curves, nullptr);
             ColumnGrid grid;
             const double t0 = 2.0 - span / 2;
             history.cut(t0, span / 200, 200, grid);
@@ -929,7 +929,7 @@ private Q_SLOTS:
         for (const char* torque : {"actual_TCP_force_3", "actual_TCP_force_4", "actual_TCP_force_5"}) {
             QVERIFY2(b.forces().shows(b.id(torque)), torque);
         }
-        // By keyboard alone.
+        // Operation by keyboard alone.
         b.list("joint positions shoulder");
         const QModelIndex shoulder = b.rowOf("Shoulder");
         QVERIFY(shoulder.isValid());
@@ -1052,7 +1052,7 @@ private Q_SLOTS:
         QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
         QVERIFY(&b.view() == first);
         QCOMPARE(b.view().cursor(PlotView::Cursor::B).value(), 56.0);
-        // Saving and restoring gives the same plots.
+        // Saving and restoring reproduces the same plots.
         const QByteArray kept = b.dock.arrangement();
         PlotDock another(b.session);
         another.arrange(kept);
@@ -1291,7 +1291,7 @@ private Q_SLOTS:
         const int force = store.find("yesterday.csv/actual_TCP_force_2");
         QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
         QCOMPARE(store.info(force).longLabel, QString("Fz"));
-        // It ends at the end of the history and is shown completely.
+        // The recording ends at the end of the history and is shown completely.
         const double end = b.dock.history().lastTime();
         QVERIFY(near(b.view().window().end(), end, 0.01));
         QVERIFY(near(b.view().window().span(), 11.998, 0.01));
@@ -1309,7 +1309,7 @@ private Q_SLOTS:
         b.dock.setSignalsShown(true);
         b.list("yesterday");
         QVERIFY(b.rowOf("yesterday.csv").isValid());
-        // Once more, starting at cursor A.
+        // The same file is opened again, starting at cursor A.
         b.view().setCursor(PlotView::Cursor::A, 50.0);
         b.dock.openRecording(path);
         QTRY_COMPARE(b.dock.pages().count(), 3);
@@ -1372,11 +1372,11 @@ private Q_SLOTS:
         answer(2, "UR5e");
         action->trigger();
         QCOMPARE(asked, 1);
-        QTRY_COMPARE(band->words(), QString("The arm moved as the model of a UR5e does"));
+        QTRY_COMPARE(band->words(), QString("The motion matches the model of a UR5e"));
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
-        QSignalSpy parted(&b.dock, &PlotDock::partedFromModel);
+        QSignalSpy parted(&b.dock, &PlotDock::deviatedFromModel);
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(asked, 2);
@@ -1399,7 +1399,7 @@ private Q_SLOTS:
         QVERIFY(key->isVisible());
         QCOMPARE(key->text(), QString("Cancel"));
         QTest::mouseClick(key, Qt::LeftButton);
-        QTRY_COMPARE(band->words(), QString("Not compared with the model of the arm."));
+        QTRY_COMPARE(band->words(), QString("Not compared with the arm model."));
         QCOMPARE(parted.count(), 1);
 
         // The result belongs to that page only.
@@ -1429,7 +1429,7 @@ private Q_SLOTS:
         QCOMPARE(dock.store().valueAt(pressure, 1.5).value(), 4.0);
         QCOMPARE(dock.view().window().start(), 0.0);
         QVERIFY(dock.view().panes()[0]->curves()[0]->range() == (MinMax{1, 4}));
-        // Not saved for the next start: an empty page named after a file is useless.
+        // The page is not saved for the next start: an empty page named after a file is useless.
         PlotDock next(session);
         next.arrange(dock.arrangement());
         QCOMPARE(next.pages().count(), 1);

@@ -24,7 +24,7 @@
 #include "tests/support/sample_stream.h"
 #include "widgets/plots/axis_range.h"
 #include "widgets/plots/curve.h"
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_layout.h"
 #include "widgets/plots/time_window.h"
 
@@ -238,7 +238,7 @@ private Q_SLOTS:
         }
         curves.front()->setPen(pen);
         QGraphicsScene scene;
-        auto* const sheet = new CurveSheet(curves, nullptr);
+        auto* const sheet = new CurveRaster(curves, nullptr);
         scene.addItem(sheet);
         std::uniform_real_distribution<double> exponent(std::log(2.0), std::log(kSamples * kStep));
         ColumnGrid grid;
@@ -261,7 +261,8 @@ private Q_SLOTS:
                 if (column < 1 || column > kColumns - 2) {
                     continue;
                 }
-                // In its own column, or, where columns hold many samples, at the edge of a neighbouring column.
+                // In its own column or, where a column holds many samples, at the edge of a neighbouring
+                // column.
                 bool isDrawn = false;
                 bool isKnown = false;
                 for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
@@ -299,7 +300,7 @@ private Q_SLOTS:
         for (int i = 0; i < 30000; ++i) {
             lane.add(i * 0.01, i % 2 == 0 ? LaneKind::Moving : LaneKind::Idle, {});
         }
-        QVERIFY(lane.segments().size() <= StateLane::kMostSegments);
+        QVERIFY(lane.segments().size() <= StateLane::kMaxSegments);
         const auto seen = lane.visible(100, 300, 1.0);
         QVERIFY(seen.size() <= 202);
         for (std::size_t i = 1; i < seen.size(); ++i) {
@@ -318,6 +319,10 @@ private Q_SLOTS:
         QCOMPARE(laneEntry(state, "X+").label, QString("Jog X+"));
         state.safetyMode = SafetyMode::ProtectiveStop;
         QCOMPARE(laneEntry(state, "X+").label, QString("Protective stop"));
+        // With late data the arm may move.
+        state.quality.ageMs = 150;
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::NoData);
+        QCOMPARE(laneEntry(state, {}).label, QString("Late data"));
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
         state = running();
         state.robotMode = RobotMode::PowerOff;
@@ -392,7 +397,7 @@ private Q_SLOTS:
         QVERIFY(f.history.time(2) > 500.002);
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
-    // The time of the controller does not show the length of a silence after which it restarted.
+    // The controller's time does not show how long the connection was silent before a restart.
     void aSilenceIsAsLongAsItWasOnThisComputer_data() {
         QTest::addColumn<double>("timeBehind");
         QTest::addColumn<bool>("newLink");
@@ -410,7 +415,7 @@ private Q_SLOTS:
         add(500.000, 1, 10'000);
         add(500.002, 2, 10'002);
         f.frame();
-        QVERIFY(f.feed.takeSilences().empty());
+        QVERIFY(f.feed.takeDataGaps().empty());
         if (newLink) {
             f.feed.beginLink();
         }
@@ -418,11 +423,11 @@ private Q_SLOTS:
         add(timeBehind + 0.002, newLink ? 2 : 4, 17'004);
         f.frame();
         QVERIFY(std::abs(f.history.time(2) - 507.002) < 1e-6);
-        const auto silences = f.feed.takeSilences();
+        const auto silences = f.feed.takeDataGaps();
         QCOMPARE(silences.size(), std::size_t{1});
         QVERIFY(std::abs(silences[0].from - 500.002) < 1e-6);
         QVERIFY(std::abs(silences[0].to - 507.002) < 1e-6);
-        QVERIFY(f.feed.takeSilences().empty());
+        QVERIFY(f.feed.takeDataGaps().empty());
     }
 
     // ---- additionally requested signals
@@ -455,7 +460,7 @@ private Q_SLOTS:
         const double shown = f.feed.plotTime(3 + 49 * 0.002);
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
         QVERIFY(!f.store.valueAt(scalar, 100.15).has_value());
-        // The last subscriber has gone.
+        // The last subscriber has unsubscribed.
         QVERIFY(f.store.want(this, {}));
         QCOMPARE(asked.last()[0].toStringList(), QStringList());
         QCOMPARE(f.store.valueAt(scalar, shown).value(), 49.0);
@@ -541,14 +546,14 @@ private Q_SLOTS:
         many += "],\"current\":1e300,\"span\":-1,\"model_limits\":{\"joint\":-2,\"force\":\"x\"}}";
         const auto read = PlotLayout::fromJson(many);
         QVERIFY(read.ok());
-        QCOMPARE(read->pages.size(), PlotLayout::kMostPages);
-        QCOMPARE(read->current, PlotLayout::kMostPages - 1);
+        QCOMPARE(read->pages.size(), PlotLayout::kMaxPages);
+        QCOMPARE(read->current, PlotLayout::kMaxPages - 1);
         QCOMPARE(read->modelLimits.jointPosition, 0.0);
         QCOMPARE(read->modelLimits.force, divergence::Limits().force);
         QCOMPARE(read->pages[0].panes[0].shown, QStringList("x"));
-        QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMostColumns - 1);
+        QCOMPARE(read->pages[0].panes[0].column, PlotLayout::kMaxColumns - 1);
         QVERIFY(read->pages[0].panes[0].share > 0 && read->span > 0);
-        // Any change to the text gives a layout or an error.
+        // Any modified text results in a layout or an error.
         PlotLayout good;
         good.pages.append({"Mine", {{{"actual_q_0"}, {}, 0, 2}}, {"robot_mode"}});
         const QByteArray text = good.toJson();

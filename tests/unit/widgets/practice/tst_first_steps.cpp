@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checklist of the first five minutes: what ticks an item, what does not, and the card that shows it.
+// The checklist of the first five minutes: the actions that complete an item, those that do not, and the card
+// that shows it.
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -14,9 +15,9 @@
 #include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/first_steps.h"
 #include "widgets/practice/first_steps_card.h"
-#include "widgets/practice/tick_line.h"
 #include "widgets/project/undoable_document.h"
 
 using namespace tiller;
@@ -65,7 +66,7 @@ private Q_SLOTS:
     }
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         steps_ = std::make_unique<FirstSteps>(*session_, *document_);
         steps_->setFollowing(true);
@@ -185,12 +186,12 @@ private Q_SLOTS:
         }
         const QRect place = card.geometry();
         for (int i = 0; i < static_cast<int>(kFirstSteps.size()); ++i) {
-            QVERIFY(!card.findChild<TickLine*>(QStringLiteral("firstSteps.%1").arg(i))->isDone());
+            QVERIFY(!card.findChild<ChecklistItem*>(QStringLiteral("firstSteps.%1").arg(i))->isDone());
         }
         steps_->setDone({"powerOn", "releaseBrakes", "jog", "teach", "goTo", "record"});
         QCoreApplication::processEvents();
         for (int i = 0; i < static_cast<int>(kFirstSteps.size()); ++i) {
-            const auto* line = card.findChild<TickLine*>(QStringLiteral("firstSteps.%1").arg(i));
+            const auto* line = card.findChild<ChecklistItem*>(QStringLiteral("firstSteps.%1").arg(i));
             QVERIFY(line->isDone() && line->accessibleDescription() == "done");
         }
         QCOMPARE(card.geometry(), place);
@@ -282,7 +283,7 @@ private Q_SLOTS:
         FirstStepsCard card(*steps_, view);
         view.show();
         card.open();
-        QTest::mouseClick(card.findChild<TickLine*>("firstSteps.0"), Qt::LeftButton);
+        QTest::mouseClick(card.findChild<ChecklistItem*>("firstSteps.0"), Qt::LeftButton);
         QTest::mouseClick(&card, Qt::LeftButton, {}, QPoint(4, 4));
         QCOMPARE(view.presses, 0);
         QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(470, 10));

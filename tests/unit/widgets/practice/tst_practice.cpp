@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Practice tasks: when they can be started, what is set up and restored, and the card that shows them.
+// Practice tasks: when they can be started, what they set up and restore, and the card that shows them.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -13,9 +13,9 @@
 #include "robot/station/link/robot_session.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
+#include "widgets/practice/checklist_item.h"
 #include "widgets/practice/practice.h"
 #include "widgets/practice/practice_card.h"
-#include "widgets/practice/tick_line.h"
 #include "widgets/project/undoable_document.h"
 
 using namespace tiller;
@@ -50,7 +50,7 @@ private Q_SLOTS:
         setUp_.clear();
         tidied_ = 0;
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         PracticeHooks hooks;
         hooks.obstacle = [this](const SessionState&) { return elsewhere_; };
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(!practice_->isRunning() && practice_->task() == PracticeTask::Recover);
         practice_->turn(-1);
         practice_->start();
-        // Another robot.
+        // Another robot is connected.
         elsewhere_ = QStringLiteral("This is “Lab UR5e”.");
         show(liveState());
         QCOMPARE(tidied_, 2);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         practice_->start();
         QCOMPARE(document_->waypoints().size(), 1);
         QCOMPARE(document_->waypoints().at(0).joints.values, kReadyJoints.values);
-        // A touch-up with the arm at the part.
+        // Simulates a touch-up with the arm at the part.
         SessionState there = liveState();
         there.tcpPose.position.x() += kPartMoved;
         show(there);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         auto* start = card.findChild<QPushButton*>("practice.start");
         auto* done = card.findChild<QPushButton*>("practice.done");
-        auto* check = card.findChild<TickLine*>("practice.check");
+        auto* check = card.findChild<ChecklistItem*>("practice.check");
         const auto place = [&](const QWidget* key) {
             return QRect(key->mapTo(&view, QPoint()), key->size());
         };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checks of the practice tasks: each passes for what the task asks, and for nothing less.
+// The checks of the practice tasks: each passes only for the required result.
 
 #include <QTest>
 #include <numbers>
@@ -21,7 +21,7 @@ SessionState stoppedState() {
     return state;
 }
 
-/// Turned about the base's Z, and tipped about the base's X.
+/// A frame turned about the Z axis of the base and tilted about its X axis.
 project::Frame frameAt(const Eigen::Vector3d& origin, double yawDegrees, double tipDegrees = 0) {
     project::Frame frame;
     frame.id = QUuid::createUuid();
@@ -58,7 +58,7 @@ class TestPracticeChecks : public QObject {
 private:
     project::Project project_;
 
-    /// A recording of so many seconds with so much force.
+    /// Simulates a recording of this duration [s] with this contact force [N].
     void record(PracticeCheck& check, double newtons, double seconds) {
         for (int i = 0; i <= 10; ++i) {
             check.follow(pressed(newtons + (i % 2 == 0 ? 0.3 : -0.3), true, seconds * i / 10), project_);
@@ -118,7 +118,7 @@ private Q_SLOTS:
         const auto check = practiceCheck(PracticeTask::TeachFrame, project_);
         check->follow(liveState(), project_);
         QVERIFY(!check->passed());
-        // The arm has gone on to the other points meanwhile.
+        // Meanwhile the arm has moved to the other points.
         SessionState on = liveState();
         on.tcpPose.position += Eigen::Vector3d(-0.04, 0.06, 0);
         check->follow(on, project_);

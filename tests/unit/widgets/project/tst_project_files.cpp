@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
-    // As after a start with a damaged file: there is no file in which the work could be saved.
+    // The state after a start with a damaged file: there is no file in which the work could be saved.
     void workWithoutAFileIsAskedAbout() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");
@@ -238,6 +238,19 @@ private Q_SLOTS:
         asked->accepted();
         QVERIFY(other.store().obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+    }
+
+    // The notice may appear under the pointer of someone who is about to click another one.
+    void theFirstAnswerToAForeignChangeKeepsBothVersions() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QVERIFY(project::saveProject(path_, project::Project()).ok());
+        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QVERIFY(notice_ && notice_->accepted);
+        notice_->accepted();
+        QCOMPARE(files_->store().path(), directory_->filePath("cell-7-2.tiller"));
+        QCOMPARE(document_->waypoints().size(), 1);
     }
 
     void aForeignChangeThatIsTakenBackResolvesItsNotice() {

@@ -163,7 +163,7 @@ private Q_SLOTS:
         file.write(damaged);
         file.close();
 
-        QSignalSpy kept(store_.get(), &ProjectStore::keptAside);
+        QSignalSpy kept(store_.get(), &ProjectStore::copyKept);
         const auto recovered = store_->openRecovered(path_);
         QVERIFY(recovered.ok());
         QCOMPARE(recovered->lostWaypoints, 1);
@@ -249,7 +249,7 @@ private Q_SLOTS:
         }
         QCOMPARE(changed.count(), 0);
         QCOMPARE(elsewhere.count(), 1);
-        // With changes of its own it is asked, once.
+        // With unsaved changes, the other window asks the operator once.
         otherDocument.insertWaypoints(0, {named("mine")}, "Teach");
         for (int saves = 0; saves < 2; ++saves) {
             document_->insertWaypoints(0, {named("another")}, "Teach");
@@ -303,6 +303,32 @@ private Q_SLOTS:
         QVERIFY(store_->isSaved());
     }
 
+    void reloadingKeepsUnsavedChangesAsACopy() {
+        const QString folder = directory_->filePath("Unsaved");
+        store_->setCopyFolder(folder);
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
+        project::Project foreign;
+        foreign.waypoints.append(named("theirs"));
+        QVERIFY(project::saveProject(path_, foreign).ok());
+        QTRY_COMPARE(changed.count(), 1);
+        document_->insertWaypoints(1, {named("more")}, "Teach");
+        QVERIFY(store_->reload().ok());
+        QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
+        // Later changes are saved to the file, and do not remove the copy.
+        document_->insertWaypoints(1, {named("later")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        store_.reset();
+        const auto copies = project::keptCopies(folder);
+        QCOMPARE(copies.size(), 1);
+        const auto kept = project::loadKeptCopy(copies[0]);
+        QVERIFY(kept.ok());
+        QCOMPARE(kept->waypoints.size(), 2);
+        QCOMPARE(kept->waypoints.at(1).name, QString("more"));
+    }
+
     // Another window is about to save to the first free name.
     void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
         QVERIFY(store_->openOrStart(path_).ok());
@@ -343,7 +369,7 @@ private Q_SLOTS:
         store_->setCopyFolder(folder);
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        // A killed program leaves the present content of the disk.
+        // The content of the disk is what a killed program would leave.
         QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
         const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
         QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);
@@ -396,7 +422,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadKeptCopy(copies[0])->waypoints.size(), 2);
     }
 
-    // Work that another window has opened as well must be on the disk even without a further change.
+    // Unsaved work that was reopened in another window must be saved to disk even without a further change.
     void openedWorkIsKeptAtOnce() {
         const QString folder = directory_->filePath("Unsaved");
         store_->setCopyFolder(folder);

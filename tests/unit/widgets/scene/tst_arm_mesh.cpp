@@ -119,7 +119,8 @@ private Q_SLOTS:
         }
     }
 
-    // For visual inspection. The test only checks that something is drawn in the colours of the arm.
+    // Creates pictures for visual inspection. The test only checks that something is drawn in the colours of
+    // the arm.
     void everyModelInTwoPoses() {
         constexpr int kWidth = 360;
         constexpr int kHeight = 340;

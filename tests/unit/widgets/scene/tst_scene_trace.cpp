@@ -47,7 +47,7 @@ private Q_SLOTS:
         }
     }
 
-    // Back and forth on one line: the turning point must remain.
+    // The arm moves back and forth on one line: the turning point must remain.
     void aTurnBackIsACorner() {
         SceneTrace trace;
         double time = 0;

@@ -292,14 +292,14 @@ private Q_SLOTS:
         QTest::mouseDClick(&view, Qt::LeftButton, {}, {300, 200});
         QCOMPARE(view.camera().distance(), before.distance());
         QCOMPARE(view.camera().azimuth(), before.azimuth());
-        // The right button does not turn the view.
+        // The right button does not rotate the view.
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
         QTest::mouseMove(&view, {400, 250});
         QTest::mouseRelease(&view, Qt::RightButton, {}, {400, 250});
         QCOMPARE(view.camera().azimuth(), before.azimuth());
     }
 
-    // At every size the arm is large and not in the lower half.
+    // At every window size the arm is large and not in the lower half.
     void theArmFillsThePicture_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("as designed") << QSize(930, 520);
@@ -365,7 +365,7 @@ private Q_SLOTS:
         }
     }
 
-    // An operator who zooms or pans wants to see that place, until the complete view is requested.
+    // An operator who zooms or pans wants to keep that view until the complete view is requested.
     void viewChosenByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
@@ -424,7 +424,7 @@ private Q_SLOTS:
         QVERIFY((view.viewRotation().col(1) - Eigen::Vector3d::Unit(up)).norm() < 1e-9);
         picture(view);
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
-        // Turning by hand continues from there, and 3D leads back.
+        // Rotating with the keys continues from there, and the 3D button restores the initial view.
         QTest::keyClick(&view, Qt::Key_Right);
         QVERIFY(view.viewRotation().allFinite());
         QTest::mouseClick(view.findChild<QToolButton*>("scene.home"), Qt::LeftButton);
@@ -537,8 +537,8 @@ private Q_SLOTS:
         QTRY_VERIFY(counter.paints > 0);
     }
 
-    // The TCP rises by a twentieth of a pixel each time: most of these states need no new picture, but all of them
-    // together do.
+    // The TCP rises by a twentieth of a pixel each time: most of these states do not change the picture, but
+    // all of them together do.
     void hiddenViewsAreNotDrawn() {
         ShownView view;
         PaintCounter counter(view);

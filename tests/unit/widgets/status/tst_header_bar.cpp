@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -200,6 +202,79 @@ private Q_SLOTS:
         QCOMPARE(session.asked, QStringList{asked});
     }
 
+    // Someone who presses Space wants to stop the arm.
+    void spaceNeverTakesTheNextStep() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        SessionState state = movingState();
+        state.control = ControlState::None;
+        state.robotMode = RobotMode::PowerOff;
+        header.applyState(state);
+        auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Space);
+        QVERIFY(session.asked.isEmpty());
+        QTest::keyClick(button, Qt::Key_Return);
+        QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
+    }
+
+    void aStepThatChangesByItselfLosesTheFocus() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        header.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&header));
+        SessionState state = movingState();
+        state.control = ControlState::None;
+        header.applyState(state);
+        auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
+        button->setFocus();
+        QVERIFY(button->hasFocus());
+        state.robotMode = RobotMode::PowerOff;
+        header.applyState(state);
+        QVERIFY(button->isVisible() && !button->hasFocus());
+    }
+
+    void stopActsOnTheFirstClickWhileAMenuIsOpen() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        header.applyState(movingState());
+        auto* stop = header.findChild<StopButton*>();
+        QMenu menu;
+        for (int i = 0; i < 8; ++i) {
+            menu.addAction(QStringLiteral("Record everything"));
+        }
+        // Would cover the lower half of the button.
+        menu.popup(stop->mapToGlobal(QPoint(stop->width() / 2, stop->height() / 2)));
+        const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
+        QVERIFY2(!menu.geometry().intersects(place), "the menu covers STOP");
+        const QPointF at(place.center());
+        QMouseEvent press(QEvent::MouseButtonPress, menu.mapFromGlobal(at), at, Qt::LeftButton,
+                          Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&menu, &press);
+        QCOMPARE(session.stops, QList<StopCause>{StopCause::StopButton});
+    }
+
+    // One key press must not make the arm fifty times as fast.
+    void theSpeedSliderIgnoresKeysWithLargeSteps() {
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.show();
+        SessionState state = movingState();
+        state.speedFraction = 0.02;
+        header.applyState(state);
+        auto* slider = header.findChild<SpeedChip*>();
+        QVERIFY(!(slider->focusPolicy() & Qt::ClickFocus));
+        for (const Qt::Key key : {Qt::Key_End, Qt::Key_PageUp, Qt::Key_Home, Qt::Key_PageDown}) {
+            QTest::keyClick(slider, key);
+        }
+        QVERIFY(session.speeds.isEmpty());
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(session.speeds.size(), 1);
+    }
+
     void aStopLeadsToTheRecoveryPageAndNothingElse() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -378,7 +453,7 @@ private Q_SLOTS:
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
-    // Not only for a moment after a click: each button keeps its position.
+    // Each button keeps its position permanently, not only for a moment after a click.
     void buttonsKeepTheirPositionsForAllTexts_data() { secondClickHitsTheSameButton_data(); }
     void buttonsKeepTheirPositionsForAllTexts() {
         QFETCH(int, width);

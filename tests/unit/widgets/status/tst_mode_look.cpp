@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
     }
 
-    // Packets that were late an hour ago say nothing about the present connection.
+    // Packets that were late an hour ago are irrelevant for the current connection.
     void onlyRecentLatenessIsReported() {
         SessionState state;
         state.link = LinkState::Live;

@@ -15,7 +15,7 @@
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/project/undoable_document.h"
@@ -33,7 +33,7 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// Joints with which a tool of this offset touches the point, tilted by `turn` from vertical.
+/// Joint positions at which a tool with this offset touches the point, tilted by `turn` from vertical.
 std::optional<JointPositions> onPoint(const Pose& tool, const Eigen::Vector3d& point,
                                       const Eigen::Vector3d& turn) {
     const Pose target(point, rotationVector(rotationMatrix({M_PI, 0, 0}) * rotationMatrix(turn)));
@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         moves_.clear();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         MotionPort port;
         port.beginMove = [this](const MoveRequest& request) -> Result<MotionPort::Id> {
@@ -132,7 +132,7 @@ private Q_SLOTS:
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
         QVERIFY(document_->tooling() == tooling);
-        // Another program gives the robot a third TCP, which is new.
+        // Another program sets a third, new TCP on the robot.
         state.tcpOffset = Pose(0, 0, 0.12, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->isVisible());
@@ -158,11 +158,11 @@ private Q_SLOTS:
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
-        // After undo the project has 0 again, and the notice says so.
+        // After undo the value in the project is 0 again, and the notice shows this.
         document_->undoStack().undo();
         QVERIFY(notice("tcp.page")->isVisible());
         QVERIFY2(notice("tcp.page")->text().contains("100.0 mm"), qPrintable(notice("tcp.page")->text()));
-        // Another program gives the robot that TCP.
+        // Another program sets that TCP on the robot.
         state.tcpOffset = Pose();
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
@@ -375,7 +375,7 @@ private Q_SLOTS:
         const Eigen::Vector3d centre(0.01, -0.02, 0.07);
         for (int n = 0; n < 4; ++n) {
             // Moves to the proposed pose while the key is held.
-            auto* next = tab_->findChild<HoldButton*>("payload.estimator.next");
+            auto* next = tab_->findChild<HoldToRunButton*>("payload.estimator.next");
             QTest::mousePress(next, Qt::LeftButton);
             QVERIFY(next->isHolding());
             QTest::mouseRelease(next, Qt::LeftButton);
@@ -408,7 +408,7 @@ private Q_SLOTS:
         state.controlReason = "Take control first.";
         feed(state);
         click("payload.weigh");
-        auto* next = tab_->findChild<HoldButton*>("payload.estimator.next");
+        auto* next = tab_->findChild<HoldToRunButton*>("payload.estimator.next");
         QTest::mousePress(next, Qt::LeftButton);
         QTest::mouseRelease(next, Qt::LeftButton);
         QVERIFY(moves_.empty());

@@ -46,7 +46,7 @@ project::Waypoint at(const QString& name, const Eigen::Vector3d& position) {
     point.id = QUuid::createUuid();
     point.name = name;
     point.move = project::MoveKind::Linear;
-    point.ruling = project::Ruling::Pose;
+    point.ruling = project::TargetKind::Pose;
     point.pose = Pose(position, {M_PI, 0, 0});
     point.joints =
         *kinematics::inverseNearest(robotModel(RobotModelId::UR5e).dh, point.pose, {}, kReadyJoints);
@@ -63,7 +63,7 @@ private Q_SLOTS:
 
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         document_->setAuthor("Ann");
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_);
@@ -171,7 +171,7 @@ private Q_SLOTS:
 
     void moveOutOfReachOfJointsIsRefusedByName() {
         project::Waypoint joints = document_->waypoints().at(0);
-        joints.ruling = project::Ruling::Joints;
+        joints.ruling = project::TargetKind::Joints;
         document_->changeWaypoint(0, joints, "x");
         select({0});
         const QByteArray was = bytes();
@@ -194,7 +194,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(3).name, QString("tray 1.1"));
         QVERIFY((document_->waypoints().at(7).pose.position - Eigen::Vector3d(-0.35, -0.05, 0.2)).norm() <
                 1e-9);
-        // It remains a pattern: one row is added, and the omitted place is restored.
+        // It remains a pattern: one row is added, and the omitted position is restored.
         const QUuid second = document_->waypoints().at(5).id;
         select({4});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
@@ -474,7 +474,8 @@ private:
         trigger(action);
         QVERIFY2(seen, action);
     }
-    /// 3 x 2 places between the first three waypoints, without the middle one of the first row.
+    /// A pattern of 3 x 2 positions between the first three waypoints, without the middle one of the first
+    /// row.
     void makePattern() {
         select({0, 1, 2});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {

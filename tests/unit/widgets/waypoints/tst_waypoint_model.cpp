@@ -16,7 +16,7 @@
 
 using namespace tiller;
 using project::MoveKind;
-using project::Ruling;
+using project::TargetKind;
 using project::Waypoint;
 
 namespace {
@@ -67,7 +67,7 @@ private Q_SLOTS:
         }
         Waypoint linear = cell.waypoints.at(2);
         linear.move = MoveKind::Linear;
-        linear.ruling = Ruling::Pose;
+        linear.ruling = TargetKind::Pose;
         linear.blend = 0.005;
         cell.waypoints.replace(2, linear);
         document_->setProject(cell);
@@ -98,7 +98,7 @@ private Q_SLOTS:
         document_->changeWaypoint(2, far, "x");
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✕ reach"));
         QVERIFY(!reachAdvice(document_->reach(2)).isEmpty());
-        // A longer arm gets there.
+        // A longer arm reaches the pose.
         document_->setRobot(robotModel(RobotModelId::UR20));
         far.pose.position = Eigen::Vector3d(1.2, 0, 0.3);
         document_->changeWaypoint(2, far, "x");
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-12);
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "—", Qt::EditRole));
-        QVERIFY(document_->waypoints().at(2).ruling == Ruling::Joints);
+        QVERIFY(document_->waypoints().at(2).ruling == TargetKind::Joints);
     }
 
     void draggedRowsLandWhereTheyAreDropped() {
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY2(back.ok(), qPrintable(back.error().toString()));
         QCOMPARE(back->at(0).name, QString("home"));
         QVERIFY(std::abs(back->at(0).joints[0] - kStart[0]) < 1e-12);
-        // Without the header line, in the order in which it is written.
+        // Without a header line, columns are read in the order in which they are written.
         QVERIFY(waypoint_clipboard::fromText(lines[1], {}).ok());
     }
 
@@ -278,7 +278,7 @@ private Q_SLOTS:
 
         Waypoint linear = at("l", kStart);
         linear.move = MoveKind::Linear;
-        linear.ruling = Ruling::Pose;
+        linear.ruling = TargetKind::Pose;
         linear.pose.position.z() += 0.05;
         linear.toolSpeed = 1.0;
         const auto moveL = moveRequestFor(robotModel(RobotModelId::UR5e), linear, {}, kStart, {}, limits);

@@ -19,7 +19,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/key_events.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/project/project_files.h"
@@ -75,7 +75,7 @@ private Q_SLOTS:
     void init() {
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // no states but those of the test
+        session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
         goTo()->guard().setClock(clock_);
@@ -294,7 +294,7 @@ private Q_SLOTS:
         teachThree();
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
-        HoldButton* key = goTo();
+        HoldToRunButton* key = goTo();
         QVERIFY2(key->isEnabled(), qPrintable(key->toolTip()));
         QTest::mousePress(key, Qt::LeftButton);
         QCOMPARE(arm_.moves.size(), std::size_t(1));
@@ -337,7 +337,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&left, &deactivate);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::WindowDeactivated});
         QVERIFY(!goTo()->isHolding());
-        // Its release went elsewhere: the next press is a new one.
+        // The release went to another window: the next press is a new one.
         keyDown(to, scan::kG, Qt::Key_G);
         QCOMPARE(arm_.moves.size(), std::size_t(2));
         keyUp(to, scan::kG, Qt::Key_G);
@@ -456,7 +456,7 @@ private Q_SLOTS:
     void unreachableWaypointCannotBeGoneTo() {
         teachThree();
         project::Waypoint far = document_->waypoints().at(1);
-        far.ruling = project::Ruling::Pose;
+        far.ruling = project::TargetKind::Pose;
         far.pose.position.x() = 4;
         document_->changeWaypoint(1, far, "x");
         tab_->selectRow(1);
@@ -518,13 +518,13 @@ private Q_SLOTS:
         paste(figures);
         QCOMPARE(document_->waypoints().size(), 2);
         project::Waypoint pasted = document_->waypoints().at(1);
-        QVERIFY(pasted.ruling == project::Ruling::Pose);
+        QVERIFY(pasted.ruling == project::TargetKind::Pose);
         QVERIFY(document_->reach(1).ok());
         QVERIFY(!pasted.name.isEmpty());
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(pasted.joints[i] - taught.joints[i]) < 0.5);
         }
-        // With a header line, some columns only.
+        // With a header line, a subset of the columns is sufficient.
         paste("Name\tX mm\tY mm\tZ mm\tRX °\tRY °\tRZ °\nover it\t" + figures);
         QCOMPARE(document_->waypoints().size(), 3);
         QCOMPARE(document_->waypoints().at(2).name, QStringLiteral("over it"));
@@ -539,7 +539,7 @@ private Q_SLOTS:
         tab_->teach();
         tab_->selectRow(0);
         const project::Waypoint before = document_->waypoints().at(0);
-        QVERIFY(before.ruling == project::Ruling::Joints);
+        QVERIFY(before.ruling == project::TargetKind::Joints);
         auto* z = tab_->findChild<QDoubleSpinBox*>("waypoint.details.z");
         const double from = z->value();
         const auto type = [](QDoubleSpinBox* box, const QString& text) {
@@ -550,7 +550,7 @@ private Q_SLOTS:
         };
         type(z, QString::number(from + 50));
         const project::Waypoint after = document_->waypoints().at(0);
-        QVERIFY(after.ruling == project::Ruling::Joints);
+        QVERIFY(after.ruling == project::TargetKind::Joints);
         const Pose there = kinematics::forwardTcp(document_->robot().dh, after.joints, after.tcpOffset);
         QVERIFY(std::abs(there.position.z() * 1000 - (from + 50)) < 0.01);
         // The nearest configuration: no joint has turned over.
@@ -567,7 +567,7 @@ private Q_SLOTS:
         // A pose that defines the waypoint may be anywhere: it is kept and marked.
         tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
         QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
-        QVERIFY(document_->waypoints().at(0).ruling == project::Ruling::Pose);
+        QVERIFY(document_->waypoints().at(0).ruling == project::TargetKind::Pose);
         type(z, QStringLiteral("9000"));
         QCOMPARE(document_->waypoints().at(0).pose.position.z(), 9.0);
         QVERIFY(!document_->reach(0).ok());
@@ -594,7 +594,7 @@ private Q_SLOTS:
         QCOMPARE(frame->currentText(), QStringLiteral("tray"));
         const project::Waypoint& point = document_->waypoints().at(0);
         QCOMPARE(point.frame, tray.id);
-        QVERIFY(point.ruling == project::Ruling::Pose);
+        QVERIFY(point.ruling == project::TargetKind::Pose);
         const Pose place = *project::poseInBase(point, document_->frames());
         QVERIFY(project::poseDifference(place, liveState().tcpPose).distance < 1e-9);
         document_->undoStack().undo();
@@ -654,7 +654,7 @@ private:
     }
     WaypointTable* table() { return tab_->findChild<WaypointTable*>("waypoint.table"); }
     NoticeBar* notice() { return tab_->findChild<NoticeBar*>("notice"); }
-    HoldButton* goTo() { return tab_->findChild<HoldButton*>("waypoint.goTo"); }
+    HoldToRunButton* goTo() { return tab_->findChild<HoldToRunButton*>("waypoint.goTo"); }
     QPushButton* button(const char* name) { return tab_->findChild<QPushButton*>(name); }
     void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
 

@@ -4,7 +4,7 @@ from spatialmath import SE3, base
 
 
 def ctraj(T0, T1, t):
-    """Poses between T0 and T1 with a trapezoidal course of the speed."""
+    """Poses between T0 and T1 with a trapezoidal velocity profile."""
     s = np.asarray(t) / t[-1]
     blend = 0.25
     peak = 1 / (1 - blend)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the arm reports: torques, currents, forces, accelerometer, noise, history.
+// Values reported by the arm: torques, currents, forces, accelerometer, noise, history.
 #include <QTest>
 #include <cmath>
 
@@ -99,7 +99,7 @@ void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
     QVERIFY((found - expected).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-// As in set_payload(): both in one step.
+// The payload and the zeroing are set in one step, as in set_payload().
 void TestArmSensors::zeroingBehindAPayloadTakesTheNewPayload() {
     for (const bool hangs : {true, false}) {
         WatchedArm arm;

@@ -73,7 +73,7 @@ void TestArmSpeed::repeatedSpeedKeepsItself() {
     WatchedArm arm;
     arm.finish(arm->motion().speedJ(JointVelocities(0.3, 0, 0, 0, 0, 0), 40.0));
     for (int n = 0; n < 200; ++n) {
-        // As in scripts: one frame in the command, one in sync().
+        // Timing as in scripts: one frame in the command, one in sync().
         arm.finish(arm->motion().speedJ(JointVelocities(0.3, 0, 0, 0, 0, 0), 40.0, kTick));
         arm.step();
         QVERIFY(std::abs(arm.state().targetQd[0] - 0.3) < 1e-9);

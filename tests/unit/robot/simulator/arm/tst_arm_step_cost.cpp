@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A simulation step of the arm neither allocates nor frees memory, in any kind of motion. With --cost the program
-// prints nanoseconds per step.
+// A simulation step of the arm neither allocates nor frees memory, for any kind of motion. With --cost the
+// program prints the time per step [ns].
 #include <QTest>
 #include <cstdio>
 #include <cstdlib>

@@ -17,7 +17,7 @@ namespace tiller::simulator::urscript {
 
 class FakeHost final : public Host {
 public:
-    // ---- what tests set and look at
+    // ---- set and inspected by tests
     double step = 0.002;
     std::int64_t timeNs = 12'345'000'000;
     int moveFrames = 5;        ///< frames per move or stop

@@ -254,12 +254,12 @@ private Q_SLOTS:
     }
     void linesAndDefinitionsAreLimited() {
         Session s;
-        for (std::size_t i = 0; i < InterpreterMode::kMostWaiting; ++i) {
+        for (std::size_t i = 0; i < InterpreterMode::kMaxWaiting; ++i) {
             s.mode().submit("sync()");
         }
         QCOMPARE(s.line("sync()"), "discard too many statements wait");
         s.mode().skip();
-        for (std::size_t i = 0; i <= InterpreterMode::kMostDefinitions; ++i) {
+        for (std::size_t i = 0; i <= InterpreterMode::kMaxDefinitions; ++i) {
             s.mode().submit("v" + std::to_string(i) + " = 0");
             s.mode().skip();
         }

@@ -82,7 +82,7 @@ private Q_SLOTS:
             QCOMPARE(read(whole.substr(0, i), false), "more");
         }
         QCOMPARE(read(whole, false), "5");
-        // Without a length the reply ends with the connection.
+        // Without a length, the reply ends when the connection is closed.
         std::string unmeasured = whole;
         unmeasured.erase(unmeasured.find("Content-length"), std::string("Content-length: 000\r\n").size());
         QCOMPARE(read(unmeasured, false), "more");

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "1");
     }
     void threadWithTheMostRemainingTimeRunsFirst() {
-        // The main body has used half of its slice when the thread still has all of its own.
+        // The main body has used half of its time slice while the thread still has its full slice.
         ScriptRun run(
             "def m():\n order = \"\"\n thread t():\n order = order + \"t\"\n sync()\n order = order + \"t\"\n"
             " end\n h = run t()\n sleep(0.001)\n order = order + \"m\"\n sleep(0.002)\n"
@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("order"), "tmtm");
     }
     void theMainProgramActsOnWhatItsThreadCopied() {
-        // The shape of the vendor's example of an RTDE control loop.
+        // Structured like the vendor's example of an RTDE control loop.
         const std::string text =
             "def m():\n setp = 0\n done = 0\n thread copy():\n while True:\n"
             " setp = read_input_float_register(0)\n sync()\n end\n end\n run copy()\n"

@@ -125,7 +125,8 @@ private Q_SLOTS:
             run.host.sockets["socket_0"].in = unit.repeated(4000).toStdString();
             QCOMPARE(run.frames(1), State::Running);
             const int after = std::stoi(run.value("n"));
-            // Some are read in each frame, and not all of the frame is available for them.
+            // Each frame reads some of the lines, because only part of the frame time is available for
+            // reading.
             QVERIFY2(after - before > 10 && after - before < 2'000 / 20, qPrintable(QString::number(after)));
             before = after;
         }

@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(messagesOf("side=1\nif side>1:\n side=0\nelse: side\n side=-1\nend\ntextmsg(side)"),
                  (Texts{"-1"}));
         QCOMPARE(messagesOf("a=1\na\ntextmsg(a)"), (Texts{"1"}));
-        // Not every expression is accepted, and no unknown name.
+        // Some expressions and all unknown names are rejected.
         QVERIFY(!compile("def p():\n a=1\n a b\nend\n"));
         QVERIFY(!compile("def p():\n nowhere\nend\n"));
         QVERIFY(!compile("def p():\n 1\nend\n"));
@@ -156,7 +156,7 @@ private Q_SLOTS:
               "l.slice(3,2)", "l.slice(0,6)", "l.slice(-1,2)", "l.excess_capacity(1)"}) {
             QVERIFY2(messagesOf(list + wrong).back().find("error") == 0, wrong);
         }
-        // No element of a list that does not fit is added.
+        // If one element does not fit, none is added.
         ScriptRun run("def p():\n global l=make_list(1,1,2)\n l.extend([2,3])\nend\n");
         run.frames(5);
         QVERIFY(!run.error().empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A protective stop in front of the window's session becomes a file, with what the log said.
+// A protective stop during a session is saved to a file, together with the log.
 #include <QDir>
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -14,7 +14,7 @@ using namespace tiller;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWaitTimeoutMs = 60'000;
 
 QStringList saidIn(const recording::Recording& recording) {
     QStringList said;
@@ -24,14 +24,15 @@ QStringList saidIn(const recording::Recording& recording) {
     return said;
 }
 
-/// Goes on until the box has taken so many packets: virtual time is faster than its thread, and a ring holds 8 s.
+/// Advances time until the box has received this number of packets, in small steps because virtual time is
+/// faster than the box's thread and a ring holds only 8 s.
 bool hasSeen(const IncidentWatch& watch, test::VirtualCell& cell, std::uint64_t packets) {
     QElapsedTimer patience;
     patience.start();
-    while (watch.packets() < packets && patience.elapsed() < kPatienceMs) {
+    while (watch.packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
         const std::uint64_t before = watch.packets();
         cell.advanceMs(100);
-        // As many as came; at first it may not run yet.
+        // Waits for the sent packets; at first the thread may not be running yet.
         const int patienceMs = before == 0 ? 20 : 5000;
         static_cast<void>(QTest::qWaitFor([&] { return watch.packets() >= before + 49; }, patienceMs));
     }
@@ -56,18 +57,18 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     QSignalSpy told(&watch, &IncidentWatch::told);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
-    QVERIFY(hasSeen(watch, cell, 1));  // the box begins on a thread of its own
+    QVERIFY(hasSeen(watch, cell, 1));  // the box starts in its own thread
     watch.setProject("cell.tiller", "{\"waypoints\": []}");
     cell.advanceMs(1000);
     Q_EMIT session.message(Severity::Info, QStringLiteral("nearly there"), Origin::Operator);
     QVERIFY(hasSeen(watch, cell, 700));
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
-    QCOMPARE(told.count(), 0);                              // what comes after belongs to it
+    QCOMPARE(told.count(), 0);                              // packets after the stop belong to the incident
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
-    // At the stop the box may have been half a second behind: its 4000 packets began before it.
+    // At the stop the box may have been half a second behind, so its 4000 packets began before the stop.
     QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);
     QVERIFY(told.front()[1].toString().contains("protective stop"));
     const QString path = told.front()[3].toString();
@@ -94,7 +95,7 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfTheOld() {
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 200));
     session.connectTo(session.address());
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QVERIFY(QFile::exists(told.front()[3].toString()));
     session.shutDown();
 }

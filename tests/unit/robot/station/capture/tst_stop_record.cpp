@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is one stop and what is another, where the data were interrupted.
+// Distinguishes one continued stop from two stops when data were interrupted.
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -20,16 +20,16 @@ struct Bench {
     std::uint64_t sequence = 0;
     std::uint64_t connection = 1;
     double time = 100;
-    double base = 0.3;  ///< the base's joint [rad]
+    double base = 0.3;  ///< position of the base joint [rad]
     SafetyMode safety = SafetyMode::Normal;
 
     Bench() {
-        session.shutDown();  // frames come when the test says so
+        session.shutDown();  // the test triggers the frames
         stream.layout = std::make_shared<const receive::SampleLayout>(
             std::vector<std::string>{"timestamp", "actual_q", "actual_current", "target_current",
                                      "actual_TCP_force", "actual_TCP_speed", "safety_mode"});
     }
-    /// So many packets at 500 Hz, in one frame.
+    /// Adds this number of packets at 500 Hz, in one frame.
     void run(int packets) {
         for (int i = 0; i < packets; ++i) {
             time += 0.002;
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QSignalSpy changed(&bench.stops, &StopRecorder::changed);
         bench.stop();
         QVERIFY(std::abs(bench.stoppedAt() - 100.202) < 1e-6);
-        bench.base += 0.1;  // it comes to rest, or is pushed: seen all the time
+        bench.base += 0.1;  // the arm coasts or is pushed, without a gap in the data
         bench.run(1000);
         QCOMPARE(changed.count(), 1);
     }
@@ -100,7 +100,7 @@ private Q_SLOTS:
         if (anew) {
             QCOMPARE(bench.stops.last()->q[0], bench.base);
         }
-        // Once: what goes on is this stop.
+        // Reported once: the following data belong to this stop.
         bench.run(1000);
         QCOMPARE(changed.count(), anew ? 1 : 0);
     }

@@ -20,7 +20,7 @@ const RobotModel& arm() {
     return robotModel(RobotModelId::UR5e);
 }
 
-/// The tool points downwards; the base is turned by this angle.
+/// The tool points down; the base joint is turned by this angle.
 JointPositions turned(double degrees) {
     JointPositions q;
     q.values << toRadians(degrees), -M_PI / 2, M_PI / 2, -M_PI / 2, -M_PI / 2, 0;
@@ -53,7 +53,7 @@ QVector<Kind> kindsOf(const std::vector<ProjectFinding>& findings) {
     return kinds;
 }
 
-/// Its upper face is this far below the place.
+/// A box whose top face is this far below the position.
 project::CellBox boxBelow(const Eigen::Vector3d& place, double gap) {
     project::CellBox box = boxAt(place);
     box.pose.position.z() -= gap + box.size.z() / 2;
@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     void unreachableWaypointIsFoundAndItsPathsAreSkipped() {
         project::Waypoint far = waypoint("far", turned(45));
-        far.ruling = project::Ruling::Pose;
+        far.ruling = project::TargetKind::Pose;
         far.pose.position.x() = 3;
         project_.waypoints.insert(1, far);
         const auto findings = checkProject(project_, arm());
@@ -172,7 +172,7 @@ private Q_SLOTS:
         point.tcpOffset = Pose(0, 0, 0.2, 0, 0, 0);
         point.pose = kinematics::forwardTcp(arm().dh, turned(0), point.tcpOffset);
         project_.waypoints.append(point);
-        // Its side is 50 mm from the axis of the tool.
+        // The side of the box is 50 mm from the tool axis.
         project_.cell.boxes.append(boxAt(point.pose.position + Eigen::Vector3d(0.075, 0, 0.1)));
         QVERIFY(checkProject(project_, arm()).empty());
         project::Tool tool;

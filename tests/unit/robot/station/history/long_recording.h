@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A recording that is long enough not to be read as a whole, with all that its rows hold known.
+// A recording that is too long to be read as a whole, with known contents in every row.
 
 #include <QTemporaryDir>
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace tiller::test {
 
-inline constexpr std::uint64_t kRows = 700'007;  // 23 minutes, and no whole block
+inline constexpr std::uint64_t kRows = 700'007;  // 23 minutes; not a multiple of the block size
 inline constexpr double kPeriod = 0.002;         // [s]
-inline constexpr double kBegin = 50;             // where it stands on the time axis [s]
+inline constexpr double kBegin = 50;             // start on the time axis [s]
 inline constexpr std::uint64_t kGap = 123'456;
 inline constexpr std::uint64_t kLost = 400;
 constexpr double kSpike = 40;
 
-/// A recording of few numbers, with spikes at random rows and one gap.
+/// A recording with few signals, with spikes at random rows and one gap.
 struct Long {
     QTemporaryDir folder;
     QString path = folder.filePath("long.mcap");

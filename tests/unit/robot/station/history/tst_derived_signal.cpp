@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Signals that are computed from others.
+// Signals computed from other signals.
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -49,10 +49,10 @@ private Q_SLOTS:
         for (const double time : {0.5, 9.9, 10.5, 19.0}) {
             QVERIFY(std::abs(s.at(*made, time) - (std::sin(time) + 12)) < 0.003);
         }
-        // The same text is the same signal.
+        // The same text returns the same signal.
         QCOMPARE(*s.store.derive("Sum [rad] = actual_q_0 + 3 * actual_q_1 ^ 2"), *made);
         QCOMPARE(s.store.findOrDerive(s.store.info(*made).key), *made);
-        // And others are computed from it by nobody: names are those of the robot.
+        // A derived signal cannot use another derived signal: only names of robot signals are accepted.
         QVERIFY(!s.store.derive("x = Sum + 1").ok());
     }
 
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(made.ok());
         QVERIFY(store.want(this, {*made}));
         QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
-        // Packets of two streams are not mixed.
+        // Signals of two packet streams cannot be combined.
         const auto mixed = store.derive("x = actual_current_window_0 + actual_q_0");
         QCOMPARE(mixed.error().code, ErrorCode::InvalidArgument);
     }
@@ -157,8 +157,8 @@ private Q_SLOTS:
         SignalStore store;
         for (const bool unit : {false, true}) {
             const QString head = unit ? QStringLiteral("x[N]=actual_q_0") : QStringLiteral("x=actual_q_0");
-            for (qsizetype length = DerivedSignal::kLongestText - 6; length <= DerivedSignal::kLongestText;
-                 ++length) {
+            for (qsizetype length = DerivedSignal::kMaxTextLength - 6;
+                 length <= DerivedSignal::kMaxTextLength; ++length) {
                 QString text = head;
                 while (text.size() + 2 <= length) {
                     text += QStringLiteral("+1");
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(std::isnan(s.store.value(*made, 5)));
     }
 
-    // Whatever somebody types or a file has in it.
+    // Random text, as typed by a user or read from a file.
     void anythingGivesASignalOrAnError() {
         SignalStore store;
         std::mt19937 random(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long recording behind the plots: what is drawn from summaries loses no spike, what is near is exact, and a value is that
-// of the file wherever somebody asks.
+// A long recording in the plots: curves drawn from summaries lose no spike, curves of short ranges are exact,
+// and single values equal those of the file at any position.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY(history.minMax(column, 3 * kBlock, 3 * kBlock + 1) == extents[1]);
         QVERIFY(history.minMax(column, 5 * kBlock, kSamples) == extents[2]);
         QVERIFY(history.minMax(column, 0, kSamples) == extents[2]);
-        QCOMPARE(history.grainOf(column, 4), 2 * kBlock);
+        QCOMPARE(history.resolutionOf(column, 4), 2 * kBlock);
         const std::vector<MinMax> halves{{0, 0.5}, {-1, 0}};
         history.setExtents(column, kBlock, kBlock / 2, halves);
         QVERIFY(history.minMax(column, kBlock, kBlock + 1) == halves[0]);
@@ -88,14 +88,15 @@ private Q_SLOTS:
             QVERIFY(value);
             QCOMPARE(static_cast<float>(*value), long_->force[row]);
         }
-        // In the gap there is none.
+        // There is no value inside the gap.
         QVERIFY(!opened.store.valueAt(opened.signal, long_->timeOf(kGap) - 0.3));
         const auto sample = opened.store.sampleAt(opened.name, long_->timeOf(5));
         QCOMPARE(static_cast<float>(sample.values[*sample.layout->indexOfComponent("actual_TCP_force_2")]),
                  long_->force[5]);
     }
 
-    /// At once no spike is lost and none is wider than two columns and a bit; in the end each is where it is.
+    /// In the draft, no spike is lost and none is wider than about two columns; after refinement each spike
+    /// is in its exact column.
     void noSpikeIsLostAtAnyZoom() {
         Opened opened(long_->path);
         QVERIFY(opened.store.want(this, {opened.signal}));
@@ -123,7 +124,7 @@ private Q_SLOTS:
                 opened.history().cut(start, width, kColumns, grid);
                 for (int c = 2; c + 2 < kColumns; ++c) {
                     const auto at = static_cast<std::size_t>(c);
-                    MinMax near;  // of the columns around it, where times are rough
+                    MinMax near;  // over the neighbouring columns, because draft times are approximate
                     for (std::size_t k = at - 2; k <= at + 2; ++k) {
                         near.add(opened.history().minMax(column, grid.edges[k], grid.edges[k + 1]));
                     }
@@ -136,7 +137,8 @@ private Q_SLOTS:
             QVERIFY(!opened.store.sharpen(opened.history(), grid.edges.front() - 1, grid.edges.back() + 1,
                                           kColumns, HistoryFile::Effort::Draft));
             if (grid.edges.back() - grid.edges.front() <= 60'000) {
-                // Rows and all: exactly what they are in memory.
+                // At this zoom the rows themselves are read, so the result equals that of the buffer in
+                // memory.
                 QVERIFY(grid.edges == raw.edges);
                 QVERIFY(opened.history().envelope(column, start, start + span, kColumns) ==
                         plain.envelope(0, start, start + span, kColumns));
@@ -186,7 +188,8 @@ private Q_SLOTS:
         QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
     }
 
-    /// What is computed from it is that of its rows: near, as a whole, and behind a look back over the edge of a block.
+    /// Derived signals of a file equal the values computed from its rows: single values, the whole signal,
+    /// and values that need earlier rows across a block boundary.
     void whatIsComputedFromItIsThatOfItsRows() {
         Opened opened(long_->path);
         const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
@@ -197,7 +200,7 @@ private Q_SLOTS:
         QCOMPARE(opened.store.recordingOf(*made), opened.name);
         QCOMPARE(opened.store.info(*made).group, opened.name);
         QVERIFY(opened.store.want(this, {*made, *slope}));
-        // At once, wherever somebody looks.
+        // Single values are available immediately, at any row.
         const auto truth = [&](std::uint64_t row) {
             return static_cast<float>(2 * std::abs(static_cast<double>(long_->force[row])) + 1);
         };
@@ -214,7 +217,7 @@ private Q_SLOTS:
         }
         QVERIFY2(std::isnan(opened.store.value(*slope, static_cast<std::int64_t>(kGap))),
                  "nothing is computed across a gap");
-        // And as a whole, once all of it has been looked through.
+        // The whole signal, once it has been computed completely.
         QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*slope), 1.0, 60'000);
         QCOMPARE(opened.store.computedPart(*made), 1.0);
         const SeriesBuffer& history = *opened.store.buffer(*made);
@@ -247,7 +250,8 @@ private Q_SLOTS:
         connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++told; });
         connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
         opened.store.closeRecordings();
-        // Another one's is computed behind it: by then all that was to come of the first has come.
+        // A signal of a second recording is computed after the first one, so by then all notifications of the
+        // first have arrived.
         auto file = recording::openRecording(long_->path);
         const QString name = opened.store.open(std::move(file).value(), kBegin).value();
         const auto next = opened.store.derive(
@@ -275,9 +279,10 @@ private Q_SLOTS:
                      static_cast<float>(
                          2 * opened.store.value(opened.store.find(opened.name + "/actual_q_0"), row)));
         }
-        // Two files, or a file and what is live, do not come in the same packets.
+        // Signals of two files, or of a file and live data, are not in the same packets and cannot be
+        // combined.
         QVERIFY(!opened.store.derive(QStringLiteral("x = %1 - actual_q_0").arg(q0)).ok());
-        // Whatever the file is called.
+        // The file may have any name.
         Opened strange(path);
         const auto one = strange.store.derive(
             QStringLiteral("x = %1").arg(DerivedSignal::written(strange.name + "/actual_q_0")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of a range: those of its samples, whether they are in memory or in a long recording, and read but once.
+// Statistics of a range equal those of its samples, both in memory and in a long recording, and each sample
+// is read only once.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -15,7 +16,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// In two passes, as the books have it.
+/// Reference calculation in two passes.
 std::optional<RangeStatistics> plainly(const std::vector<double>& times, const std::vector<double>& values,
                                        double from, double to) {
     RangeStatistics all;
@@ -82,7 +83,7 @@ QString inWords(const std::optional<RangeStatistics>& all) {
                       .arg(all->slope, 0, 'g', 12);
 }
 
-/// Asks until it is known.
+/// Repeats the request until the result is known.
 std::optional<RangeStatistics> ask(RangeStatisticsCache& sums, int signal, double from, double to) {
     const std::array<int, 1> wanted = {signal};
     QSignalSpy known(&sums, &RangeStatisticsCache::known);
@@ -162,7 +163,7 @@ private Q_SLOTS:
         }
         QVERIFY(turns > 1);
         QVERIFY(isNear(sums.statistics(wanted.back(), 0, 1800)->mean, 2));
-        // Another range of the same is there at once.
+        // Another range of the same signals is available immediately.
         sums.want(wanted, 3, 1700);
         QCOMPARE(sums.part(), 1.0);
     }
@@ -187,7 +188,7 @@ private Q_SLOTS:
                        plainly(times, values, kBegin + 0.001, end - 0.001)));
         QVERIFY(isSame(ask(sums, computed, kBegin + 0.001, end - 0.001),
                        plainly(times, twice, kBegin + 0.001, end - 0.001)));
-        // Now any other range is there without a look into the file, but for its edges.
+        // Now any other range is available without reading the file, except for the blocks at its ends.
         std::mt19937 random(9);
         for (int i = 0; i < 20; ++i) {
             const double from = std::uniform_real_distribution<double>(kBegin, end)(random);
@@ -210,7 +211,8 @@ private Q_SLOTS:
         RangeStatisticsCache sums(opened.store);
         QVERIFY(!ask(sums, opened.signal, kBegin, kBegin + 1000));
         QVERIFY(sums.problem().contains("goes.mcap"));
-        // Asked again it is told again, and not read again; what needs no reading is there all the same.
+        // A repeated request reports the problem again without reading the file again. Signals that need no
+        // file access are still available.
         const std::array<int, 1> wanted = {opened.signal};
         QSignalSpy known(&sums, &RangeStatisticsCache::known);
         sums.want(wanted, kBegin, kBegin + 1000);
@@ -226,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(sums.problem().isEmpty());
     }
 
-    /// One that is gone does not keep the other one waiting.
+    /// A deleted recording does not delay the statistics of another one.
     void aRecordingThatFailsIsNotInTheWayOfAnother() {
         const QString path = long_->folder.filePath("a.mcap");
         QVERIFY(QFile::copy(long_->path, path));
@@ -249,7 +251,8 @@ private Q_SLOTS:
         QVERIFY(!sums.statistics(opened.signal, kBegin, to));
     }
 
-    /// Recorded anew under its name: the window still has the one that was, and a worker must not take the other for it.
+    /// A new file was recorded under the same name: the window still has the old recording open, and a worker
+    /// must not read the new file instead.
     void anotherFileInItsPlaceIsNotTakenForIt() {
         const QString path = long_->folder.filePath("anew.mcap");
         QVERIFY(QFile::copy(long_->path, path));
@@ -262,7 +265,7 @@ private Q_SLOTS:
         QVERIFY2(sums.problem().contains("another file"), qPrintable(sums.problem()));
     }
 
-    /// A part of the file is not what it was: what is left is summed up, and that is said.
+    /// A part of the file is damaged: the statistics cover the readable part, and the damage is reported.
     void damageIsSaid() {
         QFile whole(long_->path);
         QVERIFY(whole.open(QIODevice::ReadOnly));

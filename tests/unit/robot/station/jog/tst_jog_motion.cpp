@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(close(stepSize(MotionChoice::Step).length, 0.001));
         QVERIFY(close(stepSize(MotionChoice::CoarseStep).length, 0.010));
         QVERIFY(close(stepSize(MotionChoice::Step).angle, 1 * kDeg));
-        QVERIFY(stepSize(MotionChoice::CoarseStep).angle <= 10 * kDeg);  // larger ones need a held key
+        QVERIFY(stepSize(MotionChoice::CoarseStep).angle <= 10 * kDeg);  // larger steps need a held key
     }
     void turningStepKeepsTheTcpInPlace() {
         const Pose from(0.1, 0.2, 0.3, 0.4, -0.2, 0.9);

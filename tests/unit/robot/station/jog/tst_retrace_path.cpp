@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trail and the way back along it, against doors that only write down what they are asked.
+// The recorded track and the motion back along it, with ports that only record their calls.
 #include <QTest>
 
 #include "robot/station/jog/retrace_path.h"
@@ -9,7 +9,7 @@ using control::StopCause;
 
 namespace {
 
-// An arm that goes where it is told for as long as it is held, in steps of 20 ms.
+// An arm that follows its target while the motion is held, in steps of 20 ms.
 struct Arm {
     JointPositions q;
     control::JogTarget target;
@@ -36,7 +36,7 @@ struct Arm {
         };
     }
     void comeTo(double base, double shoulder) {
-        // In small steps, as a session shows it.
+        // Moves in small steps, as reported by a session.
         const JointPositions to(base, shoulder, 0, 0, 0, 0);
         const int steps = std::max(1, static_cast<int>((to.values - q.values).cwiseAbs().maxCoeff() / 0.005));
         const JointPositions from = q;
@@ -45,7 +45,7 @@ struct Arm {
             track.record(q);
         }
     }
-    /// Goes on for 20 ms. Returns  false when the motion has ended
+    /// Advances by 20 ms. Returns false when the motion has ended.
     bool go(std::uint64_t id) {
         if (!motion.hold(id)) {
             return false;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         int turns = 0;
         for (; turns < 5000 && arm.go(*id); ++turns) {
             QVERIFY(arm.target.qd.values.cwiseAbs().maxCoeff() <= speed + 1e-9);
-            // Never off the way: it is one or the other of the two straight halves.
+            // Never off the path: the arm is on one of the two straight halves.
             const double off = std::min(std::abs(arm.q[0] - 0.5), std::abs(arm.q[1]));
             QVERIFY2(off < 0.045, qPrintable(QString::number(off)));
             corner = std::min(corner, std::hypot(arm.q[0] - 0.5, arm.q[1]));
@@ -101,7 +101,7 @@ private Q_SLOTS:
         const auto id = arm.motion.begin();
         QVERIFY(id.ok());
         QVERIFY(arm.go(*id));
-        arm.running = 0;  // somebody pressed STOP
+        arm.running = 0;  // STOP was pressed
         QVERIFY(!arm.go(*id));
         QVERIFY(!arm.go(*id));
         QCOMPARE(arm.next, 1U);

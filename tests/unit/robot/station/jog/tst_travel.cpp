@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is left in each direction, and the way out of a limit, checked with the kinematics alone.
+// The remaining travel in each direction, and the direction away from a limit, checked with the kinematics
+// only.
 #include <QTest>
 #include <memory>
 #include <numbers>
@@ -22,7 +23,7 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// An arm above a floor, if it has one, with the robot's own model of itself.
+/// An arm, optionally above a floor, with the nominal model of the robot.
 SessionState armAt(const JointPositions& q, const Pose& tcpOffset = {}, std::optional<double> floor = {},
                    double toolRadius = 0) {
     SessionState state;
@@ -51,7 +52,7 @@ class TestTravel : public QObject {
 
 private Q_SLOTS:
     void theEndOfTheArmsReachIsFound() {
-        // Straight up: the jog ends a little before the arm is stretched.
+        // Straight up: the jog ends shortly before the arm is fully extended.
         const control::JogReach up = travelLeft(armAt(kMiddle), along(2, 1));
         QCOMPARE(up.end.kind, control::LimiterKind::Singularity);
         const Pose start = kinematics::forwardTcp(dh(), kMiddle);
@@ -64,7 +65,7 @@ private Q_SLOTS:
         QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle), "and not much more");
     }
 
-    // The number is that of a limit: the plane that the base stands on is none, a floor of the cell is.
+    // Only limits end the jog: the mounting plane is not a limit, a floor of the cell is.
     void goingDownEndsAtAFloorOfTheCellOnly() {
         const control::JogReach open = travelLeft(armAt(kMiddle), along(2, -1));
         QVERIFY(open.end.kind != control::LimiterKind::Border);
@@ -79,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(down.end.link, collision::kToolLink);
         QVERIFY2(std::abs(down.distance - (tip - collision::kSafetyDistance)) < 0.002,
                  qPrintable(QString::number(down.distance)));
-        // Upwards it is as far as it was.
+        // The reach upwards is unchanged.
         QCOMPARE(travelLeft(armAt(kMiddle, tool, 0, radius), along(2, 1)).end.kind,
                  control::LimiterKind::Singularity);
     }
@@ -88,7 +89,7 @@ private Q_SLOTS:
         JointPositions near = kMiddle;
         near[5] = kJointPositionLimit - 20 * kDeg;
         const Eigen::Matrix3d R = rotationMatrix(kinematics::forwardTcp(dh(), near).rotation);
-        // About the tool's own Z only wrist 3 turns.
+        // A rotation about the tool's own Z axis moves wrist 3 only.
         Vector6 about = Vector6::Zero();
         about.tail<3>() = R.col(2);
         const control::JogReach one = travelLeft(armAt(near), about);
@@ -104,9 +105,9 @@ private Q_SLOTS:
     void theWayOutTakesTheJointAway() {
         JointPositions near = kMiddle;
         near[2] = -(kJointPositionLimit - 12 * kDeg);
-        const int key = wayOut(armAt(near), Eigen::Matrix3d::Identity(), 2);
+        const int key = escapeKey(armAt(near), Eigen::Matrix3d::Identity(), 2);
         QVERIFY(key >= 0);
-        // Followed for 20 mm (or 6 deg), the joint is further from its limit than before.
+        // After following the advice for 20 mm (or 6 deg), the joint is further from its limit than before.
         const int axis = key / 2;
         const double sign = key % 2 == 0 ? -1 : 1;
         Pose pose = kinematics::forwardTcp(dh(), near);
@@ -134,7 +135,7 @@ private Q_SLOTS:
     }
 
     void theLimiterLineNamesTheBodiesThatAreNearAndTheKeyThatPartsThem() {
-        // Low enough for a floor below the shoulder, and 15 mm above it.
+        // A pose low enough for a floor below the shoulder, 15 mm above that floor.
         Pose low = kinematics::forwardTcp(dh(), kMiddle);
         low.position.z() -= 0.2;
         const JointPositions q = kinematics::inverseNearest(dh(), low, {}, kMiddle).value();
@@ -153,7 +154,7 @@ private Q_SLOTS:
         LimiterAdvice limiter = nearestLimiter(state);
         QVERIFY2(limiter.what.contains("15 mm from the floor"), qPrintable(limiter.what));
         QCOMPARE(limiter.advice, QStringLiteral("jog Z+"));
-        // While it slows a jog down, with the share of the speed.
+        // While the limiter slows down a jog, the text includes the remaining share of the speed.
         state.motionActive = true;
         state.limiter.kind = control::LimiterKind::Border;
         state.limiter.link = 6;
@@ -161,7 +162,7 @@ private Q_SLOTS:
         state.limiter.distance = 0.015;
         state.limiter.scale = 0.4;
         limiter = nearestLimiter(state);
-        QCOMPARE(limiter.what, QStringLiteral("Wrist 3 is 15 mm from the floor: 40 % of the speed"));
+        QCOMPARE(limiter.what, QStringLiteral("Wrist 3 is 15 mm from the floor: 40 % speed"));
         QVERIFY(nearestLimiter(armAt(q, {}, height - 0.05)).what.isEmpty());
     }
 
@@ -179,7 +180,7 @@ private Q_SLOTS:
     void alignmentTurnsTheToolToTheNearestAxisAndStaysInPlace() {
         JogSelection selection;
         Pose from(0.1, -0.4, 0.3, 0, 0, 0);
-        // The tool points down, ten degrees off.
+        // The tool points down, with an inclination of ten degrees.
         from.rotation = rotationVector(
             Eigen::AngleAxisd(std::numbers::pi - 10 * kDeg, Eigen::Vector3d::UnitX()).matrix());
         const MoveRequest request = alignMove(selection, from, {});
@@ -192,7 +193,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(turn.angle() - 10 * kDeg) < 1e-9, "no more than the ten degrees");
         QVERIFY2(std::abs(request.speed - chosenSpeed(selection).rotation * 0.25) < 1e-12,
                  "as fast as a turn is chosen");
-        // A robot at rest trembles: that is no line to go along slowly.
+        // The measured position of a robot at rest fluctuates; this must not count as a slow linear path.
         const JointPositions q = kMiddle;
         const Pose at = kinematics::forwardTcp(dh(), q);
         Pose turned = at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the session concludes about control when it lacks data: before the first ones, and after a dead connection.
+// The session's conclusions about control without data: before the first data, and after a lost connection.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -19,7 +19,7 @@ struct DoubtBench {
     VirtualCell cell{clock, session};
 
     const SessionState& state() const { return session.state(); }
-    /// Time goes on until the condition holds. False: it never did.
+    /// Advances time until the condition holds. Returns false on timeout.
     template <class Condition>
     bool until(const Condition& condition) {
         QElapsedTimer waited;
@@ -29,7 +29,7 @@ struct DoubtBench {
         }
         return condition();
     }
-    /// Time goes on for robot and session, without waiting for data that cannot come.
+    /// Advances time for the robot and the session, without waiting for data that cannot arrive.
     void goOn(int ms) {
         for (int t = 0; t < ms; t += 2) {
             clock.advanceNs(2 * kNsPerMs);
@@ -68,9 +68,9 @@ class TestControlDoubt : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Whether a program of others runs is not known yet, so taking control could end it without a question.
+    // It is not known yet whether another program is running, so taking control could end it without asking.
     void takingControlWaitsForData() {
-        QStringList said;  // outlives the session, which has a last word
+        QStringList said;  // declared first: the session may send a message in its destructor
         bool asked = false;
         DoubtBench bench;
         QVERIFY(bench.cell.robot.start().ok());
@@ -102,13 +102,13 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // For good: data that are late later on say nothing new about the old connection.
+        // Permanently: data that become late afterwards give no new information about the old connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    // Old data prove nothing: the time begins again with fresh ones.
+    // Old data prove nothing: the time starts again with fresh data.
     void lateDataProlongTheDoubt() {
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In control, and the robot goes from Remote to Local: motion stops, control is given back, and the operator
-// reads why. A robot that never was in Remote may be controlled as it is.
+// The robot changes from Remote to Local while in control: motion stops, control is released, and the
+// operator is told the reason. A robot that was never in Remote may be controlled as it is.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -12,12 +12,12 @@ using control::StopCause;
 
 namespace {
 
-/// Session time within which the switch is asked about; the answer itself takes real time.
+/// Session time within which the remote switch is queried; the reply itself takes real time.
 constexpr int kNoticedMs = 600;
-constexpr int kPatienceMs = 20'000;
+constexpr int kWaitTimeoutMs = 20'000;
 
 struct Bench {
-    QStringList warnings;  // outlives the session, which has a last word
+    QStringList warnings;  // declared first: the session may send a message in its destructor
     VirtualClock clock;
     RobotSession session{clock};
     VirtualCell cell;
@@ -43,19 +43,19 @@ struct Bench {
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
-        while (!condition() && patience.elapsed() < kPatienceMs) {
+        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
         }
         return condition();
     }
-    /// The session's time stands still: what was asked for is answered.
+    /// Waits in real time, without advancing session time, until a pending request is answered.
     bool answered(const std::function<bool()>& condition) {
         return QTest::qWaitFor(
             [&] {
                 session.refresh();
                 return condition();
             },
-            kPatienceMs);
+            kWaitTimeoutMs);
     }
     bool beginJog() {
         control::JogTarget up;
@@ -87,16 +87,16 @@ private Q_SLOTS:
         bench.cell.advanceMs(kNoticedMs);
         QVERIFY(bench.answered([&] { return !bench.warnings.isEmpty(); }));
         QVERIFY2(bench.said().contains(QStringLiteral("Local")), qPrintable(bench.said()));
-        // The hand still holds the key: it moves nothing any more.
+        // The operator still holds the key, but it no longer moves the arm.
         QVERIFY(
             bench.cell.advanceUntil([&] { return bench.cell.truth().tcpSpeed.linear.norm() < 0.001; }, 250));
         QVERIFY(bench.within([&] { return !bench.isInControl(); }));
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
-        // The reason follows what the controller told by itself.
+        // The reason is updated once the controller itself has reported the mode.
         QVERIFY(bench.answered([&] { return bench.session.state().control == ControlState::Refused; }));
         QVERIFY(bench.session.state().controlReason.contains(QStringLiteral("Local")));
         QCOMPARE(bench.warnings.size(), 1);
-        // And back: nothing is taken by itself, but everything can be.
+        // Back in Remote: control is not taken automatically, but the operator can take it again.
         bench.jog = 0;
         bench.cell.robot.setRemoteControl(true);
         QVERIFY(bench.knowsRemote());
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(bench.beginJog());
     }
 
-    // What takes no commands is known as soon as it has been in Remote once.
+    // A robot that accepts no commands in Local is recognized once it has been in Remote.
     void inLocalTheNextStepIsAtTheTeachPendant() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(!bench.session.state().controlReason.contains(QStringLiteral("Remote")));
     }
 
-    // Or when it has refused; and a refusal is forgotten when the robot is in Remote.
+    // A refused command also shows it; the refusal is forgotten when the robot is in Remote again.
     void refusalInLocalIsRememberedUntilRemote() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY2(bench.within([&] { return bench.isInControl(); }), qPrintable(bench.said()));
     }
 
-    // Remote control switched off in the settings of the robot: it answers "false" from the beginning.
+    // Remote control is disabled in the robot settings: the reply is "false" from the beginning.
     void aRobotThatNeverWasInRemoteIsNoTransition() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
-    // Software that does not know the question.
+    // Software that does not support the query.
     void noTransitionWithoutReportedMode() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.software = {5, 5, 1, 0};
@@ -184,9 +184,9 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
-    // Whoever moved it, and once it rests: the log tells.
+    // The speed slider is logged once it is at rest, whether the robot or the operator moved it.
     void aMovedSpeedSliderIsLogged() {
-        QStringList said;  // outlives the session, which has a last word
+        QStringList said;  // declared first: the session may send a message in its destructor
         QList<Origin> origins;
         Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
@@ -198,7 +198,7 @@ private Q_SLOTS:
                          });
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(1000);
-        QVERIFY(said.isEmpty());  // where it stood is no news
+        QVERIFY(said.isEmpty());  // the initial position is not logged
         bench.cell.robot.setSpeedSlider(0.3);
         bench.cell.advanceMs(1000);
         QCOMPARE(said, QStringList{QStringLiteral("Speed slider: 30 %")});
@@ -214,7 +214,7 @@ private Q_SLOTS:
         QCOMPARE(origins.last(), Origin::Operator);
     }
 
-    // The log and its export call an output what the operator calls it.
+    // The log and its export use the operator's name for an output.
     void outputsAreLoggedByTheirNames() {
         QStringList said;
         Bench bench;

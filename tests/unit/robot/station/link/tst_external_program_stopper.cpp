@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which stops mean a program that is not ours, too.
+// The stops that also apply to a program of another client.
 #include <QTest>
 #include <algorithm>
 
@@ -71,7 +71,7 @@ private Q_SLOTS:
         played.link = LinkState::Lost;
         QVERIFY(meansIt(played));
     }
-    // A program may have begun since. Esc and Space may mean something else in the window; STOP does not.
+    // A program may have started since. Esc and Space may have another meaning in the window; STOP has not.
     void oldDataConfirmNoStandstill() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);
@@ -84,7 +84,7 @@ private Q_SLOTS:
             QVERIFY(meansIt(played));
         }
     }
-    // Then the window names Space and Esc as stop keys.
+    // While control is in doubt, the window shows Space and Esc as stop keys.
     void everyStopKeyIsMeantWhileControlIsInDoubt() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);
@@ -100,13 +100,13 @@ private Q_SLOTS:
         moving.moving = true;
         QVERIFY(meansIt(moving));
     }
-    // It goes to our own program first; on all routes once nothing confirms it.
+    // A stop goes to our own program first, and to all connections once it is not confirmed.
     void noOtherStopIsMeant() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);
-            const bool byHand =
+            const bool byOperator =
                 which == StopCause::Escape || which == StopCause::Space || which == StopCause::StopButton;
-            QCOMPARE(ExternalProgramStopper::isMeant(which, live(RuntimeState::Playing)), byHand);
+            QCOMPARE(ExternalProgramStopper::isMeant(which, live(RuntimeState::Playing)), byOperator);
         }
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One clock for the whole interface: each frame fetches what came since the last one, once, and everybody is shown
-// the last of it.
+// One clock for the whole user interface: each frame fetches the samples since the previous frame once, and
+// all parts of the window show the latest one.
 #include <QElapsedTimer>
 #include <QTest>
 #include <vector>
@@ -13,15 +13,15 @@ using tiller::test::VirtualCell;
 
 namespace {
 
-/// What a part of the window hears of a session.
+/// Records the signals that a part of the window receives from a session.
 struct Listener {
-    std::vector<std::uint64_t> sequences;  ///< of all samples, in their order
+    std::vector<std::uint64_t> sequences;  ///< of all samples, in order of arrival
     std::uint64_t lost = 0;
     int links = 0;
     int batches = 0;
     int frames = 0;
-    int framesBehind = 0;  ///< whose state was not made from the last sample
-    QObject context;       ///< hears nothing any more once this is gone
+    int framesBehind = 0;  ///< frames whose state was not made from the latest sample
+    QObject context;       ///< destroying it disconnects the listener
 
     explicit Listener(RobotSession& session) {
         QObject::connect(&session, &RobotSession::linkBegan, &context, [this] {
@@ -41,7 +41,7 @@ struct Listener {
             framesBehind += !sequences.empty() && state.sequence != sequences.back() ? 1 : 0;
         });
     }
-    /// Every sample came once, none before another that was sent earlier.
+    /// True if every sample arrived exactly once and in order.
     bool isWhole() const {
         for (std::size_t i = 1; i < sequences.size(); ++i) {
             if (sequences[i] != sequences[i - 1] + 1) {
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(400);
         QCOMPARE(first.links, 1);
-        QVERIFY(first.sequences.size() >= 150);  // 500 a second
+        QVERIFY(first.sequences.size() >= 150);  // 500 per second
         QVERIFY(first.isWhole());
         QCOMPARE(first.framesBehind, 0);
         QVERIFY2(first.batches * 2 < static_cast<int>(first.sequences.size()),
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(second.sequences == first.sequences);
     }
 
-    // What is late comes with the next frame; what had no room is counted.
+    // Late samples are delivered with the next frame; samples that did not fit into the ring are counted.
     void aFrozenInterfaceGetsAllOfItAfterwards() {
         Bench bench;
         Listener listener(bench.session);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(listener.isWhole());
     }
 
-    // An arm that moved when the operator disconnected says nothing about the next robot.
+    // A motion at the time of disconnecting has no effect on the next robot.
     void aNewLinkHasMissedNoStop() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -132,9 +132,9 @@ private Q_SLOTS:
         QVERIFY(bench.session.state().lastStopSeen);
     }
 
-    // Outputs are connected anew by it; nobody has to compare what he saw before.
+    // The connected() signal is emitted again, so clients need not compare it with the earlier state.
     void aRobotThatComesBackIsTheSameLink() {
-        constexpr int kPatienceMs = 20'000;
+        constexpr int kWaitTimeoutMs = 20'000;
         Bench bench;
         Listener listener(bench.session);
         int connections = 0;
@@ -145,7 +145,7 @@ private Q_SLOTS:
         bench.cell.robot.closeClients();
         QElapsedTimer patience;
         patience.start();
-        while (connections < 2 && patience.elapsed() < kPatienceMs) {
+        while (connections < 2 && patience.elapsed() < kWaitTimeoutMs) {
             bench.clock.advanceNs(2 * kNsPerMs);
             bench.cell.robot.step();
             bench.session.refresh();
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QCOMPARE(connections, 2);
     }
 
-    // Whoever hears of a frame may let events run, and so begin another.
+    // A slot that receives a frame may process events and so start another frame.
     void aFrameWithinAFrameLeavesTheFirstWhole() {
         bool nested = false;
         Bench bench;

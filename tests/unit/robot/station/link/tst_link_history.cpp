@@ -11,7 +11,7 @@ class TestLinkHistory : public QObject {
     Q_OBJECT
 
 private:
-    /// A second of 500 packets, so many of them late and lost, in 16 ms frames.
+    /// One second with 500 packets, some of them late or lost, in 16 ms frames.
     PacketCounts second(std::uint64_t late, std::uint64_t lost) {
         PacketCounts recent;
         for (int frame = 1; frame <= 50; ++frame) {

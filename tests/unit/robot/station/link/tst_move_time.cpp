@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The speed that the operator chose holds a move down, whatever part of the arm would get faster.
+// The chosen speed limits a move at every part of the arm.
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -24,7 +24,8 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// How the TCP goes while the shoulder turns at 1 rad/s and wrist 1 turns back: no turn [m/s].
+/// TCP velocity while the shoulder turns at 1 rad/s and wrist 1 turns back, without rotation of the tool
+/// [m/s].
 Eigen::Vector3d aroundTheShoulder(const JointPositions& q) {
     const auto J = kinematics::jacobian(dh(), q);
     return (J.col(1) - J.col(3)).head<3>();
@@ -62,7 +63,7 @@ private Q_SLOTS:
         const MoveRequest asked = line(state, 0.03 * around.normalized());
         const double speed = slowedTo(chosen(), asked, state).speed;
         QVERIFY2(speed > 0 && speed < 0.6 * kChosen, qPrintable(QString::number(speed)));
-        // As it begins, the elbow turns around the shoulder with the upper arm.
+        // At the start, the elbow turns around the shoulder together with the upper arm.
         const double elbow = std::abs(dh().a[1]) * speed / around.norm();
         QVERIFY2(elbow < 1.05 * kChosen && elbow > 0.8 * kChosen, qPrintable(QString::number(elbow)));
     }
@@ -72,7 +73,8 @@ private Q_SLOTS:
         MoveRequest turning = line(state, 0.03 * aroundTheShoulder(kFolded).normalized());
         turning.pose.rotation =
             rotationVector(rotationMatrix(state.tcpPose.rotation) * rotationMatrix({0, 0, 0.4}));
-        // The turn leads: the speed is that of a longer way, and the line takes as long as its elbow needs.
+        // The rotation dominates: the speed refers to a longer path, and the line takes as long as the elbow
+        // needs.
         const double length = kinematics::lineLength(state.tcpPose, turning.pose);
         QVERIFY(std::abs(length - 0.4 * kinematics::kTurnRadius) < 1e-6);
         const double tcp = slowedTo(chosen(), turning, state).speed * 0.03 / length;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names of recordings: what a pattern becomes, and that no recording is ever written over another.
+// File names of recordings: the expansion of the pattern, and no recording overwrites another one.
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -34,7 +34,7 @@ private Q_SLOTS:
         QCOMPARE(name("{robot} {date}"), QString("Lab UR5e 2024-09-17.csv"));
         QCOMPARE(name("gluing"), QString("gluing.csv"));
         QCOMPARE(name(" gluing.CSV "), QString("gluing.csv"));
-        // A robot may be called what no file can be.
+        // The name of a robot may contain characters that a file name must not.
         QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
     }
 
@@ -73,7 +73,7 @@ private Q_SLOTS:
             QFile made(folder_.filePath(there));
             QVERIFY(made.open(QIODevice::WriteOnly));
         }
-        // A link to nowhere is in the way as well.
+        // A dangling link also occupies its name.
         QVERIFY(QFile::link(folder_.filePath("no such file"), folder_.filePath("lot 004.csv")));
         QCOMPARE(name("lot {number}"), QString("lot 006.csv"));
     }
@@ -105,7 +105,7 @@ private Q_SLOTS:
             RecordingChoice{.fields = {"actual_q", "no_such_field", "actual_q"}, .every = -3}.sane();
         QCOMPARE(choice.fields, QStringList("actual_q"));
         QCOMPARE(choice.every, 1);
-        QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMostSparse);
+        QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMaxDecimation);
         QVERIFY2(RecordingChoice{.fields = all}.sane().fields.isEmpty(), "all of them is no choice");
         QVERIFY(!recordingFolder().isEmpty());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Programs for tests, step by step, and a project with what their steps refer to.
+// Programs for tests, step by step, and a project with the elements that their steps refer to.
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
@@ -22,7 +22,7 @@ inline project::Waypoint waypointAt(const QString& name, const Eigen::Vector3d& 
     pose.position += offset;
     point.pose = pose;
     point.joints = kinematics::inverseNearest(dh, pose, {}, kStart).value();
-    point.ruling = project::Ruling::Pose;
+    point.ruling = project::TargetKind::Pose;
     return point;
 }
 
@@ -59,7 +59,7 @@ inline QString waypointId(const project::Project& project, const QString& name) 
     return idText(project.waypoints.at(project.waypoints.indexOfName(name)).id);
 }
 
-/// A step with the initial values of its kind, and these.
+/// A step with the default values of its kind, overridden by `fields`.
 inline project::ProgramStep step(const char* kind, const QJsonObject& fields = {},
                                  std::vector<project::ProgramStep> steps = {}) {
     const StepKind* found = findStepKind(QLatin1String(kind));

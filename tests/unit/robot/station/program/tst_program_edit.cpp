@@ -11,7 +11,7 @@ using namespace tiller::program;
 
 namespace {
 
-/// "a b(c d) e": the texts of log steps, and folders with what is in them.
+/// "a b(c d) e": the texts of log steps, and folders with their contents.
 QString shapeOf(const Steps& steps) {
     QStringList texts;
     for (const project::ProgramStep& step : steps) {

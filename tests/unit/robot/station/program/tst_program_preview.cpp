@@ -67,7 +67,7 @@ private Q_SLOTS:
         options.inputs = on(0);
         const Ran ran = run(project, trayProgram(project), options);
         QVERIFY2(ran.preview.isGood(), describe(ran));
-        // Twelve places; the steps in the loop ran once for each of them.
+        // The tray has twelve positions; the steps in the loop ran once for each of them.
         QCOMPARE(ran.preview.timings[5].count, 12);
         QCOMPARE(ran.preview.timings[11].count, 12);
         QVERIFY(ran.preview.timings[11].total > 12 * 0.01);
@@ -85,9 +85,9 @@ private Q_SLOTS:
         const Ran ran = run(project, trayProgram(project));  // the input stays off
         QVERIFY2(ran.preview.isGood(), describe(ran));
         QCOMPARE(ran.preview.timings[7].count, 1);   // the gripper closes once
-        QCOMPARE(ran.preview.timings[8].count, 0);   // and nothing behind it in the loop runs
+        QCOMPARE(ran.preview.timings[8].count, 0);   // and no later step in the loop runs
         QCOMPARE(ran.preview.timings[14].count, 1);  // On error
-        QCOMPARE(ran.preview.timings[16].count, 1);  // the last step runs all the same
+        QCOMPARE(ran.preview.timings[16].count, 1);  // the last step still runs
     }
 
     void failureWithoutOnErrorEndsTheProgram() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random programs: valid ones run in the order that a model of the steps predicts, invalid ones are refused at the step
-// that is wrong, and damaged files crash nothing.
+// Random programs: valid programs run in the order predicted by a model of the steps, invalid programs are
+// refused at the faulty step, and damaged files cause no crash.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kPrograms = 500;
 
-/// Makes programs of a fixed seed. All of them end.
+/// Generates programs from a fixed seed. All of them terminate.
 class Maker {
 public:
     Maker(quint32 seed, const project::Program& helper) : random_(seed), helper_(helper) {}
@@ -50,7 +50,7 @@ private:
         return all[below(static_cast<int>(all.size()))];
     }
 
-    /// One step, or those that belong together.
+    /// One step, or a group of steps that belong together.
     std::vector<project::ProgramStep> group(int depth, bool inLoop, bool inTry) {
         const int kinds = depth < 3 ? 14 : 7;
         switch (below(kinds)) {
@@ -109,7 +109,7 @@ private:
     const project::Program& helper_;
 };
 
-/// What the steps do, without a script.
+/// The expected behaviour of the steps, modelled without a script.
 class Model {
 public:
     Model(const ProgramScript& script, const project::Program& helper, bool input0)
@@ -143,8 +143,8 @@ private:
     void mark(const project::ProgramStep& step) { order_.push_back(script_.numberOf(step.id)); }
 
     End list(const std::vector<project::ProgramStep>& steps) {
-        bool taken = false;   // a branch of the present if
-        bool failed = false;  // the present try
+        bool taken = false;   // a branch of the current if
+        bool failed = false;  // the current try
         for (const project::ProgramStep& step : steps) {
             if (step.disabled || step.kind == "comment") {
                 continue;
@@ -320,7 +320,7 @@ private Q_SLOTS:
             project::Program made = maker.program();
             std::vector<project::ProgramStep*> all;
             collect(made.steps, all);
-            std::vector<project::ProgramStep*> plain;  // nothing depends on where they are
+            std::vector<project::ProgramStep*> plain;  // steps whose position does not matter
             for (project::ProgramStep* step : all) {
                 if (step->steps.empty() && step->kind != "comment" && step != all.front()) {
                     plain.push_back(step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs as URScript: every kind compiles, and what is wrong is reported at its step.
+// Programs as URScript: every kind of step compiles, and errors are reported at their step.
 
 #include <QTest>
 
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(script.name, QString("program_fill_the_tray"));
     }
 
-    // A step of each kind where it may be, with everything it refers to.
+    // A step of each kind in a permitted position, with all elements it refers to.
     void everyKindCompiles_data() {
         QTest::addColumn<QString>("kind");
         for (const StepKind* kind : stepKinds()) {
@@ -304,7 +304,7 @@ private Q_SLOTS:
         QVERIFY(!script.text.contains("register(47, 1)"));
         options.from = tray.steps[4].id;  // On error belongs to Try
         QVERIFY(!scriptOf(project, tray, options).ok());
-        options.from = tray.steps[3].steps[0].id;  // inside of Try
+        options.from = tray.steps[3].steps[0].id;  // inside Try
         QVERIFY(!scriptOf(project, tray, options).ok());
     }
 

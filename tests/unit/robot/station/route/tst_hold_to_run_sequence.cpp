@@ -10,7 +10,7 @@ using State = SequenceStep::State;
 
 namespace {
 
-/// What was asked of the steps, in order.
+/// The calls that the steps received, in order.
 using Notes = QStringList;
 
 class NotedStep : public SequenceStep {
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(id.ok());
         QCOMPARE(b.notes, Notes{"begin a after 7"});
         QVERIFY(b.motion.hold(*id));
-        QVERIFY(b.motion.hold(*id));  // a is done, b begins in the same turn
+        QVERIFY(b.motion.hold(*id));  // a is complete, b begins in the same cycle
         QCOMPARE(b.notes, (Notes{"begin a after 7", "begin b after 7"}));
         QVERIFY(b.motion.hold(*id) && b.motion.hold(*id));
         QVERIFY(!b.motion.hold(*id));
@@ -92,7 +92,8 @@ private Q_SLOTS:
         QCOMPARE(b.planned.size(), std::size_t(1));
     }
 
-    // In a pause between two ways a stop finds nothing that moves: what was to come does not come.
+    // A stop during a pause between two motions finds no motion to stop; the next motion must not begin
+    // either.
     void aStopBetweenTwoEndsAll() {
         Bench b;
         b.planned = {{"wait", 100}, {"b"}};

@@ -45,12 +45,13 @@ private Q_SLOTS:
         QVERIFY(route.isDone());
         QCOMPARE(route.coming(), Place());
         QCOMPARE(route.before(), Place(1));
-        route.beginAnew();
+        route.restartRoute();
         QCOMPARE(route.coming(), Place(0));
         QVERIFY(!route.isDone());
     }
 
-    // Between two waypoints a step back leads to the one that was left, at one of them to the one before it.
+    // Between two waypoints, a step back returns to the waypoint just left; at a waypoint, to the previous
+    // one.
     void aStepBackLeadsToTheOneThatWasLeft() {
         WaypointRoute route;
         route.setWaypoints(someIds(4));

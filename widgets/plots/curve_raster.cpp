@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/curve_sheet.h"
+#include "widgets/plots/curve_raster.h"
 
 #include <QPaintEngine>
 #include <QPainter>
@@ -26,7 +26,7 @@ constexpr double kSpike = 3;  // [px]
 /// Number of columns painted together.
 constexpr std::size_t kBlock = 16;
 
-/// Colour times coverage, premultiplied, for 0 ... 255.
+/// Colour multiplied by coverage, premultiplied, for coverages 0 ... 255.
 std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     std::array<QRgb, kOpaque + 1> out{};
     for (int i = 0; i <= kOpaque; ++i) {
@@ -36,9 +36,9 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     return out;
 }
 
-/// Premultiplied `above` over `below`.
+/// Composites premultiplied `above` over `below`.
 QRgb over(QRgb above, QRgb below) {
-    // Two channels at a time, each in sixteen bits.
+    // Two channels at a time, with sixteen bits each.
     constexpr QRgb kTwo = 0x00FF00FF;
     constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
@@ -87,17 +87,17 @@ void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, 
 
 }  // namespace
 
-CurveSheet::CurveSheet(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent)
+CurveRaster::CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent)
     : QGraphicsItem(parent), curves_(curves) {
     setAcceptedMouseButtons(Qt::NoButton);
 }
 
-std::size_t CurveSheet::place(std::int64_t column) const {
+std::size_t CurveRaster::place(std::int64_t column) const {
     const std::int64_t width = ring_.width();
     return static_cast<std::size_t>((column % width + width) % width);
 }
 
-void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, double y1) {
+void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, double y1) {
     columnsPainted_ = 0;
     if (area != area_) {
         prepareGeometryChange();
@@ -157,7 +157,7 @@ void CurveSheet::setView(const QRectF& area, double t0, double t1, double y0, do
     update();
 }
 
-void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pitch) {
+void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double pitch) {
     const double perUnit = area_.height() / pitch / (y1_ - y0_);
     const double bottom = area_.height() / pitch;
     std::vector<std::array<QRgb, kOpaque + 1>> shades;
@@ -179,8 +179,8 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
     for (std::size_t c = 0; c < drawn.size(); ++c) {
         drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
     }
-    // All curves of some columns before the next columns, each from top to bottom, for locality in the cache. The
-    // result is then transposed to the rows of the image.
+    // Paint all curves of some columns, each column from top to bottom, before the next columns, for cache
+    // locality. The result is then transposed to the rows of the image.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
         if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
@@ -201,12 +201,12 @@ void CurveSheet::paintColumns(const std::vector<std::uint8_t>& wanted, double pi
     }
 }
 
-std::ptrdiff_t CurveSheet::blockPitch() const {
-    // Whole groups of four rows; and columns do not evict each other from the cache.
+std::ptrdiff_t CurveRaster::blockPitch() const {
+    // Whole groups of four rows, and an odd stride, so that columns do not evict each other from the cache.
     return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
 }
 
-void CurveSheet::keepBlock(std::span<const std::uint8_t> wanted, std::size_t first) {
+void CurveRaster::keepBlock(std::span<const std::uint8_t> wanted, std::size_t first) {
     const std::ptrdiff_t stride = ring_.bytesPerLine() / static_cast<std::ptrdiff_t>(sizeof(QRgb));
     auto* const ring = reinterpret_cast<QRgb*>(ring_.bits());
     const std::ptrdiff_t pitch = blockPitch();
@@ -231,8 +231,8 @@ void CurveSheet::keepBlock(std::span<const std::uint8_t> wanted, std::size_t fir
     }
 }
 
-void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
-                             const QRgb* shades, QRgb* pixels) const {
+void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
+                              const QRgb* shades, QRgb* pixels) const {
     // A slanted line through the column, with the thickness of the pen plus the extent of the curve. The coverage
     // of a pixel follows from the intersections of its two edges with the column.
     const Curve::Column& column = curve.columns()[at];
@@ -264,7 +264,7 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
     // The coverage of a row is linear in its number: computed incrementally, in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    constexpr double kFar = 20000;  // beyond any row, without overflow of the incremental value
+    constexpr double kFar = 20000;  // beyond any row, but the incremental value does not overflow
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {
@@ -289,7 +289,7 @@ void CurveSheet::paintColumn(const Curve& curve, std::size_t at, double perUnit,
     paintRows(fullTo, to);
 }
 
-void CurveSheet::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     if (ring_.isNull()) {
         return;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/steady_scroll_area.h"
+#include "widgets/common/no_focus_scroll_area.h"
 
 namespace tiller {
 
-bool SteadyScrollArea::focusNextPrevChild(bool next) {
+bool NoFocusScrollArea::focusNextPrevChild(bool next) {
     const QWidget* before = focusWidget();
     const bool byKey = before == nullptr || (before->isVisible() && before->isEnabled());
     return byKey ? QScrollArea::focusNextPrevChild(next) : QAbstractScrollArea::focusNextPrevChild(next);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_witness.h"
+#include "widgets/common/key_state_probe.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
 
 #ifdef TILLER_HAS_XCB
-#include "widgets/common/xcb_witness.h"
+#include "widgets/common/xcb_key_state_probe.h"
 #endif
 
 namespace tiller {
 
 namespace {
 
-/// Stands where nobody can be asked.
-class NoWitness : public HoldWitness {
+/// Used on platforms without a key-state query.
+class NoKeyStateProbe : public KeyStateProbe {
 public:
     bool isThere() const override { return false; }
     void want(bool) override {}
@@ -21,26 +21,26 @@ public:
     Word key(KeyCode) const override { return {}; }
     std::int64_t waitingNs() const override { return 0; }
     QString description() const override {
-        return QCoreApplication::translate("HoldWitness",
-                                           "Key-state check unavailable on this platform (%1): held keys are "
-                                           "known from window events only.")
+        return QCoreApplication::translate("KeyStateProbe",
+                                           "Key-state check unavailable on this platform (%1): Tiller relies "
+                                           "on window events for held keys.")
             .arg(QGuiApplication::platformName());
     }
 };
 
 }  // namespace
 
-std::unique_ptr<HoldWitness> HoldWitness::ofThisPlatform() {
+std::unique_ptr<KeyStateProbe> KeyStateProbe::ofThisPlatform() {
 #ifdef TILLER_HAS_XCB
     if (QGuiApplication::platformName() == QLatin1String("xcb")) {
-        return std::make_unique<XcbWitness>();
+        return std::make_unique<XcbKeyStateProbe>();
     }
 #endif
     return none();
 }
 
-std::unique_ptr<HoldWitness> HoldWitness::none() {
-    return std::make_unique<NoWitness>();
+std::unique_ptr<KeyStateProbe> KeyStateProbe::none() {
+    return std::make_unique<NoKeyStateProbe>();
 }
 
 }  // namespace tiller

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_button.h"
+#include "widgets/common/hold_to_run_button.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -17,18 +17,19 @@ namespace tiller {
 
 namespace {
 
-constexpr int kDetailSize = 13;  // [px] of the letters
+constexpr int kDetailSize = 13;  // font size [px]
 constexpr int kHoldHintMs = 2000;
 
 }  // namespace
 
-HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(parent), guard_(*this) {
+HoldToRunButton::HoldToRunButton(const QString& text, QWidget* parent)
+    : QAbstractButton(parent), guard_(*this) {
     setText(text);
     setAccessibleName(text);
-    // The guard takes the focus at a press. A policy would take it before, from a key that another finger
-    // holds, and this press would then look like the first.
+    // The guard sets the focus on a press. A focus policy would set it earlier and take it from a key held by
+    // another finger, so that this press would look like the first one.
     setFocusPolicy(Qt::NoFocus);
-    setMouseTracking(true);  // a move without a button tells of a release that went elsewhere
+    setMouseTracking(true);  // a move without a pressed button shows that the release was not received
     setAttribute(Qt::WA_AcceptTouchEvents);
     setAttribute(Qt::WA_Hover);
     connect(&guard_, &HoldGuard::began, this, [this] { setDown(true); });
@@ -37,24 +38,24 @@ HoldButton::HoldButton(const QString& text, QWidget* parent) : QAbstractButton(p
         setConfirmed(false);
     });
     connect(&guard_, &HoldGuard::began, &holdHint_, &QTimer::stop);
-    connect(&guard_, &HoldGuard::clicked, this, &HoldButton::sayHold);
+    connect(&guard_, &HoldGuard::clicked, this, &HoldToRunButton::showHoldHint);
     holdHint_.setSingleShot(true);
     holdHint_.setInterval(kHoldHintMs);
     connect(&holdHint_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
-HoldButton::~HoldButton() {
+HoldToRunButton::~HoldToRunButton() {
     guard_.stop(control::StopCause::WindowClosed);
 }
 
-void HoldButton::setConfirmed(bool confirmed) {
+void HoldToRunButton::setConfirmed(bool confirmed) {
     if (confirmed != confirmed_) {
         confirmed_ = confirmed;
         update();
     }
 }
 
-void HoldButton::setUnavailable(const QString& reason) {
+void HoldToRunButton::setUnavailable(const QString& reason) {
     const bool available = reason.isEmpty();
     if (isEnabled() && !available) {
         availableToolTip_ = toolTip();
@@ -67,50 +68,50 @@ void HoldButton::setUnavailable(const QString& reason) {
     setAccessibleDescription(reason);
 }
 
-void HoldButton::setDetail(const QString& detail) {
+void HoldToRunButton::setDetail(const QString& detail) {
     if (detail != detail_) {
         detail_ = detail;
         update();
     }
 }
 
-void HoldButton::setWidestDetail(const QString& detail) {
+void HoldToRunButton::setWidestDetail(const QString& detail) {
     if (detail != widestDetail_) {
         widestDetail_ = detail;
         updateGeometry();
     }
 }
 
-QString HoldButton::detail() const {
-    return saysHold() ? tr("hold") : detail_;
+QString HoldToRunButton::detail() const {
+    return showsHoldHint() ? tr("hold") : detail_;
 }
 
-void HoldButton::sayHold() {
+void HoldToRunButton::showHoldHint() {
     holdHint_.start();
     QToolTip::showText(mapToGlobal(QPoint(0, height())),
                        tr("Hold this key: the arm moves only while it is held."), this);
     update();
 }
 
-QSize HoldButton::sizeHint() const {
+QSize HoldToRunButton::sizeHint() const {
     const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
                                QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
-    // As high as the keys beside it, which have a border besides.
+    // As high as the neighbouring push buttons including their border.
     return {words + 24, keyHeight(currentDensity()) + 2};
 }
 
-QSize HoldButton::minimumSizeHint() const {
+QSize HoldToRunButton::minimumSizeHint() const {
     const int name = QFontMetrics(textFont(15)).horizontalAdvance(text());
     const int detail = QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_);
     return {std::max(name + 10, detail + 4), widestDetail_.isEmpty() ? 24 : 32};
 }
 
-QColor HoldButton::textColor() const {
+QColor HoldToRunButton::textColor() const {
     const Theme& theme = Theme::current();
     return isEnabled() ? theme.text : theme.disabledText;
 }
 
-void HoldButton::paintSurface(QPainter& painter) const {
+void HoldToRunButton::paintSurface(QPainter& painter) const {
     const Theme& theme = Theme::current();
     painter.setRenderHint(QPainter::Antialiasing);
     QColor fill = underMouse() && isEnabled() ? theme.hover : theme.raised;
@@ -130,20 +131,20 @@ void HoldButton::paintSurface(QPainter& painter) const {
                             kCornerRadius);
 }
 
-void HoldButton::paintEvent(QPaintEvent*) {
+void HoldToRunButton::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintSurface(painter);
     painter.setPen(textColor());
     const QFont name = textFont(15);
-    const QFont small = textFont(kDetailSize, saysHold() ? QFont::Bold : QFont::Normal);
+    const QFont small = textFont(kDetailSize, showsHoldHint() ? QFont::Bold : QFont::Normal);
     const int nameHeight = QFontMetrics(name).height();
     const int both = nameHeight + QFontMetrics(small).height();
     painter.setFont(name);
     if (detail().isEmpty()) {
         painter.drawText(rect(), Qt::AlignCenter, text());
     } else if (both > height()) {
-        // No room for two lines: what has to be said for a moment goes before the name.
-        painter.drawText(rect(), Qt::AlignCenter, saysHold() ? detail() : text());
+        // There is no space for two lines: a temporary hint replaces the name.
+        painter.drawText(rect(), Qt::AlignCenter, showsHoldHint() ? detail() : text());
     } else {
         const int top = (height() - both) / 2;
         painter.drawText(QRect(0, top, width(), nameHeight), Qt::AlignCenter, text());
@@ -152,51 +153,51 @@ void HoldButton::paintEvent(QPaintEvent*) {
     }
 }
 
-void HoldButton::mousePressEvent(QMouseEvent* event) {
+void HoldToRunButton::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
-        // Where the window system makes a mouse of a finger, it is a finger still.
+        // Some window systems synthesize mouse events from touch: identify the finger by its device.
         const bool finger =
             event->device() != nullptr && event->device()->type() == QInputDevice::DeviceType::TouchScreen;
-        guard_.press({finger ? Grip::By::Touch : Grip::By::Mouse});
+        guard_.press({finger ? HoldSource::By::Touch : HoldSource::By::Mouse});
     } else {
-        guard_.tell(HoldNews::Kind::PressedAgain);
+        guard_.tell(HoldEvent::Kind::PressedAgain);
     }
 }
 
-void HoldButton::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);  // the second of two quick presses is a press like any other
+void HoldToRunButton::mouseDoubleClickEvent(QMouseEvent* event) {
+    mousePressEvent(event);  // the second of two quick presses counts as a normal press
 }
 
-void HoldButton::mouseMoveEvent(QMouseEvent* event) {
+void HoldToRunButton::mouseMoveEvent(QMouseEvent* event) {
     event->accept();
     if (!event->buttons().testFlag(Qt::LeftButton)) {
-        guard_.release();  // the release itself went to somebody else
+        guard_.release();  // the release was delivered elsewhere
         return;
     }
     guard_.pointerMoved(event->position().toPoint());
 }
 
-void HoldButton::mouseReleaseEvent(QMouseEvent* event) {
+void HoldToRunButton::mouseReleaseEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton) {
         guard_.release();
     }
 }
 
-void HoldButton::keyPressEvent(QKeyEvent* event) {
+void HoldToRunButton::keyPressEvent(QKeyEvent* event) {
     event->ignore();
 }
 
-void HoldButton::keyReleaseEvent(QKeyEvent* event) {
+void HoldToRunButton::keyReleaseEvent(QKeyEvent* event) {
     event->ignore();
 }
 
-void HoldButton::wheelEvent(QWheelEvent* event) {
-    event->accept();  // nor may it scroll the key away under the finger
+void HoldToRunButton::wheelEvent(QWheelEvent* event) {
+    event->accept();  // the wheel must not scroll the key away from the pointer
 }
 
-bool HoldButton::event(QEvent* event) {
+bool HoldToRunButton::event(QEvent* event) {
     switch (event->type()) {
         case QEvent::TouchBegin:
         case QEvent::TouchUpdate:
@@ -208,17 +209,17 @@ bool HoldButton::event(QEvent* event) {
     }
 }
 
-bool HoldButton::touchEvent(QEvent* event) {
+bool HoldToRunButton::touchEvent(QEvent* event) {
     event->accept();
-    // What a cancelled touch held the rule book has ended already.
+    // A cancelled touch has already been ended by HoldRules.
     if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }
     const auto* touch = static_cast<QTouchEvent*>(event);
     if (touch->points().size() != 1) {
-        guard_.tell(HoldNews::Kind::PressedAgain);
+        guard_.tell(HoldEvent::Kind::PressedAgain);
     } else if (event->type() == QEvent::TouchBegin) {
-        guard_.press({Grip::By::Touch});
+        guard_.press({HoldSource::By::Touch});
     } else if (event->type() == QEvent::TouchEnd) {
         guard_.release();
     } else {
@@ -229,4 +230,4 @@ bool HoldButton::touchEvent(QEvent* event) {
 
 }  // namespace tiller
 
-#include "moc_hold_button.cpp"
+#include "moc_hold_to_run_button.cpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keeps a widget at the lower edge of another, which ends above it as long as it is shown: no row moves, and none is
-// covered.
+// Keeps a widget at the bottom of another one. While it is shown, the area above ends earlier: no row is
+// moved or covered.
 
 #include <QList>
 #include <QObject>
@@ -11,13 +11,13 @@ class QWidget;
 
 namespace tiller {
 
-class LowerEdge : public QObject {
+class BottomOverlay : public QObject {
     Q_OBJECT
 
 public:
     /// shown  becomes a child of `page`
     /// areas  of this page; the first visible one is used
-    LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
+    BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -29,8 +29,8 @@ private:
     QWidget& shown_;
     QWidget& page_;
     QList<QWidget*> areas_;
-    QWidget* reservedIn_ = nullptr;  ///< of the areas; it ends above the widget
-    int reserved_ = 0;               ///< [px]
+    QWidget* reservedIn_ = nullptr;  ///< the area that is shortened
+    int reserved_ = 0;               ///< height of the shortened part [px]
     bool placing_ = false;
 };
 

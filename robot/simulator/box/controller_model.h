@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by one
-// control period at a time. It does not know clients: messages to them are placed in outbox(), requests arrive
-// through its methods. The order within a period is that of a controller: safety, power, watchdogs, script frame,
-// arm.
+// The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by
+// one control period at a time. It has no knowledge of clients: messages to them are placed in outbox(), and
+// requests arrive through its methods. The order within a period is that of a controller: safety, power,
+// watchdogs, script frame, arm.
 
 #include <array>
 #include <cstdint>
@@ -30,27 +30,27 @@ class ProgramRunner;
 class ScriptHost;
 
 /// Threads  the simulator's.
-class Plant {
+class ControllerModel {
 public:
-    explicit Plant(const SimulatorOptions& options);
-    ~Plant();
-    Plant(const Plant&) = delete;
-    Plant& operator=(const Plant&) = delete;
+    explicit ControllerModel(const SimulatorOptions& options);
+    ~ControllerModel();
+    ControllerModel(const ControllerModel&) = delete;
+    ControllerModel& operator=(const ControllerModel&) = delete;
 
-    /// One control period.
+    /// Runs one control period.
     void step();
 
     const SimulatorOptions& options() const { return options_; }
-    Assumptions& assumptions() { return options_.assumptions; }
-    const Assumptions& assumptions() const { return options_.assumptions; }
+    BehaviourOptions& assumptions() { return options_.assumptions; }
+    const BehaviourOptions& assumptions() const { return options_.assumptions; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
-    /// As clients see it: restarts with the controller [s].
+    /// Time as reported to clients: starts again when the controller restarts [s].
     double timestamp() const;
-    /// Since this object was made; never goes back [s].
+    /// Time since this object was created; never decreases [s].
     double elapsed() const { return static_cast<double>(tick_) * stepTime(); }
     std::uint64_t timestampNs() const { return static_cast<std::uint64_t>(timestamp() * 1e9); }
-    /// As of the last step; refers to this object.
+    /// State after the last step; refers to this object.
     const Telemetry& telemetry() const { return telemetry_; }
 
     arm::Arm& arm() { return arm_; }
@@ -69,17 +69,17 @@ public:
     Popups& popups() { return popups_; }
     ScriptHost& scriptHost() { return *host_; }
 
-    // Requests that touch more than one part.
+    // Requests that involve several parts.
     void powerOn();
     void releaseBrakes();
-    /// Clears violations and faults; the arm is off afterwards.
+    /// Clears violations and faults; the arm is powered off afterwards.
     void restartSafety();
-    /// Stops at once, with the message of the cause. The fiftieth stop of one joint within eight hours is a fault
-    /// (C163); the joint is the argument of the cause, from 1.
+    /// Stops immediately, with the message for the cause. The fiftieth stop of one joint within eight hours
+    /// is a fault (C163); the joint is the argument of the cause, from 1.
     void protectiveStop(const primary::ErrorCode& cause);
-    /// Words for the cause of the last protective stop; empty: there was none, or it has none.
+    /// Text for the cause of the last protective stop; empty: no stop, or no text.
     const std::string& stopText() const { return stopText_; }
-    /// fraction  held to 0..1; not a number is ignored
+    /// fraction  clamped to 0..1; NaN is ignored
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
@@ -89,32 +89,32 @@ public:
     /// The pendant's switch; leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
-    /// Whether a connection made now may send scripts. CB3 knows no local control.
+    /// Returns whether a connection opened now may send scripts. CB3 has no local control.
     bool takesScripts() const {
         return remoteControl_ || !options_.gateLocalControl || options_.software.isCb3();
     }
-    /// Counts the changes of that switch: what a connection may do is settled by the one it was made under.
+    /// Number of changes of that switch. The rights of a connection are those at the time it was opened.
     std::uint64_t controlEpoch() const { return controlEpoch_; }
-    /// Power of the arm lost without a word, as when its supply fails.
+    /// Removes the power of the arm without a message, as when its supply fails.
     void losePower();
     /// Restarts the controller; timestamp begins at 0.  seconds  until POWER_OFF
     void restart(double seconds, bool safetyUnconfirmed);
-    /// Moves joints by hand, brakes overridden.
+    /// Allows the joints to be moved by hand, with the brakes overridden.
     void setBackdrive(bool active);
     /// Ends the running program with a runtime exception.
     void failProgram(const std::string& why);
-    /// Makes the reported kinematics deviate from those of the arm: 0 not at all, 1 up to 1 mm and 1 mrad. Reports
-    /// it to primary clients again.
+    /// Makes the reported kinematics deviate from those of the arm: 0 no deviation, 1 up to 1 mm and 1 mrad.
+    /// Sends them to primary clients again.
     void setCalibrationError(double size);
-    /// The controller goes off: nothing answers any more.
+    /// Shuts the controller down: all services stop responding.
     void shutDown() { shutDown_ = true; }
     bool isShutDown() const { return shutDown_; }
 
     /// Shows a popup, reports it to primary clients and returns its id.
     int showPopup(const std::string& text, bool blocking);
-    /// Messages of the pendant log that are of interest to the sender of the program: sent to primary clients as
+    /// Messages of the pendant log that are relevant to the sender of the program: sent to primary clients as
     /// text messages and to the error output.
-    void tellLog(const std::string& text);
+    void appendToLog(const std::string& text);
     /// A message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
     std::vector<primary::Bytes> takeOutbox();
@@ -129,12 +129,12 @@ private:
     void refreshTelemetry();
 
     SimulatorOptions options_;
-    RobotModel model_;  ///< with the arm's own calibration
+    RobotModel model_;  ///< with the actual calibration
     arm::Arm arm_;
     RobotModel reported_;  ///< the model reported to clients
     Registers registers_;
-    Registers shown_;          ///< as clients see them, where that is a period later
-    RegisterBank lastOutput_;  ///< as the period before left them
+    Registers shown_;          ///< as shown to clients, if delayed by one period
+    RegisterBank lastOutput_;  ///< output registers at the end of the previous period
     Pins pins_;
     SafetySystem safety_;
     PowerSystem power_;
@@ -146,21 +146,21 @@ private:
     std::vector<primary::Bytes> outbox_;
 
     std::uint64_t tick_ = 0;
-    std::uint64_t startTick_ = 0;  ///< when the controller started
-    double startTime_ = 0;         ///< timestamp then [s]
+    std::uint64_t startTick_ = 0;  ///< start time of the controller
+    double startTime_ = 0;         ///< timestamp at that time [s]
     std::uint64_t controlEpoch_ = 0;
-    std::uint64_t identity_ = 0;  ///< counts changes of the values that primary clients receive once
+    std::uint64_t identity_ = 0;  ///< incremented when values that primary clients receive once change
     bool disconnected_ = false;
     std::string stopText_;
-    std::array<std::deque<double>, kJointCount> jointStops_;  ///< when each joint was stopped [s]
+    std::array<std::deque<double>, kJointCount> jointStops_;  ///< times of the stops of each joint [s]
     std::uint64_t boots_ = 0;                                 ///< number of starts of the services
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
-    double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm still has power
+    double emergencyTime_ = 0;  ///< [s] since the start of an emergency stop while the arm still has power
     bool freedriveButton_ = false;
     bool externalSensor_ = false;
     bool pausedBySafeguard_ = false;
-    bool heldBySafeguard_ = false;  ///< the arm alone, while the program runs on
+    bool heldBySafeguard_ = false;  ///< only the arm, while the program continues
     Wrench externalForce_;
     bool remoteControl_ = true;
     bool shutDown_ = false;

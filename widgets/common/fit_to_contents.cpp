@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/room.h"
+#include "widgets/common/fit_to_contents.h"
 
 #include <QLayout>
 #include <QWidget>
@@ -7,7 +7,7 @@
 
 namespace tiller {
 
-void makeRoom(QWidget& window) {
+void fitToContents(QWidget& window) {
     QLayout* layout = window.layout();
     layout->activate();
     const QSize least = layout->totalMinimumSize();

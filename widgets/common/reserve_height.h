@@ -10,7 +10,7 @@
 namespace tiller {
 
 /// Reduces the minimum height of the widget by this value [px]; 0: its normal minimum height.
-inline void giveWay(QWidget& widget, int height) {
+inline void reserveHeight(QWidget& widget, int height) {
     widget.setMinimumHeight(height == 0 ? 0 : std::max(1, widget.minimumSizeHint().height() - height));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/lessons.h"
+#include "app/tutorial.h"
 
 #include <QRandomGenerator>
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace tiller::app {
 namespace {
 
 // Force range for the task "record and measure" [N]: measurable, and far below a protective stop.
-constexpr int kLeastHand = 25;
-constexpr int kMostHand = 60;
+constexpr int kMinHandForce = 25;
+constexpr int kMaxHandForce = 60;
 
 }  // namespace
 
-Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator,
-                 Settings& settings, SceneView& view)
+Tutorial::Tutorial(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator,
+                   Settings& settings, SceneView& view)
     : session_(session)
     , document_(document)
     , simulator_(simulator)
@@ -33,14 +33,14 @@ Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulato
     , practiceCard_(new PracticeCard(practice_, view)) {
     readAgain();
     const auto remember = [this] {
-        settings_.setLearned({settings_.learned().dismissed, steps_.done(), practice_.done()});
+        settings_.setTutorialProgress({settings_.learned().dismissed, steps_.done(), practice_.done()});
     };
     connect(&steps_, &FirstSteps::changed, this, remember);
     connect(&practice_, &Practice::taskDone, this, remember);
-    connect(&session_, &RobotSession::stateChanged, this, &Lessons::onState);
-    connect(stepsCard_, &FirstStepsCard::practiceRequested, this, &Lessons::showPractice);
+    connect(&session_, &RobotSession::stateChanged, this, &Tutorial::onState);
+    connect(stepsCard_, &FirstStepsCard::practiceRequested, this, &Tutorial::showPractice);
     connect(stepsCard_, &FirstStepsCard::dismissed, this, [this] {
-        settings_.setLearned({true, steps_.done(), practice_.done()});
+        settings_.setTutorialProgress({true, steps_.done(), practice_.done()});
         stepsCard_->putAway();
     });
     connect(stepsCard_, &ViewCard::closeRequested, stepsCard_, &ViewCard::putAway);
@@ -55,19 +55,19 @@ Lessons::Lessons(RobotSession& session, ProjectDocument& document, LocalSimulato
     });
 }
 
-Lessons::~Lessons() {
+Tutorial::~Tutorial() {
     delete stepsCard_;
     delete practiceCard_;
 }
 
-void Lessons::readAgain() {
-    const Learned learned = settings_.learned();
+void Tutorial::readAgain() {
+    const TutorialProgress learned = settings_.learned();
     // The practice tasks first: each step saves both when it changes.
     practice_.setDone(learned.practice);
     steps_.setDone(learned.firstSteps);
 }
 
-void Lessons::addTo(ActionTable& table) {
+void Tutorial::addTo(ActionTable& table) {
     table.add({"app.firstSteps",
                tr("First steps"),
                tr("Shows a checklist in the view, from power on to a recording."),
@@ -80,22 +80,22 @@ void Lessons::addTo(ActionTable& table) {
                [this] { showPractice(); }});
 }
 
-void Lessons::showFirstSteps() {
+void Tutorial::showFirstSteps() {
     practice_.abandon();
     practiceCard_->putAway();
     stepsCard_->setFolded(false);
     stepsCard_->open();
 }
 
-void Lessons::showPractice() {
+void Tutorial::showPractice() {
     stepsCard_->putAway();
     practiceCard_->setFolded(false);
     practiceCard_->open();
 }
 
-void Lessons::onState(const SessionState& state) {
+void Tutorial::onState(const SessionState& state) {
     const bool here = simulator_.controllerOf(state) != nullptr;
-    // A delay between two packets does not change the robot.
+    // A gap between two packets does not count as a change of the robot.
     if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
         return;
     }
@@ -111,7 +111,7 @@ void Lessons::onState(const SessionState& state) {
     }
 }
 
-PracticeHooks Lessons::hooks() {
+PracticeHooks Tutorial::hooks() {
     return {.obstacle =
                 [this](const SessionState& state) {
                     return simulator_.controllerOf(state) != nullptr || state.link == LinkState::Lost ||
@@ -130,13 +130,13 @@ PracticeHooks Lessons::hooks() {
                 },
             .addWaypoint =
                 [this](const project::Waypoint& point) {
-                    steps_.setFollowing(false);  // not taught by the user
+                    steps_.setFollowing(false);  // this waypoint is not taught by the user
                     document_.insertWaypoints(document_.waypoints().size(), {point},
-                                              tr("Practice: place “%1”").arg(point.name));
+                                              tr("Practice: add “%1”").arg(point.name));
                 }};
 }
 
-void Lessons::setUp(PracticeTask task) {
+void Tutorial::setUp(PracticeTask task) {
     simulator::Simulator* controller = simulator_.controllerOf(session_.state());
     if (controller == nullptr) {
         return;
@@ -144,11 +144,11 @@ void Lessons::setUp(PracticeTask task) {
     if (task == PracticeTask::Recover) {
         controller->protectiveStop();
     } else if (task == PracticeTask::Measure) {
-        const double force = QRandomGenerator::global()->bounded(kLeastHand, kMostHand);
+        const double force = QRandomGenerator::global()->bounded(kMinHandForce, kMaxHandForce);
         controller->pressHand({Eigen::Vector3d(0, 0, -force), Eigen::Vector3d::Zero()});
     }
 }
 
 }  // namespace tiller::app
 
-#include "moc_lessons.cpp"
+#include "moc_tutorial.cpp"

@@ -16,11 +16,12 @@
 
 namespace tiller {
 
-class CurveSheet : public QGraphicsItem {
+class CurveRaster : public QGraphicsItem {
 public:
-    /// curves  drawn in this order; all sampled with the same grid before each setView(). Must outlive the object
-    /// parent  the chart, in whose coordinates they are drawn
-    CurveSheet(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
+    /// curves  drawn in this order; all sampled with the same grid before each setView(). Must outlive the
+    /// object
+    /// parent  the chart whose coordinates are used
+    CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
 
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates
@@ -44,7 +45,7 @@ private:
     };
     std::size_t place(std::int64_t column) const;
     void paintColumns(const std::vector<std::uint8_t>& wanted, double pitch);
-    /// pixels  of this column, from top to bottom
+    /// pixels  pixels of this column, from top to bottom
     void paintColumn(const Curve& curve, std::size_t column, double perUnit, double bottom, bool isDense,
                      const QRgb* shades, QRgb* pixels) const;
     /// Stride between the columns of a block.
@@ -57,9 +58,9 @@ private:
     QRectF area_;
     double t0_ = 0, t1_ = 1, y0_ = 0, y1_ = 1;
     Painted painted_;
-    std::int64_t raster_ = 0;  // of the first column in the ring
+    std::int64_t raster_ = 0;  // number of the first column in the ring
     QImage ring_;
-    std::vector<QRgb> block_;  // some columns, consecutive
+    std::vector<QRgb> block_;  // a block of consecutive columns
     int columnsPainted_ = 0;
 };
 

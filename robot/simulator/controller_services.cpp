@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/control_box.h"
+#include "robot/simulator/controller_services.h"
 
 #include <QAbstractEventDispatcher>
 
@@ -9,19 +9,20 @@
 
 namespace tiller::simulator {
 
-ControlBox::ControlBox(const SimulatorOptions& options)
+ControllerServices::ControllerServices(const SimulatorOptions& options)
     : plant(options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
-void ControlBox::service() {
-    // Accepts connections and moves the sockets of scripts on: nothing else in this thread has events.
+void ControllerServices::service() {
+    // Qt events are needed only to accept connections and for sockets of scripts; nothing else in this thread
+    // uses them.
     const bool hasClient = services.link().poller().poll();
     if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }
     }
-    services.faults().service();  // also on a mute controller, otherwise its silence could not be ended
+    services.faults().service();  // also while the controller is silent, so that the silence can be ended
     if (!silent) {
         services.service();
     }
@@ -30,7 +31,7 @@ void ControlBox::service() {
     }
 }
 
-void ControlBox::tick() {
+void ControllerServices::tick() {
     services.rtde().beginPeriod();
     service();
     plant.step();
@@ -43,12 +44,12 @@ void ControlBox::tick() {
     }
 }
 
-void ControlBox::setRemoteControl(bool remote) {
+void ControllerServices::setRemoteControl(bool remote) {
     if (plant.isRemoteControl() == remote) {
         return;
     }
     plant.setRemoteControl(remote);
-    if (!remote && plant.assumptions().remoteToLocal == Assumptions::RemoteToLocal::Ends) {
+    if (!remote && plant.assumptions().remoteToLocal == BehaviourOptions::RemoteToLocal::Ends) {
         plant.programs().requestStop();
     }
     if (plant.options().gateLocalControl && !remote && !plant.options().software.isCb3()) {

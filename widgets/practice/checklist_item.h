@@ -9,11 +9,11 @@ class QLabel;
 
 namespace tiller {
 
-class TickLine : public QWidget {
+class ChecklistItem : public QWidget {
     Q_OBJECT
 
 public:
-    explicit TickLine(const QString& text, QWidget* parent = nullptr);
+    explicit ChecklistItem(const QString& text, QWidget* parent = nullptr);
 
     void setText(const QString& text);
     QString text() const;

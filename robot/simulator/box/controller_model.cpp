@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 
 #include <QLoggingCategory>
 #include <cmath>
@@ -15,10 +15,10 @@ Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
-/// Stop category 1: power is removed at standstill, at the latest after this time [s].
+/// Stop category 1: power is removed at standstill, but no later than after this time [s].
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
-/// In reduced mode the program is slowed down to this speed [m/s]. Installations can set other values.
+/// Speed of the program in reduced mode [m/s]. Installations can set other values.
 constexpr double kReducedToolSpeed = 0.75;
 /// Speed while a joint is outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
 constexpr double kRecoveryToolSpeed = 0.25;
@@ -31,8 +31,8 @@ arm::ArmOptions armOptions(const SimulatorOptions& options) {
     return arm;
 }
 
-/// Numbers as the vendor's error code manual gives them; C153, C157, C158 and C159 are named in the RTDE
-/// guide too. The words are ours.
+/// Numbers as in the vendor's error code manual; C153, C157, C158 and C159 are also named in the RTDE guide.
+/// The texts are ours.
 struct StopMessage {
     std::int32_t code;
     const char* text;
@@ -59,18 +59,18 @@ StopMessage stopMessage(arm::StopReason reason) {
     return {153, ""};
 }
 
-/// A robot's real-time thread is busy for so long [ms]; the same in each run.
+/// Execution time of the real-time thread of a robot [ms]; the same in each run.
 double executionTime(std::uint64_t tick, bool programActive) {
     const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
-/// An arm with manufacturing tolerances: deviates by up to this many mm and mrad.
+/// An arm with manufacturing tolerances: it deviates by up to this many mm and mrad.
 RobotModel deviating(const RobotModel& model, double size) {
     RobotModel result = model;
     DhParameters& dh = result.dh;
     for (std::size_t i = 0; i < dh.a.size() && size != 0; ++i) {
-        // Any fixed pattern will do; it has to be the same each time, because clients make a hash of it.
+        // Any fixed pattern is suitable; it must be the same each time, because clients compute a hash of it.
         const double off = size * 1e-3 * std::sin(1.0 + 2.0 * static_cast<double>(i));
         const bool parallel = i == 1 || i == 2;
         dh.theta[i] += off;
@@ -110,7 +110,7 @@ JointMode jointMode(const PowerSystem& power) {
 
 }  // namespace
 
-Plant::Plant(const SimulatorOptions& options)
+ControllerModel::ControllerModel(const SimulatorOptions& options)
     : options_(options)
     , model_(deviating(robotModel(options.model), options.calibration))
     , arm_(model_, armOptions(options))
@@ -132,15 +132,15 @@ Plant::Plant(const SimulatorOptions& options)
     refreshTelemetry();
 }
 
-Plant::~Plant() {
-    programs_->endAll();  // they still speak to the host, which asks this object
+ControllerModel::~ControllerModel() {
+    programs_->endAll();  // ending programs still use the host, which accesses this object
 }
 
-double Plant::timestamp() const {
+double ControllerModel::timestamp() const {
     return startTime_ + static_cast<double>(tick_ - startTick_) * stepTime();
 }
 
-void Plant::step() {
+void ControllerModel::step() {
     const double dt = stepTime();
     safety_.step(dt);
     reactToSafety();
@@ -148,28 +148,29 @@ void Plant::step() {
     stepWatchdogs();
     host_->beginPeriod();
     programs_->step();
-    reactToSafety();  // a script may have asked for a protective stop
+    reactToSafety();  // a script may have requested a protective stop
     stepArm();
     ++tick_;
     reactToArm();
     refreshTelemetry();
 }
 
-void Plant::stepArm() {
+void ControllerModel::stepArm() {
     host_->stepConveyors();
     arm_.setExternalForce(externalSensor_ ? std::optional(externalForce_) : std::nullopt);
     arm_.setToolSpeedLimit(safety_.mode() == SafetyMode::Recovery ? std::optional(kRecoveryToolSpeed)
                            : safety_.isReduced()                  ? std::optional(kReducedToolSpeed)
                                                                   : std::nullopt);
     arm_.setSpeedFraction(speedSlider_);
-    const Assumptions& a = options_.assumptions;
-    arm_.setReadings({a.stops == Assumptions::Time::Scaled, a.programStops == Assumptions::Time::Scaled,
-                      a.speedCommands == Assumptions::SpeedCommands::Scaled,
-                      a.pause == Assumptions::Pause::Frees});
+    const BehaviourOptions& a = options_.assumptions;
+    arm_.setReadings({a.stops == BehaviourOptions::Time::Scaled,
+                      a.programStops == BehaviourOptions::Time::Scaled,
+                      a.speedCommands == BehaviourOptions::SpeedCommands::Scaled,
+                      a.pause == BehaviourOptions::Pause::Frees});
     arm_.step();
 }
 
-void Plant::stepPower() {
+void ControllerModel::stepPower() {
     if (safety_.mode() == SafetyMode::Violation || safety_.mode() == SafetyMode::Fault) {
         power_.cut();
     } else if (safety_.isEmergencyStopped() && power_.isPowered()) {
@@ -183,7 +184,7 @@ void Plant::stepPower() {
     followBoot();
     if (driveState(power_) != arm_.driveState()) {
         const bool pauses = safety_.isEmergencyStopped() &&
-                            options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses;
+                            options_.assumptions.emergencyStop == BehaviourOptions::EmergencyStop::Pauses;
         if (arm_.driveState() == arm::DriveState::Running && !pauses) {
             programs_->stopNow();
         }
@@ -191,7 +192,7 @@ void Plant::stepPower() {
     }
 }
 
-void Plant::stepWatchdogs() {
+void ControllerModel::stepWatchdogs() {
     const auto action = watchdogs_.step(stepTime());
     if (!action) {
         return;
@@ -203,7 +204,7 @@ void Plant::stepWatchdogs() {
     }
 }
 
-void Plant::reactToSafety() {
+void ControllerModel::reactToSafety() {
     const SafetyMode now = safety_.mode();
     if (now == lastSafetyMode_) {
         return;
@@ -218,7 +219,7 @@ void Plant::reactToSafety() {
             pausedBySafeguard_ = false;
             break;
         case SafetyMode::SafeguardStop:
-            if (options_.assumptions.safeguard == Assumptions::Safeguard::Runs) {
+            if (options_.assumptions.safeguard == BehaviourOptions::Safeguard::Runs) {
                 heldBySafeguard_ = true;
                 arm_.hold();
                 break;
@@ -228,7 +229,7 @@ void Plant::reactToSafety() {
             break;
         case SafetyMode::RobotEmergencyStop:
         case SafetyMode::SystemEmergencyStop:
-            if (options_.assumptions.emergencyStop == Assumptions::EmergencyStop::Pauses) {
+            if (options_.assumptions.emergencyStop == BehaviourOptions::EmergencyStop::Pauses) {
                 emergencyTime_ = 0;
                 pausedBySafeguard_ = false;
                 programs_->pause();
@@ -247,7 +248,7 @@ void Plant::reactToSafety() {
     }
     if (before == SafetyMode::ProtectiveStop && !safety_.isProtectiveStopped()) {
         arm_.clearProtectiveStop();
-        if (options_.assumptions.protectiveStop == Assumptions::ProtectiveStop::Resumes &&
+        if (options_.assumptions.protectiveStop == BehaviourOptions::ProtectiveStop::Resumes &&
             allowsMotion(now)) {
             programs_->resume();
         }
@@ -257,14 +258,14 @@ void Plant::reactToSafety() {
     }
     if (before == SafetyMode::SafeguardStop && allowsMotion(now) &&
         std::exchange(pausedBySafeguard_, false) &&
-        options_.assumptions.safeguardReset == Assumptions::Reset::Resumes) {
+        options_.assumptions.safeguardReset == BehaviourOptions::Reset::Resumes) {
         programs_->resume();
     }
 }
 
-void Plant::reactToArm() {
+void ControllerModel::reactToArm() {
     while (arm_.takeWarning()) {
-        // Shown on a pendant; no client waits for it.
+        // Warnings are only shown on a pendant; no client waits for them.
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();
@@ -277,24 +278,24 @@ void Plant::reactToArm() {
     }
 }
 
-void Plant::powerOn() {
+void ControllerModel::powerOn() {
     if (!safety_.blocksPower()) {
         power_.powerOn();
     }
 }
 
-void Plant::releaseBrakes() {
+void ControllerModel::releaseBrakes() {
     if (!safety_.blocksPower()) {
         power_.releaseBrakes();
     }
 }
 
-void Plant::losePower() {
+void ControllerModel::losePower() {
     programs_->stopNow();
     power_.cut();
 }
 
-void Plant::restart(double seconds, bool safetyUnconfirmed) {
+void ControllerModel::restart(double seconds, bool safetyUnconfirmed) {
     losePower();
     safety_.restart();
     arm_.clearProtectiveStop();
@@ -304,8 +305,8 @@ void Plant::restart(double seconds, bool safetyUnconfirmed) {
     disconnected_ = true;
 }
 
-void Plant::followBoot() {
-    // In the middle of a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
+void ControllerModel::followBoot() {
+    // During a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
     const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
     if (was && !disconnected_) {
         startTick_ = tick_;
@@ -314,7 +315,7 @@ void Plant::followBoot() {
     }
 }
 
-void Plant::setBackdrive(bool active) {
+void ControllerModel::setBackdrive(bool active) {
     power_.setBackdrive(active);
     if (power_.mode() == RobotMode::Backdrive) {
         arm_.setDriveState(driveState(power_));
@@ -324,38 +325,38 @@ void Plant::setBackdrive(bool active) {
     }
 }
 
-void Plant::failProgram(const std::string& why) {
+void ControllerModel::failProgram(const std::string& why) {
     publish(primary::runtimeException(timestampNs(), static_cast<std::int32_t>(programs_->currentLine()), 1,
                                       why));
     programs_->stopNow();
 }
 
-void Plant::setRemoteControl(bool remote) {
+void ControllerModel::setRemoteControl(bool remote) {
     controlEpoch_ += remote == remoteControl_ ? 0 : 1;
     remoteControl_ = remote;
 }
 
-void Plant::setCalibrationError(double size) {
+void ControllerModel::setCalibrationError(double size) {
     reported_ = deviating(model_, size);
     reported_.dh = kinematics::asDenavitHartenberg(reported_.dh);
     ++identity_;
 }
 
-void Plant::restartSafety() {
+void ControllerModel::restartSafety() {
     programs_->stopNow();
     safety_.restart();
     power_.cut();
     arm_.clearProtectiveStop();
 }
 
-void Plant::protectiveStop(const primary::ErrorCode& cause) {
+void ControllerModel::protectiveStop(const primary::ErrorCode& cause) {
     if (safety_.isProtectiveStopped()) {
         return;
     }
     publish(primary::errorCode(timestampNs(), cause));
     stopText_ = cause.text;
     safety_.protectiveStop();
-    constexpr std::size_t kMostStops = 50;
+    constexpr std::size_t kMaxStops = 50;
     constexpr double kWithin = 8 * 3600.0;
     if (cause.argument < 1 || cause.argument > kJointCount) {
         return;
@@ -365,7 +366,7 @@ void Plant::protectiveStop(const primary::ErrorCode& cause) {
     while (stops.front() < elapsed() - kWithin) {
         stops.pop_front();
     }
-    if (stops.size() >= kMostStops) {
+    if (stops.size() >= kMaxStops) {
         stops.clear();
         constexpr std::int32_t kTooManyStops = 163;
         publish(primary::errorCode(timestampNs(),
@@ -374,13 +375,13 @@ void Plant::protectiveStop(const primary::ErrorCode& cause) {
     }
 }
 
-void Plant::setSpeedSlider(double fraction) {
+void ControllerModel::setSpeedSlider(double fraction) {
     if (!std::isnan(fraction)) {
         speedSlider_ = std::clamp(fraction, 0.0, 1.0);
     }
 }
 
-void Plant::setFreedriveButton(bool pressed) {
+void ControllerModel::setFreedriveButton(bool pressed) {
     freedriveButton_ = pressed;
     if (!pressed) {
         arm_.compliance().endFreedrive();
@@ -389,27 +390,27 @@ void Plant::setFreedriveButton(bool pressed) {
     }
 }
 
-int Plant::showPopup(const std::string& text, bool blocking) {
+int ControllerModel::showPopup(const std::string& text, bool blocking) {
     const int id = popups_.open(blocking);
     publish(
         primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text}));
     return id;
 }
 
-void Plant::tellLog(const std::string& text) {
+void ControllerModel::appendToLog(const std::string& text) {
     qCWarning(simulatorLog).noquote() << QString::fromStdString(text);
     publish(primary::text(timestampNs(), text));
 }
 
-std::vector<primary::Bytes> Plant::takeOutbox() {
+std::vector<primary::Bytes> ControllerModel::takeOutbox() {
     return std::exchange(outbox_, {});
 }
 
-void Plant::refreshTelemetry() {
+void ControllerModel::refreshTelemetry() {
     Telemetry& t = telemetry_;
     t.arm = &arm_.state();
     t.registers = &registers_;
-    if (options_.assumptions.outputs == Assumptions::Outputs::NextPeriod) {
+    if (options_.assumptions.outputs == BehaviourOptions::Outputs::NextPeriod) {
         shown_ = registers_;
         shown_.output = std::exchange(lastOutput_, registers_.output);
         t.registers = &shown_;
@@ -419,7 +420,7 @@ void Plant::refreshTelemetry() {
     t.identity = identity_;
     t.boots = boots_;
     t.software = options_.software;
-    t.bitsAsIntegers = assumptions().realtimeBits == Assumptions::RealtimeBits::Integer;
+    t.bitsAsIntegers = assumptions().realtimeBits == BehaviourOptions::RealtimeBits::Integer;
     t.tick = tick_;
     t.timestamp = timestamp();
     t.executionTime = executionTime(tick_, programs_->isActive());

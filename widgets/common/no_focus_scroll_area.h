@@ -8,7 +8,7 @@
 
 namespace tiller {
 
-class SteadyScrollArea : public QScrollArea {
+class NoFocusScrollArea : public QScrollArea {
 public:
     using QScrollArea::QScrollArea;
 

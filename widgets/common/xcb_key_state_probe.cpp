@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/xcb_witness.h"
+#include "widgets/common/xcb_key_state_probe.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -19,12 +19,12 @@ namespace tiller {
 namespace {
 
 struct FreeReply {
-    void operator()(void* reply) const { std::free(reply); }  // NOLINT: as the library wants it
+    void operator()(void* reply) const { std::free(reply); }  // NOLINT: malloc()ed by the library
 };
 template <class Reply>
 using Owned = std::unique_ptr<Reply, FreeReply>;
 
-/// True once the answer to a request is there; null when the server refused.
+/// Returns true once the reply to a request has arrived; the reply is null if the server reported an error.
 template <class Reply>
 bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
     void* reply = nullptr;
@@ -39,8 +39,8 @@ bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
 
 }  // namespace
 
-/// The connection, and the one question that may be under way.
-class XcbWitness::Link {
+/// The connection to the display server, with at most one pending query.
+class XcbKeyStateProbe::Link {
 public:
     Link() : link_(xcb_connect(nullptr, nullptr)) {
         if (isAlive()) {
@@ -63,10 +63,10 @@ public:
         keysRequest_ = xcb_query_keymap(link_).sequence;
         xcb_flush(link_);
     }
-    /// Reads what has come. True once both answers are there.
+    /// Reads received data. Returns true once both replies have arrived.
     bool answered(bool& button, std::array<bool, kKeys>& keys) {
         while (const Owned<xcb_generic_event_t> news{xcb_poll_for_event(link_)}) {
-            // Nothing was asked for, but what comes has to be taken off.
+            // Events are not requested; discard them.
         }
         if (!isAsking()) {
             return false;
@@ -96,17 +96,17 @@ private:
     Owned<xcb_query_keymap_reply_t> keys_;
 };
 
-XcbWitness::XcbWitness() {
+XcbKeyStateProbe::XcbKeyStateProbe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return;  // no thread, so nobody is there
+        return;  // without a thread the check is unavailable
     }
     wakeRead_ = ends[0];
     wakeWrite_ = ends[1];
     thread_ = std::thread([this] { run(); });
 }
 
-XcbWitness::~XcbWitness() {
+XcbKeyStateProbe::~XcbKeyStateProbe() {
     quit_ = true;
     wake();
     if (thread_.joinable()) {
@@ -118,43 +118,43 @@ XcbWitness::~XcbWitness() {
     }
 }
 
-void XcbWitness::wake() {
+void XcbKeyStateProbe::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: it is awake anyway
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: already waking up
 }
 
-void XcbWitness::want(bool wanted) {
+void XcbKeyStateProbe::want(bool wanted) {
     if (wanted_.exchange(wanted) != wanted) {
         wake();
     }
 }
 
-HoldWitness::Word XcbWitness::leftButton() const {
+KeyStateProbe::Word XcbKeyStateProbe::leftButton() const {
     const std::lock_guard lock(heard_);
     return {askedNs_, buttonNs_};
 }
 
-HoldWitness::Word XcbWitness::key(KeyCode code) const {
+KeyStateProbe::Word XcbKeyStateProbe::key(KeyCode code) const {
     const std::lock_guard lock(heard_);
     return {askedNs_, code < kKeys ? keyNs_.at(code) : 0};
 }
 
-std::int64_t XcbWitness::waitingNs() const {
+std::int64_t XcbKeyStateProbe::waitingNs() const {
     const std::int64_t since = waitingSinceNs_;
     return since == 0 ? 0 : SteadyClock::shared().nowNs() - since;
 }
 
-QString XcbWitness::description() const {
+QString XcbKeyStateProbe::description() const {
     return isThere()
-               ? QCoreApplication::translate("HoldWitness",
+               ? QCoreApplication::translate("KeyStateProbe",
                                              "Key-state check active: Tiller asks the display server every "
                                              "10 ms whether the button or key is still pressed.")
-               : QCoreApplication::translate("HoldWitness",
+               : QCoreApplication::translate("KeyStateProbe",
                                              "Key-state check unavailable: no second connection to the "
-                                             "display server. Held keys are known from window events only.");
+                                             "display server. Tiller relies on window events for held keys.");
 }
 
-void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
+void XcbKeyStateProbe::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
     const std::lock_guard lock(heard_);
     askedNs_ = askedNs;
     buttonNs_ = button ? askedNs : buttonNs_;
@@ -163,7 +163,7 @@ void XcbWitness::note(std::int64_t askedNs, bool button, const std::array<bool, 
     }
 }
 
-void XcbWitness::run() {
+void XcbKeyStateProbe::run() {
     const Clock& clock = SteadyClock::shared();
     Link link;
     if (!link.isAlive()) {
@@ -196,7 +196,7 @@ void XcbWitness::run() {
             waitingSinceNs_ = 0;
         }
         if (!link.isAlive()) {
-            // It is not there any more, and never says anything again: every hold ends by that.
+            // The connection is lost and will not answer again. This ends every hold.
             waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
             return;
         }

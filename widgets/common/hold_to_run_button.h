@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A key that moves the arm while it is held: jog keys, joint keys, "Go to (hold)", "Home (hold)". It listens
-// to the left mouse button or one touch point only; keyboard and wheel never press it by themselves. The
-// rules are those of HoldRules.
+// A hold-to-run button: the arm moves only while the button is pressed (jog keys, joint keys, "Go to (hold)",
+// "Home (hold)"). It accepts the left mouse button or one touch point; keyboard and wheel do not press it
+// directly. HoldRules decides when the motion ends.
 
 #include <QAbstractButton>
 #include <QTimer>
@@ -12,31 +12,31 @@
 
 namespace tiller {
 
-class HoldButton : public QAbstractButton {
+class HoldToRunButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    explicit HoldButton(const QString& text, QWidget* parent = nullptr);
-    ~HoldButton() override;
+    explicit HoldToRunButton(const QString& text, QWidget* parent = nullptr);
+    ~HoldToRunButton() override;
 
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }
     HoldGuard& guard() { return guard_; }
     bool isHolding() const { return guard_.active(); }
-    /// What is left of the longest hold [ns].
+    /// Time left until the maximum hold duration [ns].
     std::int64_t holdLeftNs() const { return guard_.leftNs(); }
 
-    /// True while the robot confirms the motion this key asked for: blue border and tint.
+    /// True while the robot confirms the requested motion: blue border and tint.
     void setConfirmed(bool confirmed);
     bool isConfirmed() const { return confirmed_; }
-    /// A smaller line below the name: the speed its motion will run at. Empty: none.
+    /// A smaller second line below the name, for the speed of the motion. Empty: no second line.
     void setDetail(const QString& detail);
-    /// Keeps this much room for the detail, so that no detail moves the neighbours.
+    /// Reserves the width of this text, so that a change of the detail does not move the neighbours.
     void setWidestDetail(const QString& detail);
-    /// The smaller line as it stands there now: for two seconds after a click it is "hold".
+    /// The displayed second line: "hold" for two seconds after a click.
     QString detail() const;
-    /// True for two seconds after a click on a key that has to be held.
-    bool saysHold() const { return holdHint_.isActive(); }
-    /// Greys the key and says why in its tooltip; an empty reason enables it.
+    /// True for two seconds after a click, because the key has to be held.
+    bool showsHoldHint() const { return holdHint_.isActive(); }
+    /// Disables the key and shows the reason in its tooltip; an empty reason enables it.
     void setUnavailable(const QString& reason);
 
     QSize sizeHint() const override;
@@ -53,13 +53,13 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     bool event(QEvent* event) override;
 
-    /// Surface and border in the state the key is in; for subclasses that paint more.
+    /// Draws background and border for the current state of the key; used by subclasses that paint more.
     void paintSurface(QPainter& painter) const;
     QColor textColor() const;
 
 private:
     bool touchEvent(QEvent* event);
-    void sayHold();
+    void showHoldHint();
 
     HoldGuard guard_;
     QTimer holdHint_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/lower_edge.h"
+#include "widgets/common/bottom_overlay.h"
 
 #include <QEvent>
 #include <QLayout>
@@ -12,12 +12,12 @@ namespace tiller {
 
 namespace {
 
-constexpr int kEdgeMargin = 8;  // [px]
-constexpr int kKept = 64;       // of an area, its header and a row [px]
+constexpr int kEdgeMargin = 8;  // distance from the border [px]
+constexpr int kKept = 64;       // height reserved for an area: its header and one row [px]
 
 }  // namespace
 
-LowerEdge::LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas)
+BottomOverlay::BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*>& areas)
     : QObject(&shown), shown_(shown), page_(page), areas_(areas) {
     shown.setParent(&page);
     shown.hide();
@@ -29,16 +29,16 @@ LowerEdge::LowerEdge(QWidget& shown, QWidget& page, const QList<QWidget*>& areas
 }
 
 /// The margin of an area is as high as the highest of the widgets shown in it.
-void LowerEdge::reserve(QWidget* area, int height) {
+void BottomOverlay::reserve(QWidget* area, int height) {
     QWidget* before = std::exchange(reservedIn_, area);
     reserved_ = height;
-    const QList<LowerEdge*> all = page_.findChildren<LowerEdge*>();
+    const QList<BottomOverlay*> all = page_.findChildren<BottomOverlay*>();
     for (QWidget* changed : {before, area}) {
         if (changed == nullptr) {
             continue;
         }
         int margin = 0;
-        for (const LowerEdge* edge : all) {
+        for (const BottomOverlay* edge : all) {
             margin = edge->reservedIn_ == changed ? std::max(margin, edge->reserved_) : margin;
         }
         if (changed->contentsMargins().bottom() != margin) {
@@ -47,7 +47,7 @@ void LowerEdge::reserve(QWidget* area, int height) {
     }
 }
 
-void LowerEdge::place() {
+void BottomOverlay::place() {
     if (placing_) {
         return;
     }
@@ -66,18 +66,18 @@ void LowerEdge::place() {
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
-    // Areas with little height are covered at the bottom: there are buttons above them.
+    // Areas with little height are covered at the bottom, because buttons are above them.
     const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
-    // A low area keeps a row; below that it is covered.
+    // An area with little height keeps one row visible; if it is even smaller, the row is covered.
     const int left = room.height() - kKept;
     reserve(area == areas_.cend() ? nullptr : *area,
             std::clamp(height + 2 * kEdgeMargin, 0, std::max(0, left)));
 }
 
-bool LowerEdge::eventFilter(QObject* watched, QEvent* event) {
+bool BottomOverlay::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
         case QEvent::Resize:
         case QEvent::Move:
@@ -95,4 +95,4 @@ bool LowerEdge::eventFilter(QObject* watched, QEvent* event) {
 
 }  // namespace tiller
 
-#include "moc_lower_edge.cpp"
+#include "moc_bottom_overlay.cpp"

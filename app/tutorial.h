@@ -23,17 +23,17 @@ class ActionTable;
 class LocalSimulator;
 class Settings;
 
-class Lessons : public QObject {
+class Tutorial : public QObject {
     Q_OBJECT
 
 public:
     /// All arguments must outlive the object; the cards are shown above `view`.
-    Lessons(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
-            SceneView& view);
-    ~Lessons() override;
+    Tutorial(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
+             SceneView& view);
+    ~Tutorial() override;
 
     void addTo(ActionTable& table);
-    /// Reloads the progress after a change of the settings.
+    /// Reloads the progress after an import of the settings.
     void readAgain();
     void showFirstSteps();
     void showPractice();
@@ -51,7 +51,7 @@ private:
     Practice practice_;
     FirstStepsCard* stepsCard_;
     PracticeCard* practiceCard_;
-    bool here_ = false;  ///< connected to the simulated robot of this program
+    bool here_ = false;  ///< true while connected to the simulated robot of this program
 };
 
 }  // namespace app

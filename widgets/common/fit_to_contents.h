@@ -7,6 +7,6 @@ namespace tiller {
 
 /// Enlarges a window until its content fits; never shrinks it. Needed for word wrap, whose height depends on the
 /// width.
-void makeRoom(QWidget& window);
+void fitToContents(QWidget& window);
 
 }  // namespace tiller

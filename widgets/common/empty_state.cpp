@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/nothing_found.h"
+#include "widgets/common/empty_state.h"
 
 #include <QAbstractScrollArea>
 #include <QEvent>
@@ -8,12 +8,12 @@ namespace tiller {
 
 namespace {
 
-constexpr qsizetype kLongest = 40;  // [characters] displayed of the search text
+constexpr qsizetype kLongest = 40;  // displayed characters of the search text
 constexpr int kMargin = 16;         // [px]
 
 }  // namespace
 
-NothingFound::NothingFound(QAbstractScrollArea& list) : QLabel(list.viewport()), list_(list) {
+EmptyState::EmptyState(QAbstractScrollArea& list) : QLabel(list.viewport()), list_(list) {
     setObjectName(list.objectName() + QStringLiteral(".nothingFound"));
     setAccessibleName(tr("Nothing found"));
     setProperty("role", QStringLiteral("secondary"));
@@ -26,7 +26,7 @@ NothingFound::NothingFound(QAbstractScrollArea& list) : QLabel(list.viewport()),
     hide();
 }
 
-void NothingFound::tell(bool nothing, const QString& words) {
+void EmptyState::tell(bool nothing, const QString& words) {
     const QString typed = words.trimmed();
     const bool whole = typed.size() <= kLongest;
     setText(typed.isEmpty() ? tr("Nothing found with these filters.")
@@ -39,7 +39,7 @@ void NothingFound::tell(bool nothing, const QString& words) {
     }
 }
 
-bool NothingFound::eventFilter(QObject* watched, QEvent* event) {
+bool EmptyState::eventFilter(QObject* watched, QEvent* event) {
     if (watched == list_.viewport() && event->type() == QEvent::Resize) {
         setGeometry(list_.viewport()->rect());
     }
@@ -48,4 +48,4 @@ bool NothingFound::eventFilter(QObject* watched, QEvent* event) {
 
 }  // namespace tiller
 
-#include "moc_nothing_found.cpp"
+#include "moc_empty_state.cpp"

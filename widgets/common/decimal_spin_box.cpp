@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/figure_box.h"
+#include "widgets/common/decimal_spin_box.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -19,14 +19,14 @@ constexpr QLatin1Char kHyphen('-');
 constexpr QLatin1Char kPoint('.');
 constexpr QLatin1Char kComma(',');
 
-/// With the minus sign and the decimal separator of the user interface.
+/// Converts the text to the minus sign and the decimal separator of the user interface.
 QString asShown(QString text) {
     const QString sign = QLocale().decimalPoint();
     text.replace(kHyphen, kMinusSign).replace(kComma, kPoint);
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// With the characters expected by the base class.
+/// Converts the text to the characters expected by the base class.
 QString asRead(QString text) {
     return text.replace(kMinusSign, kHyphen)
         .replace(QLocale().decimalPoint(), QString(kPoint))
@@ -35,7 +35,7 @@ QString asRead(QString text) {
 
 }  // namespace
 
-FigureBox::FigureBox(QWidget* parent) : QDoubleSpinBox(parent) {
+DecimalSpinBox::DecimalSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setButtonSymbols(NoButtons);
     setKeyboardTracking(false);
@@ -44,13 +44,13 @@ FigureBox::FigureBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(plain);
 }
 
-bool FigureBox::isRefused() const {
+bool DecimalSpinBox::isRefused() const {
     QString text = lineEdit()->text();
     int position = 0;
     return validate(text, position) != QValidator::Acceptable;
 }
 
-void FigureBox::explainRefusal() {
+void DecimalSpinBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
     const QString text = tr("“%1” is out of range (%2 to %3). Nothing was changed.")
                              .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
@@ -62,7 +62,7 @@ void FigureBox::explainRefusal() {
 
 // Values out of range are accepted while typing: dropping a digit would change the number. Additional decimals are
 // rounded.
-QValidator::State FigureBox::validate(QString& text, int& position) const {
+QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
     text = asShown(text);
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
@@ -73,17 +73,17 @@ QValidator::State FigureBox::validate(QString& text, int& position) const {
     return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
-QString FigureBox::textFromValue(double value) const {
+QString DecimalSpinBox::textFromValue(double value) const {
     return asShown(QDoubleSpinBox::textFromValue(value));
 }
 
-double FigureBox::valueFromText(const QString& text) const {
+double DecimalSpinBox::valueFromText(const QString& text) const {
     bool isNumber = false;
     const double figure = locale().toDouble(bare(text), &isNumber);
     return isNumber ? figure : QDoubleSpinBox::valueFromText(asRead(text));
 }
 
-void FigureBox::keyPressEvent(QKeyEvent* event) {
+void DecimalSpinBox::keyPressEvent(QKeyEvent* event) {
     if (copies(*event)) {
         return;
     }
@@ -104,7 +104,7 @@ void FigureBox::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void FigureBox::focusOutEvent(QFocusEvent* event) {
+void DecimalSpinBox::focusOutEvent(QFocusEvent* event) {
     if (!isRefused()) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
@@ -115,11 +115,11 @@ void FigureBox::focusOutEvent(QFocusEvent* event) {
     explainRefusal();
 }
 
-void FigureBox::wheelEvent(QWheelEvent* event) {
+void DecimalSpinBox::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }
 
-QString FigureBox::bare(QString text) const {
+QString DecimalSpinBox::bare(QString text) const {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         text.chop(suffix().size());
     }
@@ -127,7 +127,7 @@ QString FigureBox::bare(QString text) const {
 }
 
 /// Copy and cut: spreadsheets and scripts do not accept the typographic minus sign.
-bool FigureBox::copies(const QKeyEvent& event) {
+bool DecimalSpinBox::copies(const QKeyEvent& event) {
     const bool cut = event.matches(QKeySequence::Cut);
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {
         return false;
@@ -139,7 +139,7 @@ bool FigureBox::copies(const QKeyEvent& event) {
     return true;
 }
 
-void FigureBox::restore() {
+void DecimalSpinBox::restore() {
     lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
     lineEdit()->selectAll();
     setAccessibleDescription({});
@@ -148,4 +148,4 @@ void FigureBox::restore() {
 
 }  // namespace tiller
 
-#include "moc_figure_box.cpp"
+#include "moc_decimal_spin_box.cpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/practice/tick_line.h"
+#include "widgets/practice/checklist_item.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,7 +16,8 @@ constexpr int kTickGap = 8;
 
 }  // namespace
 
-TickLine::TickLine(const QString& text, QWidget* parent) : QWidget(parent), text_(new QLabel(text, this)) {
+ChecklistItem::ChecklistItem(const QString& text, QWidget* parent)
+    : QWidget(parent), text_(new QLabel(text, this)) {
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
     text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -27,18 +28,18 @@ TickLine::TickLine(const QString& text, QWidget* parent) : QWidget(parent), text
     describe();
 }
 
-void TickLine::setText(const QString& text) {
+void ChecklistItem::setText(const QString& text) {
     if (text != text_->text()) {
         text_->setText(text);
         describe();
     }
 }
 
-QString TickLine::text() const {
+QString ChecklistItem::text() const {
     return text_->text();
 }
 
-void TickLine::setDone(bool done) {
+void ChecklistItem::setDone(bool done) {
     if (done != done_) {
         done_ = done;
         describe();
@@ -46,21 +47,21 @@ void TickLine::setDone(bool done) {
     }
 }
 
-void TickLine::reserveLines(int lines) {
+void ChecklistItem::reserveLines(int lines) {
     text_->ensurePolished();
     text_->setMinimumHeight(lines * text_->fontMetrics().lineSpacing());
 }
 
-void TickLine::describe() {
+void ChecklistItem::describe() {
     setAccessibleName(text_->text());
     setAccessibleDescription(done_ ? tr("done") : tr("not done yet"));
 }
 
-void TickLine::paintEvent(QPaintEvent*) {
+void ChecklistItem::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // Next to the first line of the text.
+    // Aligned with the first line of the text.
     const QRectF mark(0, (text_->fontMetrics().height() - kMark) / 2.0, kMark, kMark);
     if (done_) {
         themedIcon(QStringLiteral("check"), theme.text).paint(&painter, mark.toRect());
@@ -73,4 +74,4 @@ void TickLine::paintEvent(QPaintEvent*) {
 
 }  // namespace tiller
 
-#include "moc_tick_line.cpp"
+#include "moc_checklist_item.cpp"

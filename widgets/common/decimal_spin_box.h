@@ -10,11 +10,11 @@
 
 namespace tiller {
 
-class FigureBox : public QDoubleSpinBox {
+class DecimalSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 
 public:
-    explicit FigureBox(QWidget* parent = nullptr);
+    explicit DecimalSpinBox(QWidget* parent = nullptr);
 
     /// True if the text is not a valid value; value() is then the previous one.
     bool isRefused() const;
@@ -23,7 +23,7 @@ public:
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
-    /// With the typographic minus sign and the decimal separator of the language.
+    /// Uses the typographic minus sign and the decimal separator of the language.
     QString textFromValue(double value) const override;
 
 protected:
@@ -32,7 +32,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// Without the unit, with a hyphen as minus sign and a decimal point.
+    /// Removes the unit; uses a hyphen as minus sign and a decimal point.
     QString bare(QString text) const;
     bool copies(const QKeyEvent& event);
     void restore();

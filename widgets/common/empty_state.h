@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Message for a list that is empty because of a search or filter.
+// Message shown over a list that is empty because of a search or filter.
 
 #include <QLabel>
 
@@ -9,12 +9,12 @@ class QAbstractScrollArea;
 
 namespace tiller {
 
-class NothingFound : public QLabel {
+class EmptyState : public QLabel {
     Q_OBJECT
 
 public:
     /// list  the list to cover
-    explicit NothingFound(QAbstractScrollArea& list);
+    explicit EmptyState(QAbstractScrollArea& list);
 
     /// words  the search text; empty if the list is empty for other reasons
     void tell(bool nothing, const QString& words);

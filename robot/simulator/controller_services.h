@@ -3,25 +3,25 @@
 
 // Objects owned by the thread of the simulator: the robot, its services and their cycle.
 
-#include "robot/simulator/box/plant.h"
+#include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/services.h"
 #include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 
 /// Threads  the simulator's.
-struct ControlBox {
-    explicit ControlBox(const SimulatorOptions& options);
+struct ControllerServices {
+    explicit ControllerServices(const SimulatorOptions& options);
 
-    /// Takes connections, reads and answers; no time passes.
+    /// Accepts connections, reads requests and answers; does not advance time.
     void service();
-    /// One control period.
+    /// Runs one control period.
     void tick();
     void setRemoteControl(bool remote);
 
-    Plant plant;
+    ControllerModel plant;
     Services services;
-    bool silent = false;  ///< nothing is read or sent, connections stay
+    bool silent = false;  ///< nothing is read or sent; connections stay open
 
 private:
     std::uint64_t boots_ = 0;
