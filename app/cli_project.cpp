@@ -144,6 +144,9 @@ QString placeOf(const project::Project& project, const ProjectFinding& finding) 
         return QStringLiteral("recorded path ") +
                named(project.paths.at(static_cast<std::size_t>(finding.row)).name);
     }
+    if (finding.kind == ProjectFinding::Kind::Unplaced) {
+        return QStringLiteral("cell ") + named(finding.object.name);
+    }
     const auto waypoint = [&](int row) {
         return QStringLiteral("%1 %2").arg(row + 1).arg(named(project.waypoints.at(row).name));
     };
@@ -170,6 +173,8 @@ QString reasonOf(const ProjectFinding& finding, const collision::Surroundings& a
         case ProjectFinding::Kind::Slow:
         case ProjectFinding::Kind::RecordedPath:
             return limitText(finding.limit, around) + QLatin1Char('.');
+        case ProjectFinding::Kind::Unplaced:
+            return unplacedText(finding.object) + QLatin1Char('.');
     }
     return {};
 }

@@ -37,9 +37,17 @@ struct ToolBody {
     double radius = 0;  ///< [m]; 0: no body
 };
 
+/// An object whose position is unknown, because the project does not contain its reference frame.
+struct UnplacedObject {
+    QString name;
+    QString frame;  ///< id of the missing frame
+    friend bool operator==(const UnplacedObject&, const UnplacedObject&) = default;
+};
+
 /// The surroundings of an arm.
 struct CellSurroundings {
     Surroundings around;
+    std::vector<UnplacedObject> unplaced;     ///< cannot be checked: moves are refused until there are none
     double toolRadius = 0;                    ///< as ToolBody::radius [m]
     double safetyDistance = kSafetyDistance;  ///< for moves and jogs [m]
 };

@@ -21,7 +21,7 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
     Pose pose;    ///< of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
@@ -33,7 +33,7 @@ struct CellBox {
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;

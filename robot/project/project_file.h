@@ -85,6 +85,7 @@ struct RecoveredProject {
     int lostWaypoints = 0;  ///< number of skipped entries
     int lostFrames = 0;
     int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes, paths and programs
+    int lostObstacles = 0;   ///< boxes and planes, of the lost parts: the arm is not kept away from them
     QByteArray fingerprint;  ///< of the file's content; empty if not read from a file
 };
 

@@ -20,6 +20,16 @@ protected:
     /// Action of the operator, who is still holding, when the window is visible again.
     virtual void comeBack() {}
 
+    /// Waits until the window has lost the focus: the time of the window manager is not that of the stop.
+    void waitForFocusLoss() {
+        QVERIFY2(cell().until([&] { return hand().activeWindow() != mainWindow_; }),
+                 "the window manager did not take the focus from the window");
+    }
+    XHand::WindowId mainWindow() {
+        mainWindow_ = cell().place("mainWindow").window;
+        return mainWindow_;
+    }
+
     /// The arm is at standstill although the input is still held. It remains at standstill when the window is
     /// active again and the input is released: a stopped motion needs a new press.
     void verifyEndedForGood() {
@@ -31,10 +41,15 @@ protected:
         QVERIFY2(arm().stays(0.3), "it moved again when it was let go");
     }
 
+private:
+    XHand::WindowId mainWindow_ = 0;
+
 private Q_SLOTS:
     void theDesktopIsSwitched() {
+        mainWindow();
         hold();
         hand().switchDesktop(1);
+        waitForFocusLoss();
         verifyStands();
         QCOMPARE(hand().desktop(), 1);
         hand().switchDesktop(0);
@@ -42,8 +57,10 @@ private Q_SLOTS:
     }
 
     void theWindowIsMinimised() {
+        mainWindow();
         hold();
-        hand().iconify(cell().place("mainWindow").window);
+        hand().iconify(mainWindow_);
+        waitForFocusLoss();
         verifyEndedForGood();
     }
 

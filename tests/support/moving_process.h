@@ -49,7 +49,10 @@ public:
         stands = speed < 0.001 && std::max(-*turning.first, *turning.second) < 0.002;
         lastMoved = stands ? lastMoved : time;
         position = {values_[15], values_[16], values_[17]};
-        state = static_cast<control::ScriptState>(static_cast<std::int32_t>(values_[14]));
+        // Negative: the time without a client, after the last state.
+        if (values_[14] >= 0) {
+            state = static_cast<control::ScriptState>(static_cast<std::int32_t>(values_[14]));
+        }
         if (values_[13] != heard_) {
             heard_ = values_[13];
             heardAt = time;

@@ -4,6 +4,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTextBoundaryFinder>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/common/shapes.h"
@@ -18,6 +20,38 @@ constexpr int kDensePadding = 8;
 constexpr int kShapeRoom = 18;
 constexpr int kArrowRoom = 16;
 constexpr int kMarkRoom = 12;
+
+constexpr int kSmallestFont = 11;  // [px]
+constexpr int kTwoLinesFont = 12;
+
+/// A text on one or two lines.
+struct BrokenText {
+    QString text;
+    int longer = 0;  ///< width of the longer line [px]
+    int shorter = 0;
+
+    int widthWith(int arrow) const { return std::max(longer, shorter + arrow); }
+};
+
+/// The text, with a line break where it makes the text narrowest. A separating dot at the break is dropped.
+BrokenText twoLines(const QString& text, const QFontMetrics& metrics) {
+    const int whole = metrics.horizontalAdvance(text);
+    BrokenText best{text, whole, whole};
+    QTextBoundaryFinder finder(QTextBoundaryFinder::Line, text);
+    for (qsizetype at = finder.toNextBoundary(); at > 0 && at < text.size(); at = finder.toNextBoundary()) {
+        QString first = text.left(at).trimmed();
+        const QString second = text.mid(at);
+        if (first.endsWith(QStringLiteral(" ·"))) {
+            first.chop(2);
+        }
+        const auto [shorter, longer] =
+            std::minmax({metrics.horizontalAdvance(first), metrics.horizontalAdvance(second)});
+        if (longer < best.longer) {
+            best = {first + QLatin1Char('\n') + second, longer, shorter};
+        }
+    }
+    return best;
+}
 
 QFont captionFont(bool strong) {
     QFont font = textFont(11, strong ? QFont::Bold : QFont::Normal);
@@ -65,10 +99,10 @@ void StateChip::setCaption(const QString& caption, ElidedPart elidedPart) {
     }
 }
 
-QString StateChip::leastCaption() const {
+QString StateChip::leastCaption(const QString& caption) const {
     const QString dot = QStringLiteral(" · ");
-    return elidedPart_ == ElidedPart::Behind || !caption_.contains(dot) ? caption_.section(dot, 0, 0)
-                                                                        : caption_.section(dot, 1);
+    return elidedPart_ == ElidedPart::Behind || !caption.contains(dot) ? caption.section(dot, 0, 0)
+                                                                        : caption.section(dot, 1);
 }
 
 QString StateChip::shownCaption() const {
@@ -124,9 +158,9 @@ void StateChip::setMark(const QString& mark) {
     }
 }
 
-int StateChip::shapeRoom() const {
-    const bool beside = !mark_.isEmpty() && shape_ != Shape::Octagon;
-    return shape_ == Shape::None ? 0 : kShapeRoom + (beside ? kMarkRoom : 0);
+int StateChip::roomOf(Shape shape, const QString& mark) {
+    const bool beside = !mark.isEmpty() && shape != Shape::Octagon;
+    return shape == Shape::None ? 0 : kShapeRoom + (beside ? kMarkRoom : 0);
 }
 
 void StateChip::setNumberFont(bool figures) {
@@ -154,6 +188,10 @@ void StateChip::setLeastCharacters(int characters) {
         showTip();
         updateGeometry();
     }
+}
+
+int StateChip::leastRoom(const QString& caption) const {
+    return widthFor(QString(leastCharacters_, QLatin1Char('0')) + QChar(0x2026), leastCaption(caption));
 }
 
 void StateChip::setRoom(int width) {
@@ -188,18 +226,37 @@ int StateChip::valueRoom() const {
     return width() - 2 * padding() - shapeRoom() - (menuArrow_ ? kArrowRoom : 0) + 1;
 }
 
-QFont StateChip::fittingFont() const {
-    constexpr int kSmallest = 11;
+StateChip::FittedText StateChip::fittedText() const {
+    const int room = valueRoom();
     QFont font = valueFont();
-    while ((room_ > 0 || dense_) && font.pixelSize() > kSmallest &&
-           QFontMetrics(font).horizontalAdvance(text_) > valueRoom()) {
-        font.setPixelSize(font.pixelSize() - 1);
+    const bool isFixed = room_ > 0 || dense_;
+    const auto shrinkUntil = [&font, isFixed](int smallest, const auto& fits) {
+        while (!fits(QFontMetrics(font)) && isFixed && font.pixelSize() > smallest) {
+            font.setPixelSize(font.pixelSize() - 1);
+        }
+        return fits(QFontMetrics(font));
+    };
+    if (shrinkUntil(kSmallestFont,
+                    [&](const QFontMetrics& m) { return m.horizontalAdvance(text_) <= room; })) {
+        return {font, text_, true};
     }
-    return font;
+    if (isFixed) {
+        const int arrow = menuArrow_ ? kArrowRoom : 0;  // next to the shorter line
+        font.setPixelSize(kTwoLinesFont);
+        if (shrinkUntil(kSmallestFont, [&](const QFontMetrics& m) {
+                return twoLines(text_, m).widthWith(arrow) <= room + arrow;
+            })) {
+            return {font, twoLines(text_, QFontMetrics(font)).text, true};
+        }
+    }
+    return {font, QFontMetrics(font).elidedText(text_, Qt::ElideRight, room), false};
 }
 
-QString StateChip::shownText() const {
-    return QFontMetrics(fittingFont()).elidedText(text_, Qt::ElideRight, valueRoom());
+int StateChip::leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const {
+    QFont font = textFont(kSmallestFont, isStrong(emphasis) ? QFont::Bold : QFont::Normal);
+    const int caption = QFontMetrics(captionFont(isStrong(emphasis))).horizontalAdvance(leastCaption());
+    const int value = twoLines(text, QFontMetrics(font)).widthWith(menuArrow_ ? kArrowRoom : 0);
+    return std::max(caption, value + roomOf(shape, mark)) + 2 * padding();
 }
 
 QSize StateChip::sizeHint() const {
@@ -239,16 +296,35 @@ void StateChip::paintEvent(QPaintEvent*) {
         drawShape(painter, shape_, box, colours.shape, colours.fill, mark_);
         x += shapeRoom();
     }
-    painter.setFont(fittingFont());
+    const FittedText shown = fittedText();
+    const QStringList lines = shown.text.split(QLatin1Char('\n'));
+    painter.setFont(shown.font);
     painter.setPen(colours.value);
-    const QString shown = shownText();
-    painter.drawText(QRect(x, kValueTop, valueRoom(), kValueHeight), Qt::AlignLeft | Qt::AlignVCenter, shown);
+    double arrowY = kValueTop + kValueHeight / 2.0 - 2;
+    int arrowX = x;
+    if (lines.size() == 1) {
+        painter.drawText(QRect(x, kValueTop, valueRoom(), kValueHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                         shown.text);
+        arrowX += painter.fontMetrics().horizontalAdvance(shown.text);
+    } else {
+        constexpr int kLineHeight = 13;
+        constexpr int kTop = kValueTop - 1;
+        const int room = width() - padding() - x + 1;
+        for (int i = 0; i < 2; ++i) {
+            painter.drawText(QRect(x, kTop + i * kLineHeight, room, kLineHeight),
+                             Qt::AlignLeft | Qt::AlignVCenter, lines.at(i));
+        }
+        const int first = painter.fontMetrics().horizontalAdvance(lines.at(0));
+        const int second = painter.fontMetrics().horizontalAdvance(lines.at(1));
+        arrowX += std::min(first, second);
+        arrowY = kTop + (second <= first ? 1.5 : 0.5) * kLineHeight - 3;
+    }
     if (menuArrow_) {
-        const int left = x + painter.fontMetrics().horizontalAdvance(shown) + 6;
-        const double y = kValueTop + kValueHeight / 2.0 - 2;
+        const int left = arrowX + 6;
         painter.setPen(Qt::NoPen);
         painter.setBrush(colours.value);
-        painter.drawPolygon(QPolygonF({{left + 0.0, y}, {left + 9.0, y}, {left + 4.5, y + 6}}));
+        painter.drawPolygon(
+            QPolygonF({{left + 0.0, arrowY}, {left + 9.0, arrowY}, {left + 4.5, arrowY + 6}}));
     }
 }
 

@@ -4,6 +4,7 @@
 // A small labelled field of the header: a caption, and below it a state as symbol and text. Grey in the normal
 // state; coloured only if attention or an action is required.
 
+#include <QFont>
 #include <QWidget>
 
 namespace tiller {
@@ -58,10 +59,14 @@ public:
     void setDense(bool dense);
     /// Minimum width: the caption and this number of characters of the value; the rest is elided.
     void setLeastCharacters(int characters);
-    /// Fixed width [px]: longer texts get a smaller font, and are elided if necessary.
+    /// The minimum width for the widest value with this caption [px].
+    int leastRoom(const QString& caption) const;
+    /// Fixed width [px]: longer texts get a smaller font, then a second line, and are elided if necessary.
     void setRoom(int width);
+    /// Smallest width at which this value is not elided [px].
+    int leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
     /// True if the value is not elided at this width.
-    bool isWhole() const { return shownText() == text_; }
+    bool isWhole() const { return fittedText().isWhole; }
     /// Show a menu arrow.
     void setMenuArrow(bool arrow);
 
@@ -82,15 +87,22 @@ protected:
 private:
     int padding() const;
     QFont valueFont() const;
-    /// The largest legible font size at which the value fits.
-    QFont fittingFont() const;
+    struct FittedText {
+        QFont font;
+        QString text;          ///< one or two lines
+        bool isWhole = false;  ///< not elided
+    };
+    /// The value in the largest font at which it fits on one line, otherwise on two lines, otherwise elided.
+    FittedText fittedText() const;
     int valueRoom() const;
-    QString shownText() const;
     int widthFor(const QString& value, const QString& caption) const;
-    int shapeRoom() const;
-    bool isStrong() const { return emphasis_ != Emphasis::Normal && emphasis_ != Emphasis::Muted; }
+    static int roomOf(Shape shape, const QString& mark);
+    int shapeRoom() const { return roomOf(shape_, mark_); }
+    static bool isStrong(Emphasis e) { return e != Emphasis::Normal && e != Emphasis::Muted; }
+    bool isStrong() const { return isStrong(emphasis_); }
     /// The part of the caption that is never elided.
-    QString leastCaption() const;
+    QString leastCaption() const { return leastCaption(caption_); }
+    QString leastCaption(const QString& caption) const;
     void showTip();
 
     QString caption_;

@@ -132,12 +132,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
             }
             return details(index.row());
         case Qt::FontRole:
-            if (index.column() == Open) {
-                QFont font = textFont(13);
-                font.setUnderline(true);
-                return font;
-            }
-            return index.column() == Time ? numberFont(13) : textFont(14);
+            return columnFont(index.column());
         case Qt::ForegroundRole:
             if (index.column() == SeverityColumn && entry.severity != Severity::Info) {
                 return entry.severity == Severity::Error ? Theme::current().alarm : Theme::current().warning;
@@ -159,6 +154,15 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
         default:
             return {};
     }
+}
+
+QFont LogModel::columnFont(int column) {
+    if (column == Open) {
+        QFont font = textFont(13);
+        font.setUnderline(true);
+        return font;
+    }
+    return column == Time ? numberFont(13) : textFont(14);
 }
 
 QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {

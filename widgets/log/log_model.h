@@ -7,6 +7,7 @@
 
 #include <QAbstractTableModel>
 #include <QDateTime>
+#include <QFont>
 #include <QSortFilterProxyModel>
 #include <deque>
 #include <optional>
@@ -38,6 +39,7 @@ public:
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
+    static QFont columnFont(int column);
     static QString openWord();  ///< Text of the column Open for rows with a recording.
     /// "the robot", "the operator", "Tiller"
     static QString originWord(Origin origin);

@@ -29,7 +29,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kCellPadding = 32;  // [px]
+constexpr int kCellPadding = 26;  // [px]
 constexpr double kMsPerSecond = 1e3;
 
 }  // namespace
@@ -98,10 +98,11 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionsClickable(false);
     table_->horizontalHeader()->setStretchLastSection(true);
-    table_->setColumnWidth(LogModel::Time, 92);
-    table_->setColumnWidth(LogModel::SeverityColumn, 108);
-    const int openWidth = QFontMetrics(textFont(13)).horizontalAdvance(LogModel::openWord()) + kCellPadding;
-    table_->setColumnWidth(LogModel::Open, openWidth);
+    fitColumn(LogModel::Time, {QStringLiteral("00:00:00")});
+    fitColumn(LogModel::SeverityColumn,
+              {LogModel::severityWord(Severity::Info), LogModel::severityWord(Severity::Warning),
+               LogModel::severityWord(Severity::Error)});
+    fitColumn(LogModel::Open, {LogModel::openWord()});
     table_->setColumnHidden(LogModel::Open, true);  // until there is a recording to open
 
     auto* layout = new QVBoxLayout(this);
@@ -149,6 +150,16 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 }
 
 LogTab::~LogTab() = default;
+
+/// The text column receives the remaining width.
+void LogTab::fitColumn(int column, const QStringList& words) {
+    const QFontMetrics metrics(LogModel::columnFont(column));
+    int width = table_->horizontalHeader()->sectionSizeHint(column);
+    for (const QString& word : words) {
+        width = std::max(width, metrics.horizontalAdvance(word) + kCellPadding);
+    }
+    table_->setColumnWidth(column, width);
+}
 
 void LogTab::append(Severity severity, const QString& text, Origin origin, const QString& detail) {
     add(severity, text, origin, detail, {});

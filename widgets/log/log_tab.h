@@ -78,6 +78,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
+    void fitColumn(int column, const QStringList& words);
     void showDetails();
     void clicked(const QModelIndex& index);
     const LogModel& shownModel() const { return replay_ ? *replayModel_ : *model_; }

@@ -246,11 +246,17 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
         return;
     }
     const int whole = found->document.waypoints.size();
+    QString text = tr("%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.")
+                       .arg(error.context)
+                       .arg(whole)
+                       .arg(found->lostWaypoints);
+    if (found->lostObstacles > 0) {
+        text += QLatin1Char(' ') +
+                tr("Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.")
+                    .arg(found->lostObstacles);
+    }
     Q_EMIT noticeWanted({.title = title,
-                         .text = tr("%1. Readable waypoints: %2, unreadable: %3. The damaged file is kept.")
-                                     .arg(error.context)
-                                     .arg(whole)
-                                     .arg(found->lostWaypoints),
+                         .text = text,
                          .accept = tr("Open %n waypoints", nullptr, whole),
                          .accepted =
                              [this, path] {

@@ -7,7 +7,9 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
@@ -26,6 +28,7 @@ constexpr double kOrdinaryCap = 0.250;  // a higher speed limit is displayed in 
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
+constexpr int kLeastStateRoom = 112;
 
 StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
     auto* made = new StateChip(caption, parent);
@@ -68,6 +71,22 @@ int stepRoom(QPushButton& key, int least) {
     for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
         room = std::max(room, roomFor(key, stepWords(key, nextStepText(step), least)));
+    }
+    return room;
+}
+
+/// Minimum width of the chip of the connection for all its captions [px].
+int linkRoom(const StateChip& chip) {
+    SessionState good;
+    good.sequence = 1;
+    good.link = LinkState::Live;
+    SessionState slow = good;
+    slow.quality.roundTripMs = 1000;
+    SessionState gaps = good;
+    gaps.quality.recent = {1000, 0, 1000};
+    int room = 0;
+    for (const SessionState& state : {good, slow, gaps}) {
+        room = std::max(room, chip.leastRoom(linkCaption(state)));
     }
     return room;
 }
@@ -419,6 +438,7 @@ void HeaderBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::StyleChange) {
         showLastStop();  // units may have changed
         showCap(state_.speedCap);
+        contentWidths_ = {};
         arrange();  // fonts may have changed
     }
     QWidget::changeEvent(event);
@@ -430,32 +450,80 @@ void HeaderBar::resizeEvent(QResizeEvent* event) {
 }
 
 void HeaderBar::arrange() {
-    const bool narrow = width() < kNarrowBelow;
-    const bool tight = width() < kTightBelow;
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
-    layout_->setContentsMargins(tight ? 10 : 16, 0, tight ? 10 : 16, below);
-    layout_->setSpacing(tight ? 4 : narrow ? 8 : 12);
+    // Also smaller where the texts of the language need more space.
+    const Size largest = width() < kTightBelow    ? Size::Tight
+                         : width() < kNarrowBelow ? Size::Narrow
+                                                  : Size::Wide;
+    for (const Size size : {Size::Wide, Size::Narrow, Size::Tight}) {
+        if (size < largest) {
+            continue;
+        }
+        arrange(size, below);
+        if (requiredWidth() <= width()) {
+            break;
+        }
+    }
+    // In the smallest windows the longest states of some languages are elided; the tooltip shows them.
+    int missing = requiredWidth() - width();
+    for (StateChip* chip : {control_, safety_, mode_}) {
+        const int cut = std::clamp(missing, 0, std::max(0, chip->minimumWidth() - kLeastStateRoom));
+        chip->setRoom(chip->minimumWidth() - cut);
+        missing -= cut;
+    }
+    stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
+}
+
+/// For all texts, and with the simulation sign.
+int HeaderBar::requiredWidth() const {
+    const int required =
+        layout_->minimumSize().width() + std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
+        std::max(0, lastStop_->leastRoom(lastStop_->caption()) - lastStop_->minimumSizeHint().width());
+    return simulation_->isHidden() ? required + simulation_->minimumWidth() + layout_->spacing() : required;
+}
+
+void HeaderBar::arrange(Size size, int below) {
+    const bool tight = size == Size::Tight;
+    layout_->setContentsMargins(tight ? 8 : 16, 0, tight ? 8 : 16, below);
+    const auto wide = [size](int least, int middle, int most) {
+        return size == Size::Tight ? least : size == Size::Narrow ? middle : most;
+    };
+    layout_->setSpacing(wide(4, 8, 12));
     for (StateChip* chip : {robot_, mode_, safety_, control_, link_, lastStop_}) {
         chip->setDense(tight);
     }
     name_->setVisible(!tight);
-    stop_->setFixedWidth(tight ? 132 : narrow ? 160 : 230);
+    stop_->setFixedWidth(wide(128, 160, 230));
     // Buttons keep their positions independent of the texts, so that a second click does not hit another one. The
     // values after them share the remaining space.
-    const auto wide = [tight, narrow](int least, int middle, int most) {
-        return tight ? least : narrow ? middle : most;
-    };
-    robot_->setRoom(wide(118, 150, 170));
+    robot_->setRoom(wide(86, 150, 170));
     simulation_->setFixedWidth(wide(112, 130, 145));
-    mode_->setRoom(wide(118, 136, 150));
-    safety_->setRoom(wide(126, 150, 170));
-    control_->setRoom(wide(126, 160, 176));
+    const auto& [mode, safety, control] = contentWidths(tight);
+    mode_->setRoom(std::max(mode, wide(96, 136, 150)));
+    safety_->setRoom(std::max(safety, wide(96, 150, 170)));
+    control_->setRoom(std::max(control, wide(96, 160, 176)));
     stepButton_->setFixedWidth(stepRoom(*stepButton_, wide(142, 150, 150)));
-    stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
     speed_->setFixedWidth(wide(118, 130, 140));
-    link_->setLeastCharacters(tight ? 6 : narrow ? 11 : 15);
-    lastStop_->setLeastCharacters(tight ? 6 : narrow ? 11 : 14);
+    link_->setLeastCharacters(wide(6, 11, 15));
+    lastStop_->setLeastCharacters(wide(6, 11, 14));
+    layout_->invalidate();
+}
+
+const std::array<int, 3>& HeaderBar::contentWidths(bool tight) {
+    auto& widths = contentWidths_.at(tight ? 1 : 0);
+    if (!widths) {
+        const auto widest = [](const StateChip& chip, const std::vector<ModeLook>& looks) {
+            int width = 0;
+            for (const ModeLook& look : looks) {
+                width = std::max(width, chip.leastWidth(look.text, look.shape, look.emphasis, look.mark));
+            }
+            return width;
+        };
+        widths = {widest(*mode_, robotModeLooks()), widest(*safety_, safetyModeLooks()),
+                  widest(*control_, controlLooks())};
+    }
+    return *widths;
 }
 
 void HeaderBar::paintEvent(QPaintEvent*) {

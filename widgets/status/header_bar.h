@@ -8,7 +8,9 @@
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "robot/station/link/robot_session.h"
 #include "widgets/status/mode_look.h"
@@ -80,7 +82,12 @@ private:
     void keepPlaces();
     void letPlacesGo();
     void showLink();
+    enum class Size { Wide, Narrow, Tight };
     void arrange();
+    void arrange(Size size, int below);
+    int requiredWidth() const;
+    /// Widths of the chips for robot mode, safety and control that show each value whole [px].
+    const std::array<int, 3>& contentWidths(bool tight);
     void showCap(double speedCap);
     void showLastStop();
 
@@ -88,6 +95,7 @@ private:
     std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
+    std::array<std::optional<std::array<int, 3>>, 2> contentWidths_;  ///< of each density; until fonts change
     bool stepLostFocus_ = false;  ///< the button was disabled or hidden while it had the focus
     QTimer linkPace_;
     QTimer places_;  ///< active while positions must not change

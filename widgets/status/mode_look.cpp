@@ -158,7 +158,7 @@ ModeLook controlLook(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
-    if (state.hasData() && state.runtimeState != RuntimeState::Stopped) {
+    if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
         // A program other than Tiller's may move the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
@@ -169,6 +169,59 @@ ModeLook controlLook(const SessionState& state) {
     return {state.remoteControl ? ModeLookText::tr("Not in control")
                                 : (told << ModeLookText::tr("monitoring")).join(dot),
             Shape::None, Emphasis::Muted, state.controlReason};
+}
+
+std::vector<ModeLook> robotModeLooks() {
+    std::vector<ModeLook> looks{robotModeLook(RobotMode::Running, true),
+                                robotModeLook(RobotMode::Running, false, true)};
+    for (const Row<RobotMode>& row : kRobotModes) {
+        looks.push_back(robotModeLook(row.mode, false));
+    }
+    return looks;
+}
+
+std::vector<ModeLook> safetyModeLooks() {
+    std::vector<ModeLook> looks;
+    for (const Row<SafetyStatus>& row : kSafety) {
+        looks.push_back(safetyModeLook(row.mode));
+    }
+    return looks;
+}
+
+std::vector<ModeLook> controlLooks() {
+    std::vector<ModeLook> looks;
+    SessionState state;
+    looks.push_back(controlLook(state));
+    state.sequence = 1;
+    state.link = LinkState::Lost;
+    looks.push_back(controlLook(state));
+    state.link = LinkState::Stale;
+    looks.push_back(controlLook(state));
+    state.link = LinkState::Live;
+    const auto add = [&looks, &state](ControlState control) {
+        state.control = control;
+        looks.push_back(controlLook(state));
+    };
+    add(ControlState::Taking);
+    add(ControlState::Refused);
+    for (const bool remote : {false, true}) {
+        for (const char* mode : {"", "MANUAL", "AUTOMATIC"}) {
+            state.remoteControl = remote;
+            state.operationalMode = QLatin1String(mode);
+            for (const Row<RuntimeState>& row : kRuntime) {
+                state.runtimeState = row.mode;
+                add(ControlState::None);
+            }
+            for (bool SessionState::*doing :
+                 {&SessionState::moving, &SessionState::jogActive, &SessionState::freedriveActive}) {
+                add(ControlState::InControl);
+                state.*doing = true;
+            }
+            add(ControlState::InControl);
+            state.moving = state.jogActive = state.freedriveActive = false;
+        }
+    }
+    return looks;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 // a suggested action. Also the next step towards a robot that can move.
 
 #include <QString>
+#include <vector>
 
 #include "robot/station/link/session_state.h"
 #include "widgets/common/state_chip.h"
@@ -27,6 +28,10 @@ ModeLook safetyModeLook(SafetyStatus status);
 ModeLook runtimeLook(RuntimeState state);
 /// Appearance of the control state.
 ModeLook controlLook(const SessionState& state);
+/// All appearances that these functions return for known modes.
+std::vector<ModeLook> robotModeLooks();
+std::vector<ModeLook> safetyModeLooks();
+std::vector<ModeLook> controlLooks();
 /// Rate, late and lost packets and round trip of the connection, or its problem.
 ModeLook linkLook(const SessionState& state);
 /// The consequence of the connection quality for jogging, in two or three words.

@@ -167,6 +167,13 @@ void VectorEditor::changeEvent(QEvent* event) {
 
 // ---- the page -----------------------------------------------------------------------------------------------
 
+/// A new position replaces a missing frame by the base frame.
+template <class Part>
+Part CellPage::placed(Part part) const {
+    part.frame = document_.frames().pose(part.frame) ? part.frame : QUuid();
+    return part;
+}
+
 CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
     : PartPage(QStringLiteral("cell"), CellPage::tr("Cell"), cellModel(document),
                CellPage::tr(
@@ -306,7 +313,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     connect(enabled_, &QCheckBox::clicked, this, &CellPage::setEnabledInCell);
     connect(pose_, &PoseEditor::poseEntered, this, [this](const Pose& pose) {
         if (const project::CellBox* selected = box()) {
-            project::CellBox after = *selected;
+            project::CellBox after = placed(*selected);
             after.pose = pose;
             change(after, CellPage::tr("Move “%1”").arg(after.name));
         }
@@ -320,7 +327,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     });
     connect(point_, &VectorEditor::entered, this, [this](const Eigen::Vector3d& point) {
         if (const project::CellPlane* selected = plane()) {
-            project::CellPlane after = *selected;
+            project::CellPlane after = placed(*selected);
             after.pose.position = point;
             change(after, CellPage::tr("Move “%1”").arg(after.name));
         }
@@ -336,7 +343,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             refresh();
             return;
         }
-        project::CellPlane after = *selected;
+        project::CellPlane after = placed(*selected);
         after.pose = planePose(after.pose.position, normal.normalized());
         change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });
@@ -471,7 +478,7 @@ void CellPage::moveToTcp() {
         Pose pose = inBase(part.frame, part.pose);
         pose.position = state_.tcpPose.position;
         part.pose = inFrame(part.frame, pose);
-        return part;
+        return placed(part);
     };
     if (const project::CellBox* selected = box()) {
         change(moved(*selected), CellPage::tr("Move “%1”").arg(selected->name));
@@ -575,7 +582,10 @@ void CellPage::refresh() {
     const auto fact = [this](const auto& part, const QString& kind) {
         const project::Frame* frame = document_.frames().find(part.frame);
         facts_->setText(CellPage::tr("%1 · %2 in %3")
-                            .arg(part.name, kind, frame != nullptr ? frame->name : CellPage::tr("Base")));
+                            .arg(part.name, kind,
+                                 frame != nullptr      ? frame->name
+                                 : part.frame.isNull() ? CellPage::tr("Base")
+                                                       : CellPage::tr("missing frame")));
         enabled_->setChecked(part.enabled);
     };
     if (selected != nullptr) {

@@ -82,6 +82,8 @@ private:
     void setFloor(const std::optional<double>& height);
     void takeFloor();
     void takeDistance();
+    template <class Part>
+    Part placed(Part part) const;
     Pose inBase(const QUuid& frame, const Pose& pose) const;
     Pose inFrame(const QUuid& frame, const Pose& T_base) const;
     void refresh();

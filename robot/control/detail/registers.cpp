@@ -140,7 +140,7 @@ Feedback FeedbackLayout::decode(std::span<const double> values, std::int64_t hos
     const auto whole = [&](std::size_t i) { return static_cast<std::int32_t>(values[echo_[i]]); };
     f.echo.sequence = whole(0);
     f.echo.epoch = whole(1);
-    f.echo.state = static_cast<ScriptState>(whole(2));
+    f.echo.state = whole(2) < 0 ? ScriptState::Expired : static_cast<ScriptState>(whole(2));
     f.echo.session = whole(3);
     f.echo.answer.number = whole(4);
     f.echo.answer.outcome = static_cast<Outcome>(whole(5));

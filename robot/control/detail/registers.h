@@ -19,7 +19,7 @@ namespace tiller::control {
 int firstRegister(RegisterRange range);     ///< 0 or 24
 inline constexpr int kEpochRegister = 1;    ///< integer input, counted from the first register
 inline constexpr int kSessionRegister = 4;  ///< integer input, counted from the first register
-inline constexpr int kStateRegister = 2;    ///< integer output
+inline constexpr int kStateRegister = 2;    ///< integer output, counted from the first register
 
 enum class ScriptCommand : std::int32_t {
     Idle = 0,  ///< no motion; ends the active one
@@ -47,7 +47,9 @@ enum class ScriptState : std::int32_t {
     Executing = 1,  ///< executing the command of the echoed epoch
     Done = 2,       ///< the move of the echoed epoch reached its target
     Braking = 3,
-    Expired = 4,     ///< no new sequence number for 100 ms: stopped, and the echoed epoch is invalid
+    /// No new sequence number for 100 ms: stopped, and the echoed epoch is invalid. A negative number in the register
+    /// means the same; see AbandonedProgram.
+    Expired = 4,
     OutOfReach = 5,  ///< no joint positions for the target: stopped, invalid
     Contact = 6,     ///< contact detected: stopped, invalid
     TooFar = 7,      ///< servo target too far away: stopped, invalid

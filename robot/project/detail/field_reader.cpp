@@ -94,11 +94,12 @@ QUuid FieldReader::optionalId(const QString& where, const QJsonObject& object, c
     return value.isUndefined() || value.isNull() ? QUuid() : id(where, object, key);
 }
 
+QUuid FieldReader::frameId(const QString& where, const QJsonObject& object) {
+    return object.value(QLatin1String("frame")).isNull() ? QUuid() : id(where, object, "frame");
+}
+
 QUuid FieldReader::frame(const QString& where, const QJsonObject& object, const FrameList& frames) {
-    if (object.value(QLatin1String("frame")).isNull()) {
-        return {};
-    }
-    const QUuid read = id(where, object, "frame");
+    const QUuid read = frameId(where, object);
     if (!read.isNull() && frames.find(read) == nullptr) {
         addProblem(fieldAt(where, "frame"), QStringLiteral("no frame of this project has that id"));
     }

@@ -40,7 +40,9 @@ public:
     QUuid id(const QString& where, const QJsonObject& object, const char* key);
     /// Null if missing or null.
     QUuid optionalId(const QString& where, const QJsonObject& object, const char* key);
-    /// Required; null is the base frame.
+    /// Required; null is the base frame. The frame may be missing.
+    QUuid frameId(const QString& where, const QJsonObject& object);
+    /// As frameId(), of a frame in the list.
     QUuid frame(const QString& where, const QJsonObject& object, const FrameList& frames);
     double number(const QString& where, const QJsonValue& value, double least, double most, const char* unit);
     double number(const QString& where, const QJsonObject& object, const char* key, double least, double most,

@@ -112,7 +112,8 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
     CellBox box;
     box.id = fields_.id(where, object, "id");
     box.name = fields_.text(where, object, "name");
-    box.frame = fields_.frame(where, object, frames_);
+    // Kept without its frame: a dropped object would not be avoided. See collision::CellSurroundings::unplaced.
+    box.frame = fields_.frameId(where, object);
     box.pose = fields_.pose(where, object, "pose");
     box.size = fields_.point(where, object, "size", 2 * FieldReader::kMaxCoordinate);
     for (int i = 0; i < 3; ++i) {
@@ -131,7 +132,7 @@ CellPlane PartReader::plane(const QString& where, const QJsonObject& object) {
     CellPlane plane;
     plane.id = fields_.id(where, object, "id");
     plane.name = fields_.text(where, object, "name");
-    plane.frame = fields_.frame(where, object, frames_);
+    plane.frame = fields_.frameId(where, object);
     plane.pose = fields_.pose(where, object, "pose");
     plane.enabled = !object.contains(QLatin1String("enabled")) || fields_.flag(where, object, "enabled");
     plane.extra = without(object, {"id", "name", "frame", "pose", "enabled"});

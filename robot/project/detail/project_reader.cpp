@@ -14,6 +14,13 @@ int& ProjectReader::countOf(const QString& list) {
                                               : result_.lostParts;
 }
 
+void ProjectReader::addLost(const QString& list) {
+    ++countOf(list);
+    if (list == QLatin1String("boxes") || list == QLatin1String("planes")) {
+        ++result_.lostObstacles;
+    }
+}
+
 template <class Read, class Accept>
 void ProjectReader::readEntries(const QString& where, const QJsonObject& root, const char* key,
                                 const Read& readOne, const Accept& accept) {

@@ -14,7 +14,7 @@ class ProjectReader {
 public:
     void addProblem(const QString& where, const QString& what) { fields_.addProblem(where, what); }
     /// Counts an entry of this list that could not be parsed.
-    void addLost(const QString& list) { ++countOf(list); }
+    void addLost(const QString& list);
 
     /// Reads all fields except format and version.
     /// waypoints  whether "waypoints" is required

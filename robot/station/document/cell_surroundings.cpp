@@ -11,23 +11,28 @@ collision::CellSurroundings surroundingsOf(const project::Project& project) {
     if (const project::Tool* tool = project.tooling.tools.find(project.tooling.activeTool)) {
         result.toolRadius = tool->radius;
     }
-    const auto inBase = [&](const QUuid& frame, const Pose& pose) -> std::optional<Pose> {
-        const std::optional<Pose> T_base_frame = project.frames.pose(frame);
-        return T_base_frame ? std::optional(Pose(T_base_frame->transform() * pose.transform()))
-                            : std::nullopt;
+    /// The pose in the base frame; empty if the part is not checked.
+    const auto inBase = [&](const auto& part) -> std::optional<Pose> {
+        if (!part.enabled) {
+            return std::nullopt;
+        }
+        const std::optional<Pose> T_base_frame = project.frames.pose(part.frame);
+        if (!T_base_frame) {
+            result.unplaced.push_back({part.name, part.frame.toString(QUuid::WithoutBraces)});
+            return std::nullopt;
+        }
+        return Pose(T_base_frame->transform() * part.pose.transform());
     };
     if (project.cell.floor) {
         result.around.borders.push_back({{}, Pose(0, 0, *project.cell.floor, 0, 0, 0)});
     }
     for (const project::CellPlane& plane : project.cell.planes) {
-        const auto pose = inBase(plane.frame, plane.pose);
-        if (pose && plane.enabled) {
+        if (const auto pose = inBase(plane)) {
             result.around.borders.push_back({plane.name, *pose});
         }
     }
     for (const project::CellBox& box : project.cell.boxes) {
-        const auto pose = inBase(box.frame, box.pose);
-        if (pose && box.enabled) {
+        if (const auto pose = inBase(box)) {
             result.around.obstacles.push_back({box.name, *pose, box.size});
         }
     }

@@ -32,6 +32,13 @@ public:
         : project_(project), robot_(robot), cell_(surroundingsOf(project)) {}
 
     std::vector<ProjectFinding> run() {
+        for (const collision::UnplacedObject& object : cell_.unplaced) {
+            ProjectFinding finding;
+            finding.kind = Kind::Unplaced;
+            finding.row = -1;
+            finding.object = object;
+            findings_.push_back(finding);
+        }
         std::optional<JointPositions> from;
         for (int row = 0; row < project_.waypoints.size(); ++row) {
             from = checkWaypoint(row, from);

@@ -23,18 +23,20 @@ struct ProjectFinding {
         Blocked,   ///< the path from the previous waypoint ends early: see `limit`
         Slow,      ///< the path from the previous waypoint passes near a singularity: see `limit`
         RecordedPath,  ///< a recorded path comes too close to something: see `limit`
+        Unplaced,  ///< an object of the cell has no known position, so nothing is checked against it: see `object`
     };
     Kind kind = Kind::Unreachable;
-    int row = 0;                 ///< index of the waypoint or the recorded path, from 0
+    int row = 0;                 ///< index of the waypoint or the recorded path, from 0; -1 for Unplaced
     project::Reach reach;        ///< for Unreachable
     collision::Contact contact;  ///< for TooClose
     collision::MoveLimit limit;  ///< for Blocked, Slow and RecordedPath
+    collision::UnplacedObject object;  ///< for Unplaced
 
     /// False for findings that only slow the arm down.
     bool isError() const { return kind != Kind::Slow; }
 };
 
-/// Findings in the order of the waypoints, then of the recorded paths. Paths between waypoints are those of
+/// Findings: unplaced objects, then in the order of the waypoints, then of the recorded paths. Paths between waypoints are those of
 /// Run route: in the order of the list, each with its own kind of move, speed and TCP. Paths from and to a
 /// waypoint that cannot be reached are not checked.
 /// robot    the model that all positions of the project are for

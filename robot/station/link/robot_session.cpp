@@ -9,6 +9,7 @@
 #include "robot/receive/field_info.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
+#include "robot/station/text/move_words.h"
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
 
@@ -146,6 +147,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
 
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
+    d_->abandoned.reset();
     d_->followExtraFields();
     Q_EMIT linkBegan();
     Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
@@ -310,7 +312,13 @@ void RobotSession::releaseControl() {
 }
 
 void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
+    const bool isNew = cell.unplaced != d_->guard.surroundings().unplaced;
     d_->guard.setSurroundings(cell);
+    if (isNew) {
+        for (const collision::UnplacedObject& object : cell.unplaced) {
+            Q_EMIT message(Severity::Warning, tr("Moves are refused. %1.").arg(unplacedText(object)));
+        }
+    }
     refresh();
 }
 

@@ -123,6 +123,7 @@ public:
 
     /// Takes effect immediately: jogs slow down and end at the safety distance; moves and paths that would
     /// come closer are refused.
+    /// Warns about objects whose position is unknown; moves are refused until there are none, jogs are not.
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Checks whether these moves, executed in sequence from the position of the arm, are permitted.
     /// Errors  NoSolution with a sentence: the two bodies that would come too close, and where

@@ -87,6 +87,9 @@ struct SessionState {
     SafetyMode safetyMode = SafetyMode::Undefined;
     SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined if the software has none
     RuntimeState runtimeState = RuntimeState::Stopped;
+    /// The running program is a control program without a client, at standstill; see control::AbandonedProgram. Taking
+    /// control interrupts no one.
+    bool programAbandoned = false;
     bool remoteControl = false;
     bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
     bool remoteNeeded = false;      ///< in Local, and known to take no commands there
@@ -151,9 +154,9 @@ struct SessionState {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
     }
-    /// An external program is running or paused: taking control would end it.
+    /// A program of another client or of the pendant runs or is paused: taking control would end it.
     bool hasForeignProgram() const {
-        return foreignProgramRuns() ||
+        return (foreignProgramRuns() && !programAbandoned) ||
                (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
     }
     bool hasData() const {

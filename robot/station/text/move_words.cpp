@@ -44,6 +44,12 @@ public:
         return with == With::Border && name.isEmpty() ? tr("the floor") : tr("“%1”").arg(name);
     }
 
+    static QString unplaced(const collision::UnplacedObject& object) {
+        return tr("The position of “%1” is unknown because its frame %2 is not in the project. Enter its "
+                  "position, exclude it, or delete it on the Cell page")
+            .arg(object.name, object.frame);
+    }
+
     static QString singularity(const collision::MoveLimit& limit) {
         using Singular = collision::MoveLimit::Singular;
         const QString share = format::percent(limit.share);
@@ -102,6 +108,10 @@ QString linkText(int link) {
 QString surroundingsText(collision::Contact::With with, int other,
                          const collision::Surroundings& surroundings) {
     return MoveWords::surrounding(with, other, surroundings);
+}
+
+QString unplacedText(const collision::UnplacedObject& object) {
+    return MoveWords::unplaced(object);
 }
 
 QString limiterText(const control::Limiter& limiter, const collision::Surroundings& surroundings) {

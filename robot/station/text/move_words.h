@@ -18,6 +18,9 @@ QString limitText(const collision::MoveLimit& limit, const collision::Surroundin
 QString surroundingsText(collision::Contact::With with, int other,
                          const collision::Surroundings& surroundings);
 
+/// Why the object cannot be checked, with the corrective actions; without the final period.
+QString unplacedText(const collision::UnplacedObject& object);
+
 /// As above, for the cause of a slowed-down jog: "Upper arm", "“crate”".
 QString limiterText(const control::Limiter& limiter, const collision::Surroundings& surroundings);
 

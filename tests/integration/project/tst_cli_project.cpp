@@ -99,6 +99,23 @@ private Q_SLOTS:
         QCOMPARE(report["model"].toString(), QStringLiteral("UR5e"));
     }
 
+    void checkNamesAnObjectWhoseFrameIsMissing() {
+        project::Project cell;
+        cell.robot = RobotModelId::UR5e;
+        cell.waypoints.append(waypoint("pick", 0));
+        project::CellBox crate;
+        crate.id = QUuid::createUuid();
+        crate.name = QStringLiteral("crate");
+        crate.frame = QUuid::createUuid();
+        cell.cell.boxes.append(crate);
+        QVERIFY(project::saveProject(path("frame.tiller"), cell).ok());
+        const Answer answer = run({"check", path("frame.tiller")});
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.out.contains("error: cell “crate”: ") &&
+                     answer.out.contains(crate.frame.toString(QUuid::WithoutBraces)),
+                 qPrintable(answer.out + answer.err));
+    }
+
     void infoListsTheContent() {
         project::Project cell;
         cell.robot = RobotModelId::UR10e;

@@ -45,6 +45,13 @@ void MoveGuard::setSurroundings(const collision::CellSurroundings& cell) {
     check_.reset();
 }
 
+Result<void> MoveGuard::permitsAny() const {
+    if (cell_.unplaced.empty()) {
+        return {};
+    }
+    return refusal(unplacedText(cell_.unplaced.front()));
+}
+
 bool MoveGuard::follow(const SessionState& state) {
     const RobotModel arm = state.arm();
     if (check_ != nullptr && arm.id == arm_.id && arm.dh == arm_.dh && state.tcpOffset == tcpOffset_) {
@@ -69,19 +76,17 @@ Result<void> MoveGuard::permit(const SessionState& state, std::span<const MoveRe
 }
 
 Result<void> MoveGuard::permit(const SessionState& state, std::span<const JointPositions> way) const {
-    if (check_ == nullptr) {
-        return {};
+    if (const Result<void> permitted = permitsAny(); !permitted || check_ == nullptr) {
+        return permitted;
     }
     std::vector<JointPositions> whole{state.q};
     whole.insert(whole.end(), way.begin(), way.end());
     const auto limit = collision::collisionOn(arm_, *check_, tcpOffset_, whole);
-    return limit ? Result<void>(refusal(*limit)) : Result<void>();
+    return limit ? Result<void>(refusal(limitText(*limit, check_->surroundings()))) : Result<void>();
 }
 
-Error MoveGuard::refusal(const collision::MoveLimit& limit) const {
-    return {ErrorCode::NoSolution,
-            RobotSession::tr("Move refused: %1.").arg(limitText(limit, check_->surroundings())),
-            {}};
+Error MoveGuard::refusal(const QString& reason) {
+    return {ErrorCode::NoSolution, RobotSession::tr("Move refused: %1.").arg(reason), {}};
 }
 
 Result<void> MoveGuard::permit(const SessionState& state, const control::MotionPath& path) const {
@@ -98,8 +103,8 @@ Result<void> MoveGuard::permit(const SessionState& state, const control::MotionP
 }
 
 Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Leg>& legs) const {
-    if (check_ == nullptr) {
-        return {};
+    if (const Result<void> permitted = permitsAny(); !permitted || check_ == nullptr) {
+        return permitted;
     }
     JointPositions from = start;
     std::vector<JointPositions> before;
@@ -108,7 +113,8 @@ Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Le
         const collision::MoveReport report = collision::examineMove(arm_, *check_, tcpOffset_, move, 1);
         before = report.way;
         const bool collides = report.limit && report.limit->kind == collision::MoveLimit::Kind::Collision;
-        return collides ? std::optional(refusal(*report.limit)) : std::nullopt;
+        return collides ? std::optional(refusal(limitText(*report.limit, check_->surroundings())))
+                        : std::nullopt;
     };
     for (const Leg& leg : legs) {
         const auto to = jointsOf(arm_.dh, tcpOffset_, leg.target, from);

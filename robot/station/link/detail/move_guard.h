@@ -17,6 +17,7 @@ namespace tiller {
 class MoveGuard {
 public:
     void setSurroundings(const collision::CellSurroundings& cell);
+    const collision::CellSurroundings& surroundings() const { return cell_; }
     /// Updates the arm and its tool.
     /// Returns  true if check() has changed
     bool follow(const SessionState& state);
@@ -25,7 +26,8 @@ public:
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
     /// Checks moves in sequence from the position of the arm.
-    /// Errors  NoSolution with a sentence: the part of the arm, the object and the place on the path
+    /// Errors  NoSolution with a sentence: the part of the arm, the object and the place on the path, or the object
+    ///         whose position is unknown
     Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
     /// The same for a path of joint positions from the position of the arm.
     Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;
@@ -39,7 +41,9 @@ private:
         double blend = 0;  ///< [m]
     };
     Result<void> permit(const JointPositions& start, const std::vector<Leg>& legs) const;
-    Error refusal(const collision::MoveLimit& limit) const;
+    /// Errors  NoSolution while the position of an object is unknown
+    Result<void> permitsAny() const;
+    static Error refusal(const QString& reason);
 
     collision::CellSurroundings cell_;
     RobotModel arm_;

@@ -38,6 +38,11 @@ SampleBatch SessionBackend::drain(std::vector<receive::Sample>& into) {
         }
         ++count;
     }
+    for (std::size_t i = 0; i < count; ++i) {
+        const receive::RobotState robot(into[i]);
+        abandoned.add(robot.timestamp(), robot.runtimeState(),
+                      {robot.number(stateFields[0]), robot.number(stateFields[1])});
+    }
     if (count > 0) {
         sample = into[count - 1];
     }
@@ -133,6 +138,7 @@ void SessionBackend::readSample() {
     state.safetyStatus = static_cast<SafetyStatus>(static_cast<std::int32_t>(
         robot.number("safety_status", 0, static_cast<double>(SafetyMode::Undefined))));
     state.runtimeState = robot.runtimeState();
+    state.programAbandoned = abandoned.isRunning();
     state.q = robot.q();
     state.qd = robot.qd();
     state.tcpPose = robot.tcpPose();

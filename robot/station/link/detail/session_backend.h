@@ -5,10 +5,13 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "robot/control/abandoned_program.h"
 #include "robot/control/controller.h"
 #include "robot/control/jog.h"
 #include "robot/control/motions.h"
@@ -81,6 +84,8 @@ struct SessionBackend {
     LinkHistory history;
     receive::Sample sample;             ///< the newest sample, shown by all parts of the window
     std::vector<receive::Sample> room;  ///< buffer for the samples of a frame, reused
+    control::AbandonedProgram abandoned;
+    const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
     dashboard::ServiceReport report;    ///< queried about once a second; Unknown until the first answer
     bool localRefuses = false;  ///< was in Remote before, or has refused a command because it was in Local
     bool takingControl = false;

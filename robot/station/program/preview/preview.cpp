@@ -56,6 +56,12 @@ public:
 
     Preview follow() {
         result_.timings.resize(script_.steps.size());
+        for (const collision::UnplacedObject& object : cell_.unplaced) {
+            find(
+                Finding::Kind::Collision, 0,
+                ProgramText::tr("The position of “%1” is unknown because its frame %2 is not in the project.")
+                    .arg(object.name, object.frame));
+        }
         applyInputs();
         if (const auto fault = run_.start(script_.text)) {
             find(Finding::Kind::ScriptError, script_.stepAt(fault->line), fault->text);

@@ -154,6 +154,42 @@ private Q_SLOTS:
         }
     }
 
+    // For other clients; only from half a second on, when its own client has lost control too.
+    void theTimeWithoutAClientIsCounted() {
+        for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
+            Bench bench(range);
+            bench.hold(ScriptCommand::Idle, 1, 3);
+            bench.frame(248);
+            QCOMPARE(bench.out(2), 0);
+            bench.frame(4);
+            for (int i = 0; i < 100; ++i) {
+                const int before = bench.out(2);
+                QVERIFY2(before <= -500, qPrintable(QString::number(before)));
+                bench.frame(50);
+                QVERIFY(std::abs(before - bench.out(2) - 100) <= 1);
+                if (bench.out(2) < -4800) {
+                    break;
+                }
+            }
+            bench.hold(ScriptCommand::Idle, 1, 1);
+            QCOMPARE(bench.out(2), 0);
+            bench.frame(2600);
+            QVERIFY(!bench.running());
+        }
+    }
+
+    void aMotionWithoutAHeartbeatIsNotCountedBeforeItEnds() {
+        Bench bench;
+        bench.mayFinish = true;
+        bench.host.moveFrames = 1000;
+        bench.hold(ScriptCommand::Idle, 1, 3);
+        bench.hold(ScriptCommand::MoveJ, 2, 5, {0.1, 0, 0, 0, 0, 0});
+        bench.frame(600);
+        QCOMPARE(bench.state(), ScriptState::Executing);
+        bench.frame(600);
+        QCOMPARE(bench.state(), ScriptState::Done);
+    }
+
     // The arm is at standstill then, but program time may resume at the previous speed.
     void theArmIsStoppedHardBehindAPause() {
         for (const bool moves : {false, true}) {

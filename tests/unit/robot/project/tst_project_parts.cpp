@@ -213,7 +213,7 @@ private Q_SLOTS:
         row("cell.boxes[0].enabled", 1, "cell.boxes[0].enabled: is a number, not ");
         row("cell.safetyDistance", -0.01, "cell.safetyDistance: ");
         row("cell.boxes[0].size[1]", 0, "cell.boxes[0].size[1]: is 0 m, a box needs at least");
-        row("cell.planes[0].frame", nobody, "cell.planes[0].frame: no frame of this project");
+        row("cell.planes[0].frame", "x", "cell.planes[0].frame: \"x\" is not an id");
         row("paths[0].points[1].t", -1, "paths[0].points[1].t: is -1 s");
         row("paths[0].points[0].q", QJsonArray{1}, "paths[0].points[0].q: has 1 numbers, not 6");
         row("paths[0].tolerance", QJsonValue::Undefined, "paths[0].tolerance: is missing");
@@ -291,6 +291,28 @@ private Q_SLOTS:
         const Result<Project> read = parseProject(QJsonDocument(root.toObject()).toJson());
         QVERIFY2(read.error().context.contains("has 80000 cells, more than 5000"),
                  qPrintable(read.error().context));
+    }
+
+    // A dropped object would not be avoided.
+    void obstaclesWithAMissingFrameAreKept() {
+        Project document = fullProject();
+        CellBox box = document.cell.boxes.at(0);
+        CellPlane plane = document.cell.planes.at(0);
+        box.frame = plane.frame = QUuid::createUuid();
+        document.cell.boxes.replace(0, box);
+        document.cell.planes.replace(0, plane);
+        const Result<QByteArray> bytes = serializeProject(document);
+        QVERIFY2(bytes.ok(), qPrintable(bytes.error().toString()));
+        const Result<Project> read = parseProject(*bytes);
+        QVERIFY2(read.ok(), qPrintable(read.error().toString()));
+        QCOMPARE(read->cell, document.cell);
+    }
+
+    void unreadableObstaclesAreCounted() {
+        const Result<RecoveredProject> found = recoverFromBytes(fullWith("cell.boxes[0].size[1]", 0));
+        QVERIFY(found.ok());
+        QCOMPARE(found->lostObstacles, 1);
+        QCOMPARE(found->lostParts, 1);
     }
 
     void damageCostsOnlyWhatItHit() {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -215,6 +216,22 @@ private Q_SLOTS:
         QCOMPARE(rows(), 3);
     }
 
+    void theTextHasTheWidthThatTheOtherColumnsDoNotNeed() {
+        tab_->append(Severity::Info, "Connected");
+        tab_->append(Severity::Warning, "Elbow near its limit");
+        tab_->append(Severity::Error, "Protective stop");
+        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "", "/a/b.mcap");
+        for (const int column : {LogModel::Time, LogModel::SeverityColumn, LogModel::Open}) {
+            const int wanted = std::max(table()->horizontalHeader()->sectionSizeHint(column), hint(column));
+            QVERIFY2(table()->columnWidth(column) >= wanted, qPrintable(QString::number(column)));
+            QVERIFY2(table()->columnWidth(column) <= wanted + 2,
+                     qPrintable(QStringLiteral("%1: %2 of %3 px")
+                                    .arg(column)
+                                    .arg(table()->columnWidth(column))
+                                    .arg(wanted)));
+        }
+    }
+
     // Messages that arrived while another page was shown are the ones that the operator needs to see.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
@@ -239,6 +256,15 @@ private Q_SLOTS:
 
 private:
     QTableView* table() { return tab_->findChild<QTableView*>("log.table"); }
+    /// The widest cell of a column [px].
+    int hint(int column) {
+        int widest = 0;
+        for (int row = 0; row < rows(); ++row) {
+            const QModelIndex index = table()->model()->index(row, column);
+            widest = std::max(widest, table()->sizeHintForIndex(index).width());
+        }
+        return widest;
+    }
     int rows() { return table()->model()->rowCount(); }
     QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
 

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <QWheelEvent>
 
 #include "tests/support/pictures.h"
@@ -15,6 +16,11 @@
 #include "widgets/status/speed_chip.h"
 #include "widgets/status/status_line.h"
 #include "widgets/status/stop_button.h"
+
+// Outside of all namespaces: the macro declares a function of generated code.
+static void initTranslations() {
+    Q_INIT_RESOURCE(tiller_translations);
+}
 
 using namespace tiller;
 using namespace tiller::test;
@@ -67,13 +73,26 @@ SessionState longestState() {
     return state;
 }
 
+QString placesOf(const HeaderBar& header) {
+    QStringList places;
+    for (const QWidget* child : header.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (child->isVisible()) {
+            places << QStringLiteral("%1 %2+%3").arg(child->objectName()).arg(child->x()).arg(child->width());
+        }
+    }
+    return places.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 class TestHeaderBar : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { applyTheme(*qApp, Theme::light()); }
+    void initTestCase() {
+        initTranslations();
+        applyTheme(*qApp, Theme::light());
+    }
 
     void showsWhatTheRobotConfirms() {
         FakeSession session;
@@ -581,6 +600,97 @@ private Q_SLOTS:
                          qPrintable(QStringLiteral("%1: %2").arg(chip->objectName(), chip->text())));
             }
         }
+    }
+
+    // In every language; nothing overlaps. In the smallest windows the longest texts of some languages are elided.
+    void everyModeIsWhole_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("width");
+        for (const char* language : {"en", "de", "es", "fr", "ja", "zh_CN"}) {
+            for (const int width : {1264, 1280, 1366, 1440, 1600, 1920}) {
+                QTest::addRow("%s, %d", language, width) << QString::fromLatin1(language) << width;
+            }
+        }
+    }
+    void everyModeIsWhole() {
+        QFETCH(QString, language);
+        QFETCH(int, width);
+        QTranslator texts;
+        QVERIFY(texts.load(QStringLiteral(":/i18n/tiller_") + language));
+        QCoreApplication::installTranslator(&texts);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(width, HeaderBar::kHeight);
+        header.show();
+        QStringList elided;
+        const auto look = [&](const SessionState& state) {
+            header.applyState(state);
+            QCoreApplication::processEvents();
+            QCOMPARE(header.width(), width);
+            QRect before;
+            for (QWidget* child : header.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+                if (child->isVisible()) {
+                    QVERIFY2(
+                        header.rect().contains(child->geometry()) && !before.intersects(child->geometry()),
+                        qPrintable(placesOf(header)));
+                    before = child->geometry();
+                }
+            }
+            for (const char* name : {"robotModeChip", "safetyChip", "controlChip"}) {
+                const auto* chip = header.findChild<StateChip*>(QLatin1String(name));
+                if (!chip->isWhole() || chip->shownCaption() != chip->caption()) {
+                    elided << chip->caption() + QStringLiteral(": ") + chip->text();
+                }
+            }
+        };
+        SessionState state = longestState();
+        state.simulated = true;
+        for (int mode = -1; mode <= 8; ++mode) {
+            state.robotMode = static_cast<RobotMode>(mode);
+            look(state);
+        }
+        state.robotMode = RobotMode::Running;
+        for (const SafetyStatus status : safetyStatuses()) {
+            state.safetyMode = status;
+            look(state);
+        }
+        state.safetyMode = SafetyMode::Normal;
+        for (const bool remote : {false, true}) {
+            for (const char* operational : {"", "MANUAL", "AUTOMATIC"}) {
+                state.remoteControl = remote;
+                state.operationalMode = QLatin1String(operational);
+                for (const ControlState control : {ControlState::None, ControlState::Taking,
+                                                   ControlState::Refused, ControlState::InControl}) {
+                    state.control = control;
+                    for (const RuntimeState runtime : runtimeStates()) {
+                        state.runtimeState = runtime;
+                        look(state);
+                    }
+                }
+                state.moving = true;
+                look(state);
+                state.jogActive = true;
+                look(state);
+                state.freedriveActive = true;
+                look(state);
+                state.moving = state.jogActive = state.freedriveActive = false;
+            }
+        }
+        state.control = ControlState::None;
+        state.monitorOnly = true;
+        look(state);
+        state.link = LinkState::Stale;
+        look(state);
+        state.link = LinkState::Lost;
+        look(state);
+        state.link = LinkState::Disconnected;
+        look(state);
+        QCoreApplication::removeTranslator(&texts);
+        elided.removeDuplicates();
+        const bool isCompact = QStringList{"en", "ja", "zh_CN"}.contains(language);
+        QVERIFY2(elided.isEmpty() || (!isCompact && width < 1440),
+                 qPrintable(elided.join(QLatin1String("; "))));
+        keepPicture(header, QStringLiteral("header-%1-%2").arg(language).arg(width));
     }
 
     void linkDescriptionIsNotTruncated_data() { everythingFitsAtEveryWidth_data(); }

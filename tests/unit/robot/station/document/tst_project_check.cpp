@@ -103,6 +103,27 @@ private Q_SLOTS:
         QVERIFY(checkProject(project_, arm()).empty());
     }
 
+    void objectsWithAMissingFrameAreFound() {
+        project::CellBox box = boxAt(kinematics::forwardTcp(arm().dh, turned(45)).position);
+        box.frame = QUuid::createUuid();
+        project_.cell.boxes.append(box);
+        project::CellPlane plane;
+        plane.name = QStringLiteral("wall");
+        plane.frame = QUuid::createUuid();
+        project_.cell.planes.append(plane);
+        const auto findings = checkProject(project_, arm());
+        QCOMPARE(kindsOf(findings), (QVector{Kind::Unplaced, Kind::Unplaced}));
+        QCOMPARE(findings[0].object.name, plane.name);
+        QCOMPARE(findings[1].object.name, box.name);
+        QCOMPARE(findings[1].object.frame, box.frame.toString(QUuid::WithoutBraces));
+        QVERIFY(findings[1].isError());
+        // Excluded from the check by the user.
+        box.enabled = plane.enabled = false;
+        project_.cell.boxes.replace(0, box);
+        project_.cell.planes.replace(0, plane);
+        QVERIFY(checkProject(project_, arm()).empty());
+    }
+
     void safetyDistanceIsKeptAtAWaypoint() {
         project_.waypoints.take(1);
         project_.cell.boxes.append(boxBelow(project_.waypoints.at(0).pose.position, 0.03));

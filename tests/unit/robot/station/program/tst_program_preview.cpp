@@ -229,6 +229,19 @@ private Q_SLOTS:
         QVERIFY(ran.preview.findings[0].text.contains("feeder"));
     }
 
+    void anObjectWithoutAPositionIsFound() {
+        project::Project project = sampleProject();
+        project::CellBox box;
+        box.name = QStringLiteral("feeder");
+        box.frame = QUuid::createUuid();
+        project.cell.boxes = {box};
+        const Ran ran = run(project, makeProgram("p", {step("wait", {{"time", 0.1}})}));
+        QVERIFY2(ran.preview.completed && !ran.preview.isGood(), describe(ran));
+        QCOMPARE(ran.preview.findings.size(), std::size_t(1));
+        QVERIFY(ran.preview.findings[0].kind == Finding::Kind::Collision);
+        QVERIFY(ran.preview.findings[0].text.contains("feeder"));
+    }
+
     void stopsAndScriptErrorsAreFoundAtTheirStep() {
         const Ran stop =
             run(sampleProject(), makeProgram("p", {step("wait", {{"time", 0.1}}),

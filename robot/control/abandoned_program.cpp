@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "robot/control/abandoned_program.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/control/detail/registers.h"
+#include "robot/rtde/fields.h"
+
+namespace tiller::control {
+
+namespace {
+
+// ABANDONED in control.script [s].
+constexpr double kAbandonedAfter = 0.5;
+// Duration of the proof [s]; a constant number is detected within half of it.
+constexpr double kProofTime = 0.05;
+// The number is written up to two control periods of a CB3 late; a script may be a little slower than the clock.
+constexpr double kDelay = 0.02;
+constexpr double kDrift = 0.1;
+
+}  // namespace
+
+std::array<std::string, 2> AbandonedProgram::fields() {
+    const auto name = [](RegisterRange range) {
+        return rtde::intRegisterName(rtde::Direction::Output, firstRegister(range) + kStateRegister);
+    };
+    return {name(RegisterRange::Lower), name(RegisterRange::Upper)};
+}
+
+void AbandonedProgram::add(double timestamp, RuntimeState runtime, const std::array<double, 2>& states) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const double value = -states[i] / 1000.0;
+        Count& count = counts_[i];
+        const bool isAbandoned = runtime == RuntimeState::Playing && value >= kAbandonedAfter;
+        const double passed = timestamp - count.compared;
+        const bool grows = count.active && timestamp >= count.newest &&
+                           std::abs(value - count.value - passed) <= kDelay + kDrift * passed;
+        if (!isAbandoned) {
+            count = {};
+        } else if (!grows) {
+            count = {true, timestamp, timestamp, timestamp, value};
+        } else {
+            count.newest = timestamp;
+            if (passed >= kProofTime) {
+                count.compared = timestamp;
+                count.value = value;
+            }
+        }
+    }
+}
+
+bool AbandonedProgram::isRunning() const {
+    return std::any_of(counts_.begin(), counts_.end(), [](const Count& count) {
+        return count.active && count.newest - count.since >= kProofTime;
+    });
+}
+
+}  // namespace tiller::control

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// How a session judges the program that runs on the robot: one of another client, its own, or the control program of a
+// client that has ended.
+#include <QElapsedTimer>
+#include <QTest>
+#include <chrono>
+
+#include "robot/control/programs.h"
+#include "robot/core/deadline.h"
+#include "robot/script/script_client.h"
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+constexpr int kTimeoutMs = 60'000;
+
+struct ProgramBench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session};
+    int questions = 0;
+    std::unique_ptr<script::ScriptClient> other;
+
+    ProgramBench() {
+        QObject::connect(&session, &RobotSession::takeControlQuestion, &session, [this] { ++questions; });
+    }
+    const SessionState& state() const { return session.state(); }
+    bool runs() const { return cell.truth().runtimeState == RuntimeState::Playing; }
+    bool moves() const {
+        return cell.truth().tcpSpeed.linear.norm() > 0.05 ||
+               cell.truth().qd.values.cwiseAbs().maxCoeff() > 0.05;
+    }
+    bool isInControl() const { return state().control == ControlState::InControl; }
+
+    /// Advances in real time, because other clients take part.
+    bool within(const std::function<bool()>& condition) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kTimeoutMs) {
+            cell.robot.drainSockets();
+            cell.advanceMs(2);
+        }
+        return condition();
+    }
+    bool send(const QString& program) {
+        other = std::make_unique<script::ScriptClient>(
+            cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
+        const Deadline deadline = Deadline::after(std::chrono::milliseconds(kTimeoutMs));
+        return other->connect(deadline).ok() && other->send(program, deadline).ok();
+    }
+    /// The base rotates back and forth.
+    bool sendMovingProgram() {
+        return send(
+            QStringLiteral("def others():\nwhile True:\n"
+                           "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
+                           "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\nend\nend\n"));
+    }
+    /// Starts a control program without a client, as a killed process leaves it, until the session has recognized it.
+    bool abandonProgram() {
+        return send(control::Programs::controlProgram(cell.robot.options().software,
+                                                      control::RegisterRange::Upper)) &&
+               within([this] { return runs() && state().hasForeignProgram(); }) &&
+               cell.advanceUntil([this] { return !state().hasForeignProgram(); }, 1000) && runs();
+    }
+    void press(int times, int everyMs) {
+        for (int i = 0; i < times && runs(); ++i) {
+            session.stop(i % 2 == 0 ? StopCause::Space : StopCause::Escape);
+            cell.robot.drainSockets();
+            cell.advanceMs(everyMs);
+        }
+    }
+};
+
+}  // namespace
+
+class TestForeignProgram : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // The control program of a killed process keeps running at standstill for five seconds.
+    void controlOfAnAbandonedProgramIsTakenWithoutAQuestion() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.abandonProgram());
+        QVERIFY(bench.state().programAbandoned);
+        bench.session.takeControl();
+        QCOMPARE(bench.questions, 0);
+        QVERIFY(bench.within([&] { return bench.isInControl(); }));
+        QVERIFY(!bench.state().programAbandoned);
+    }
+
+    // The number in its register remains.
+    void theProgramAfterAnAbandonedOneIsNotReplacedWithoutAQuestion() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.abandonProgram());
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.within([&] { return bench.moves(); }));
+        bench.cell.advanceMs(60);
+        for (int i = 0; i < 30; ++i) {
+            QVERIFY(bench.state().hasForeignProgram());
+            bench.session.takeControl();
+            QCOMPARE(bench.questions, i + 1);
+            bench.cell.advanceMs(100);
+        }
+        QVERIFY(bench.runs());
+    }
+
+    void anAbandonedProgramEndsByItself() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.abandonProgram());
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 5500));
+        bench.cell.advanceMs(100);
+        QVERIFY(!bench.state().programAbandoned);
+    }
+
+    void stopEndsAnAbandonedProgram() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.abandonProgram());
+        bench.session.stop(StopCause::StopButton);
+        QVERIFY(bench.within([&] { return !bench.runs(); }));
+    }
+
+    // Each key press belongs to the same stop: pressing again does not postpone the other routes.
+    void aStopAfterATakeoverIsNotPostponedByPressingAgain() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.within([&] { return bench.moves(); }));
+        QVERIFY2(bench.isInControl(), "the loss of control is already known");
+        bench.press(12, 20);  // below the 500 ms after which the loss is noticed
+        QVERIFY2(!bench.runs(), "the program goes on");
+    }
+
+    // The robot's data confirm each of them: our own program is not ended.
+    void repeatedStopsOfOurMotionKeepControl() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        for (int round = 0; round < 3; ++round) {
+            const auto motion = bench.session.beginJog(up);
+            QVERIFY(motion.ok());
+            for (int held = 0; held < 15; ++held) {
+                bench.session.hold(*motion);
+                bench.cell.advanceMs(20);
+            }
+            QVERIFY(bench.state().moving);
+            bench.press(8, 20);
+            bench.cell.advanceMs(500);
+            QVERIFY(!bench.state().moving);
+            QVERIFY(bench.runs() && bench.isInControl());
+        }
+    }
+
+    // Nothing can be checked against an object whose position is unknown.
+    void movesAreRefusedWhileAnObjectHasNoPosition() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QStringList warnings;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity severity, const QString& text) {
+                             if (severity == Severity::Warning) {
+                                 warnings << text;
+                             }
+                         });
+        collision::CellSurroundings surroundings;
+        surroundings.unplaced.push_back({QStringLiteral("crate"), QStringLiteral("0f0e0d0c")});
+        bench.session.setSurroundings(surroundings);
+        bench.session.setSurroundings(surroundings);
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY2(warnings[0].contains("crate") && warnings[0].contains("0f0e0d0c"), qPrintable(warnings[0]));
+
+        JointPositions target = bench.state().q;
+        target[0] += 0.1;
+        MoveRequest request;
+        request.kind = MoveRequest::Kind::MoveJ;
+        request.q = target;
+        const auto move = bench.session.beginMove(request);
+        QVERIFY(!move.ok());
+        QVERIFY2(move.error().context.contains("crate"), qPrintable(move.error().context));
+        QVERIFY(!bench.session.permits({&request, 1}).ok());
+        QVERIFY(!bench.session.permitsPath({&target, 1}).ok());
+        // A jog is watched by the operator, and may be needed to teach the position again.
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        const auto jog = bench.session.beginJog(up);
+        QVERIFY(jog.ok());
+        bench.session.stop(StopCause::Released);
+
+        bench.session.setSurroundings({});
+        QVERIFY(bench.session.permits({&request, 1}).ok());
+        QVERIFY(bench.session.permitsPath({&target, 1}).ok());
+    }
+};
+
+QTEST_MAIN(TestForeignProgram)
+#include "tst_foreign_program.moc"
