@@ -160,6 +160,65 @@ private Q_SLOTS:
         QVERIFY((cell_->truth().tcpPose.position - from).norm() > 0.005);
     }
 
+    // Its position is unknown: nothing can be checked against it.
+    void anObjectWithAMissingFrameEndsMovesUntilItIsResolved() {
+        cell_ = &cell();
+        addWaypoint("far", turned(0, 0.8), project::MoveKind::Joint);
+        window().waypoints().selectWaypoint(document().waypoints().at(0).id);
+        QStringList warnings;
+        const auto watching = connect(&window().session(), &RobotSession::message, this,
+                                      [&](Severity severity, const QString& text) {
+                                          if (severity == Severity::Warning) {
+                                              warnings << text;
+                                          }
+                                      });
+        project::CellBox box;
+        box.id = QUuid::createUuid();
+        box.name = QStringLiteral("crate");
+        box.frame = QUuid::createUuid();
+        box.pose = Pose(0, 0, -3, 0, 0, 0);
+        project::CellGeometry without = document().cell();
+        project::CellGeometry with = without;
+        with.boxes.append(box);
+        document().changeCell(with, QStringLiteral("crate"));
+        cell_->advanceMs(40);
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY2(
+            warnings[0].contains("“crate”") && warnings[0].contains(box.frame.toString(QUuid::WithoutBraces)),
+            qPrintable(warnings[0]));
+        document().changeCell(with, QStringLiteral("again"));
+        QCOMPARE(warnings.size(), 1);
+        drive();
+        for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "waypoint.stepOn"}) {
+            verifyRefused(name, QStringLiteral("The position of “crate” is unknown"));
+        }
+        const JointPositions path = turned(0, 0.1);
+        QVERIFY(!window().session().permitsPath({&path, 1}).ok());
+        // A jog is under the operator's eyes; it may be needed to teach the position again.
+        const Eigen::Vector3d from = cell_->truth().tcpPose.position;
+        press(key("jog.Z+"));
+        cell_->advanceMs(600);
+        release(key("jog.Z+"));
+        cell_->advanceMs(300);
+        QVERIFY((cell_->truth().tcpPose.position - from).norm() > 0.002);
+
+        // A new position on the Cell page replaces the missing frame.
+        window().findChild<ToolsTab*>()->showPage(ToolsTab::Cell);
+        window().showTab(QStringLiteral("tools"));
+        auto& page = window().findChild<ToolsTab*>()->cell();
+        page.selectRow(0);
+        QVERIFY(page.findChild<QLabel*>("cell.facts")->text().contains("missing frame"));
+        auto* x = page.findChild<DecimalSpinBox*>("cell.box.x");
+        x->setFocus();
+        x->selectAll();
+        QTest::keyClicks(x, QStringLiteral("300"));
+        QTest::keyClick(x, Qt::Key_Return);
+        QVERIFY(document().cell().boxes.at(0).frame.isNull());
+        cell_->advanceMs(40);
+        QVERIFY(window().session().permitsPath({&path, 1}).ok());
+        disconnect(watching);
+    }
+
     void theArmDoesNotGoIntoItself() {
         cell_ = &cell();
         // The elbow folds until wrist 1 collides with the upper arm.
