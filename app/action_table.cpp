@@ -41,6 +41,7 @@ QList<QPair<QString, QString>> actionMenus() {
             {"control", MenuText::tr("Control and programs")},
             {"jog", MenuText::tr("Jog")},
             {"waypoint", MenuText::tr("Waypoints")},
+            {"program", MenuText::tr("Program steps")},
             {"frame", MenuText::tr("Frames")},
             {"tool", MenuText::tr("Tools")},
             {"io", MenuText::tr("I/O")},

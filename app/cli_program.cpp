@@ -2,7 +2,6 @@
 #include "app/cli_program.h"
 
 #include "robot/station/program/program_edit.h"
-#include "robot/station/program/step_kind.h"
 
 namespace tiller::app {
 
@@ -48,15 +47,7 @@ Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int 
 }
 
 QString stepName(const LoadedProgram& loaded, int number) {
-    if (number < 1 || number > static_cast<int>(loaded.script.steps.size())) {
-        return {};
-    }
-    const program::NumberedStep& numbered = loaded.script.steps[static_cast<std::size_t>(number - 1)];
-    const project::Program* owner = loaded.project.programs.find(numbered.program);
-    const project::ProgramStep* step =
-        owner != nullptr ? program::findStep(owner->steps, numbered.step) : nullptr;
-    const program::StepKind* kind = step != nullptr ? program::findStepKind(step->kind) : nullptr;
-    return kind != nullptr ? kind->name() : step != nullptr ? step->kind : QString();
+    return program::stepName(loaded.project, loaded.script, number);
 }
 
 QString problemText(const LoadedProgram& loaded, int step, const QString& text) {

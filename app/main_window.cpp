@@ -69,6 +69,7 @@
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_view.h"
+#include "widgets/program/program_tab.h"
 #include "widgets/project/project_files.h"
 #include "widgets/project/project_fit.h"
 #include "widgets/project/undoable_document.h"
@@ -152,6 +153,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     waypoints_ = new WaypointsTab(*session_, *document_, this);
     frames_ = new FramesTab(*session_, *document_, this);
     tools_ = new ToolsTab(*session_, *document_, this);
+    program_ = new ProgramTab(*document_, this);
     io_ = new IoTab(*session_, this);
     gripper_ = new GripperPanel(*session_, this);
     ioPages_ = new IoPages(io_, gripper_, this);
@@ -245,7 +247,8 @@ void MainWindow::buildDocks() {
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
     // Reparenting a panel applies the style sheet to all its children again, so containers get their parent first.
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
-    tabsDock_ = new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Frames, Tools, I/O, Log"), stage_);
+    tabsDock_ =
+        new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Program, Frames, Tools, I/O, Log"), stage_);
     stage_->add(*tabsDock_);
     fillTabs();
     plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"), stage_);
@@ -291,10 +294,14 @@ Panel* MainWindow::buildTabs() {
     auto* panel = new Panel(QString(), this);
     tabs_ = new QTabBar;
     tabs_->setObjectName("tabs");
-    tabs_->setAccessibleName(tr("Waypoints, Frames, Tools, I/O, Log"));
+    tabs_->setAccessibleName(tr("Waypoints, Program, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
+    // The panel is at least as wide as all titles.
+    tabs_->setUsesScrollButtons(false);
+    tabs_->setElideMode(Qt::ElideNone);
     for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
+                                      {"program", tr("Program")},
                                       {"frames", tr("Frames")},
                                       {"tools", tr("Tools")},
                                       {"io", tr("I/O")},
@@ -308,12 +315,15 @@ Panel* MainWindow::buildTabs() {
 }
 
 void MainWindow::fillTabs() {
-    for (QWidget* page : std::initializer_list<QWidget*>{waypoints_, frames_, tools_, ioPages_, log_}) {
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{waypoints_, program_, frames_, tools_, ioPages_, log_}) {
         pages_->addWidget(page);
     }
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
+        tabs_->updateGeometry();  // the title of the selected tab is bold, and wider
+        showPaths();
     });
 }
 
@@ -434,6 +444,9 @@ void MainWindow::showStep(const ProjectStep& step) {
         case ProjectPart::Frames:
             showTab("frames");
             break;
+        case ProjectPart::Programs:
+            showTab("program");
+            break;
         case ProjectPart::Tcps:
         case ProjectPart::Payloads:
         case ProjectPart::Positions:
@@ -485,6 +498,8 @@ void MainWindow::connectTools() {
     connect(tools_, &ToolsTab::message, this,
             [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
     connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
+    connect(program_, &ProgramTab::frontWanted, this, [this] { showTab("program"); });
+    connect(program_, &ProgramTab::previewPathChanged, this, &MainWindow::showPaths);
     connect(tools_, &ToolsTab::pageChanged, this,
             [this] { stopMotion(control::StopCause::SelectionChanged); });
     tools_->setHeldSpeed([this] { return jog_->heldSpeed(); });
@@ -552,7 +567,7 @@ void MainWindow::followJog() {
         }
         scene_->view().setJogDirection(arrow);
     });
-    connect(jog_, &JogColumn::retracePathChanged, this, &MainWindow::showRetracePath);
+    connect(jog_, &JogColumn::retracePathChanged, this, &MainWindow::showPaths);
     waypoints_->setHeldSpeed([this] { return jog_->heldSpeed(); });
     waypoints_->setGripper(gripper_->port());
     connect(jog_, &JogColumn::speedChanged, waypoints_, &WaypointsTab::followSpeed);
@@ -564,13 +579,23 @@ void MainWindow::updateScene() {
     scene_->view().setSecondGhost(waypoints_->touchUpGhost());
 }
 
-void MainWindow::showRetracePath() {
+void MainWindow::showPaths() {
     const SessionState& state = session_->state();
-    PathMark way{PathMark::Kind::Breadcrumb, {}, {}};
+    PathMark retrace{PathMark::Kind::Breadcrumb, {}, {}};
     for (const JointPositions& q : jog_->retracePath()) {
-        way.places.push_back(kinematics::forwardTcp(state.dh, q, state.tcpOffset).position);
+        retrace.places.push_back(kinematics::forwardTcp(state.dh, q, state.tcpOffset).position);
     }
-    scene_->view().setPaths(way.places.size() > 1 ? std::vector<PathMark>{way} : std::vector<PathMark>());
+    PathMark preview{PathMark::Kind::Coming, {}, {}};
+    if (pages_->currentWidget() == program_) {
+        preview.places = program_->previewPath();
+    }
+    std::vector<PathMark> paths;
+    for (const PathMark& path : {retrace, preview}) {
+        if (path.places.size() > 1) {
+            paths.push_back(path);
+        }
+    }
+    scene_->view().setPaths(paths);
 }
 
 void MainWindow::stopMotion(control::StopCause cause) {
@@ -838,6 +863,7 @@ void MainWindow::buildActions() {
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
             tools_->addAction(action);
+            program_->addAction(action);
         }
     }
     for (QAction* action : frames_->commandActions()) {
@@ -845,6 +871,9 @@ void MainWindow::buildActions() {
     }
     for (QAction* action : tools_->commandActions()) {
         actions_->adopt("tool", action);
+    }
+    for (QAction* action : program_->commandActions()) {
+        actions_->adopt("program", action);
     }
     connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
     connect(session_.get(), &RobotSession::stateChanged, this, &MainWindow::rememberRobot);

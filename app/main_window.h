@@ -43,6 +43,7 @@ class SceneDock;
 class StatusLine;
 class StopKeys;
 class StopRecorder;
+class ProgramTab;
 class ToolsTab;
 class WaypointsTab;
 
@@ -112,8 +113,8 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// Shows a tab, for the demonstration and tests: "waypoints", "frames", "tools", "io", "gripper" (a page
-    /// of "io"), "log".
+    /// Shows a tab, for the demonstration and tests: "waypoints", "program", "frames", "tools", "io", "gripper" (a
+    /// page of "io"), "log".
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
@@ -173,7 +174,7 @@ private:
     void listRobots();
     void listProjects();
     void updateScene();
-    void showRetracePath();
+    void showPaths();
     void simulateCell();
     void stopMotion(control::StopCause cause);
     ReportSources reportSources() const;
@@ -200,6 +201,7 @@ private:
     WaypointsTab* waypoints_ = nullptr;
     FramesTab* frames_ = nullptr;
     ToolsTab* tools_ = nullptr;
+    ProgramTab* program_ = nullptr;
     IoTab* io_ = nullptr;
     GripperPanel* gripper_ = nullptr;
     IoPages* ioPages_ = nullptr;  ///< contains io_ and gripper_

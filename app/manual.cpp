@@ -27,6 +27,7 @@ const QVector<ManualPlace>& manualPlaces() {
             {"waypoint.shift", "window/waypoints.html#several"},
             {"waypoint.history", "window/waypoints.html#history"},
             {"pattern", "window/patterns.html"},
+            {"program.tab", "programs.html"},
             {"frames", "window/frames.html"},
             {"tools", "window/tools.html"},
             {"payload.page", "window/tools.html#payloads"},

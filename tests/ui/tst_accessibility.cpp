@@ -19,10 +19,13 @@
 #include "app/action_table.h"
 #include "app/command_palette.h"
 #include "resources/resources.h"
+#include "robot/station/program/step_kind.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
+#include "widgets/program/step_tree.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
 using namespace tiller;
@@ -88,6 +91,11 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.waypoints().teach();
         bench.cell.advanceMs(100);
+        project::ProgramList programs;
+        const project::ProgramStep move = program::newStep(*program::findStepKind("moveL"));
+        programs.append({QUuid::createUuid(), "program", {}, {move}, {}, {}});
+        bench.window.document().changePrograms(programs, "add");
+        bench.find<StepTree>("program.tree").selectIds({move.id});
         const QStringList without = nameless(bench.window);
         QVERIFY2(without.isEmpty(), qPrintable(without.join('\n')));
     }
@@ -240,7 +248,7 @@ private Q_SLOTS:
                 }
             }
         };
-        for (const char* tab : {"waypoints", "log"}) {
+        for (const char* tab : {"waypoints", "program", "log"}) {
             bench.window.showTab(tab);
             QCoreApplication::processEvents();
             look(bench.window);
@@ -261,7 +269,7 @@ private Q_SLOTS:
             dialog->close();
             QCoreApplication::processEvents();
         }
-        QCOMPARE(looked, 4);
+        QCOMPARE(looked, 6);
         QVERIFY2(invisible.isEmpty(), qPrintable(invisible.join('\n')));
     }
 

@@ -19,16 +19,20 @@
 #include "app/connect_dialog.h"
 #include "app/language.h"
 #include "resources/resources.h"
+#include "robot/station/program/step_kind.h"
 #include "tests/support/pseudo_translator.h"
 #include "tests/support/test_pad.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/density.h"
+#include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/frames/frames_tab.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/joint_rows.h"
+#include "widgets/program/step_tree.h"
+#include "widgets/project/undoable_document.h"
 #include "widgets/status/header_bar.h"
 #include "widgets/status/preflight_page.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -173,10 +177,19 @@ private Q_SLOTS:
         bench.window.waypoints().teach();
         bench.cell.advanceMs(300);
         bench.window.frames().teachFromTcp();
-        for (const char* tab : {"waypoints", "frames", "io", "log"}) {
+        for (const char* tab : {"waypoints", "program", "frames", "io", "log"}) {
             bench.window.showTab(tab);
             lookAtWindow(bench, tab);
         }
+        // A step with a problem, which every field of a move shows.
+        bench.window.showTab("program");
+        project::ProgramList programs;
+        project::ProgramStep move = program::newStep(*program::findStepKind("moveL"));
+        programs.append({QUuid::createUuid(), "program", {}, {move}, {}, {}});
+        bench.window.document().changePrograms(programs, "add");
+        bench.find<StepTree>("program.tree").selectIds({move.id});
+        bench.find<SegmentedControl>("program.side").setCurrentIndex(1);
+        lookAtWindow(bench, "program-step");
         bench.window.actions().find("frame.action.touchUp")->trigger();
         lookAtWindow(bench, "frames-question");
         bench.window.actions().find("frame.action.threePoints")->trigger();

@@ -208,7 +208,7 @@ private Q_SLOTS:
         QVERIFY2(bench_->cell.bringUp(), qPrintable(bench_->cell.what()));
         bench_->cell.advanceMs(200);
         teachTray();
-        for (const char* tab : {"waypoints", "frames", "tools", "io", "gripper", "log"}) {
+        for (const char* tab : {"waypoints", "program", "frames", "tools", "io", "gripper", "log"}) {
             window().showTab(QLatin1String(tab));
             keepWindow(QStringLiteral("tab-%1").arg(QLatin1String(tab)));
         }

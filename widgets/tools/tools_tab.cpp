@@ -100,6 +100,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
                 break;
             case ProjectPart::Waypoints:
             case ProjectPart::Frames:
+            case ProjectPart::Programs:
                 break;
         }
     });

@@ -143,6 +143,9 @@ ProjectStep stepBetween(const project::Project& before, const project::Project& 
     } else if (!(before.positions == after.positions)) {
         step.part = ProjectPart::Positions;
         step.id = firstOther(before.positions.list, after.positions.list);
+    } else if (!(before.programs == after.programs)) {
+        step.part = ProjectPart::Programs;
+        step.id = firstOther(before.programs, after.programs);
     } else {
         step.part = ProjectPart::Cell;
     }
@@ -345,6 +348,10 @@ void ProjectDocument::changePositions(const project::Positions& after, const QSt
 
 void ProjectDocument::changeCell(const project::CellGeometry& after, const QString& text) {
     pushPart(&project::Project::cell, after, text);
+}
+
+void ProjectDocument::changePrograms(const project::ProgramList& after, const QString& text) {
+    pushPart(&project::Project::programs, after, text);
 }
 
 void ProjectDocument::changePaths(const project::PathList& after, const QString& text) {
@@ -678,6 +685,10 @@ void ProjectDocument::notifyPart(const project::CellGeometry&) {
 
 void ProjectDocument::notifyPart(const project::PathList&) {
     Q_EMIT pathsChanged();
+    Q_EMIT documentChanged();
+}
+
+void ProjectDocument::notifyPart(const project::ProgramList&) {
     Q_EMIT documentChanged();
 }
 

@@ -18,7 +18,7 @@
 namespace tiller {
 
 /// The part of the project that an edit changes. It determines where the window shows the edit.
-enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell };
+enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell, Programs };
 
 /// An edit that was undone or redone.
 struct ProjectStep {
@@ -90,6 +90,7 @@ public:
     void changePositions(const project::Positions& after, const QString& text);
     void changeCell(const project::CellGeometry& after, const QString& text);
     void changePaths(const project::PathList& after, const QString& text);
+    void changePrograms(const project::ProgramList& after, const QString& text);
 
     /// The waypoints of the pattern are inserted before `row`.
     void insertPattern(int row, const project::Pattern& pattern, const QString& text);
@@ -180,6 +181,7 @@ private:
     void notifyPart(const project::PatternList&);
     void notifyPart(const project::CellGeometry&);
     void notifyPart(const project::PathList&);
+    void notifyPart(const project::ProgramList&);
     void notifyPart(const std::optional<RobotModelId>&);
 
     project::Project project_;

@@ -185,6 +185,51 @@ Program withMovedSteps(const Program& program, const QSet<QUuid>& ids, const Ste
     return result == without ? program : result;
 }
 
+StepPosition positionBehind(const Program& program, const QUuid& id) {
+    const ProgramStep* step = findStep(program.steps, id);
+    if (step == nullptr) {
+        return {{}, static_cast<int>(program.steps.size())};
+    }
+    const StepKind* kind = findStepKind(step->kind);
+    if (kind != nullptr && kind->isSection && step->steps.empty()) {
+        return {id, 0};
+    }
+    const auto at = positionOf(program, id);
+    return {at->section, at->row + 1};
+}
+
+Program withShifted(const Program& program, const QSet<QUuid>& ids, int direction) {
+    const Steps selected = selectedSteps(program, ids);
+    if (selected.empty()) {
+        return program;
+    }
+    const auto at = positionOf(program, direction < 0 ? selected.front().id : selected.back().id);
+    const int row = direction < 0 ? at->row - 1 : at->row + 2;
+    return row < 0 ? program : withMovedSteps(program, ids, {at->section, row});
+}
+
+Program withNested(const Program& program, const QSet<QUuid>& ids) {
+    const Steps selected = selectedSteps(program, ids);
+    const auto at = selected.empty() ? std::nullopt : positionOf(program, selected.front().id);
+    if (!at || at->row == 0) {
+        return program;
+    }
+    const Steps& siblings =
+        at->section.isNull() ? program.steps : findStep(program.steps, at->section)->steps;
+    const ProgramStep& above = siblings[static_cast<std::size_t>(at->row - 1)];
+    return withMovedSteps(program, ids, {above.id, static_cast<int>(above.steps.size())});
+}
+
+Program withUnnested(const Program& program, const QSet<QUuid>& ids) {
+    const Steps selected = selectedSteps(program, ids);
+    const auto at = selected.empty() ? std::nullopt : positionOf(program, selected.front().id);
+    if (!at || at->section.isNull()) {
+        return program;
+    }
+    const auto section = positionOf(program, at->section);
+    return withMovedSteps(program, ids, {section->section, section->row + 1});
+}
+
 Program withDuplicates(const Program& program, const QSet<QUuid>& ids) {
     const Steps selected = selectedSteps(program, ids);
     const auto last = selected.empty() ? std::nullopt : positionOf(program, selected.back().id);
@@ -260,6 +305,81 @@ QString summaryOf(const project::Project& project, const ProgramStep& step) {
     }
     values.removeAll(QString());
     return values.join(QStringLiteral(", "));
+}
+
+QString kindName(const ProgramStep& step) {
+    const StepKind* kind = findStepKind(step.kind);
+    return kind != nullptr ? kind->name() : step.kind;
+}
+
+QString stepName(const project::Project& project, const ProgramScript& script, int number) {
+    if (number < 1 || number > static_cast<int>(script.steps.size())) {
+        return {};
+    }
+    const NumberedStep& numbered = script.steps[static_cast<std::size_t>(number - 1)];
+    const Program* owner = project.programs.find(numbered.program);
+    const ProgramStep* step = owner != nullptr ? findStep(owner->steps, numbered.step) : nullptr;
+    return step != nullptr ? kindName(*step) : QString();
+}
+
+std::vector<std::pair<QJsonValue, QString>> choicesOf(const project::Project& project,
+                                                      const StepField& field) {
+    constexpr int kChannels = 18;
+    std::vector<std::pair<QJsonValue, QString>> choices;
+    const auto addAll = [&](const auto& list) {
+        for (const auto& entity : list) {
+            choices.emplace_back(entity.id.toString(QUuid::WithoutBraces), entity.name);
+        }
+    };
+    switch (field.type) {
+        case FieldType::Choice:
+            for (const Choice& choice : field.choices) {
+                choices.emplace_back(QString::fromLatin1(choice.key), choice.label);
+            }
+            break;
+        case FieldType::DigitalInput:
+        case FieldType::DigitalOutput:
+            for (int channel = 0; channel < kChannels; ++channel) {
+                choices.emplace_back(channel, channelName(channel, field.type == FieldType::DigitalOutput));
+            }
+            break;
+        case FieldType::Group:
+            for (const project::Waypoint& point : project.waypoints) {
+                const std::pair<QJsonValue, QString> group{point.group, point.group};
+                if (!point.group.isEmpty() &&
+                    std::find(choices.begin(), choices.end(), group) == choices.end()) {
+                    choices.push_back(group);
+                }
+            }
+            break;
+        case FieldType::Waypoint:
+            addAll(project.waypoints);
+            break;
+        case FieldType::Pattern:
+            addAll(project.patterns);
+            break;
+        case FieldType::Frame:
+            addAll(project.frames);
+            break;
+        case FieldType::Tool:
+            addAll(project.tooling.tools);
+            break;
+        case FieldType::Payload:
+            addAll(project.tooling.payloads);
+            break;
+        case FieldType::Program:
+            addAll(project.programs);
+            break;
+        case FieldType::Number:
+        case FieldType::Whole:
+        case FieldType::Flag:
+        case FieldType::Text:
+        case FieldType::Lines:
+        case FieldType::Expression:
+        case FieldType::Variable:
+            break;
+    }
+    return choices;
 }
 
 }  // namespace tiller::program

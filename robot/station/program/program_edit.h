@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "robot/project/project_file.h"
+#include "robot/station/program/program_script.h"
+#include "robot/station/program/step_field.h"
 
 namespace tiller::program {
 
@@ -42,6 +44,16 @@ project::Program withoutSteps(project::Program program, const QSet<QUuid>& ids);
 /// Returns  the unchanged program when `at` is inside one of them
 project::Program withMovedSteps(const project::Program& program, const QSet<QUuid>& ids,
                                 const StepPosition& at);
+/// Where new steps are added when a step is selected: inside it if it is an empty section, else behind it. Without such a
+/// step, at the end of the program.
+StepPosition positionBehind(const project::Program& program, const QUuid& id);
+/// Moves the steps past the step above (direction -1) or below (1) them.
+project::Program withShifted(const project::Program& program, const QSet<QUuid>& ids, int direction);
+/// Moves the steps to the end of the section above them, at their level.
+/// Returns  the unchanged program when the step above is not a section
+project::Program withNested(const project::Program& program, const QSet<QUuid>& ids);
+/// Moves the steps behind the section they are in.
+project::Program withUnnested(const project::Program& program, const QSet<QUuid>& ids);
 /// The copies are inserted after the last of the steps, at its level.
 project::Program withDuplicates(const project::Program& program, const QSet<QUuid>& ids);
 /// Disables the steps, or enables them again.
@@ -58,5 +70,13 @@ std::optional<Steps> stepsFromText(const QByteArray& text);
 /// The values of a step in one line, in display units and with the names of waypoints and other entities:
 /// "pick, 50 mm/s".
 QString summaryOf(const project::Project& project, const project::ProgramStep& step);
+/// The name of the step's kind; the word in the file where this version does not know the kind.
+QString kindName(const project::ProgramStep& step);
+/// The name of the kind of a step, by its number in the script. Empty: there is no such step.
+QString stepName(const project::Project& project, const ProgramScript& script, int number);
+
+/// The values that a choice, channel or reference field can have, each with its name.
+std::vector<std::pair<QJsonValue, QString>> choicesOf(const project::Project& project,
+                                                      const StepField& field);
 
 }  // namespace tiller::program

@@ -2,6 +2,8 @@
 #include "robot/station/program/step_field.h"
 
 #include <QLocale>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "robot/station/program/program_text.h"
@@ -15,6 +17,40 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMillimetres = 1000.0;
 
 }  // namespace
+
+FieldInput fieldInput(const StepField& field, const QString& text) {
+    if (field.type != FieldType::Number && field.type != FieldType::Whole) {
+        return {text, {}};
+    }
+    const QString typed = text.trimmed().replace(QChar(0x2212), QLatin1Char('-'));
+    if (typed.isEmpty() && field.optional) {
+        return {};
+    }
+    bool isNumber = false;
+    double number = QLocale().toDouble(typed, &isNumber);
+    if (!isNumber) {
+        number = QLocale::c().toDouble(typed, &isNumber);
+    }
+    number /= screenFactor(field.unit);
+    constexpr double kRounding = 1e-9;
+    if (!isNumber || !(number >= field.minimum - kRounding && number <= field.maximum + kRounding) ||
+        (field.type == FieldType::Whole && number != std::floor(number))) {
+        return {QJsonValue::Undefined, ProgramText::tr("“%1” must be between %2 and %3.")
+                                           .arg(field.label, numberText(field.minimum, field.unit),
+                                                numberText(field.maximum, field.unit))};
+    }
+    return {std::clamp(number, field.minimum, field.maximum), {}};
+}
+
+QString editText(const StepField& field, const QJsonValue& value) {
+    if (field.type != FieldType::Number && field.type != FieldType::Whole) {
+        return value.toString();
+    }
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return value.isDouble() ? locale.toString(value.toDouble() * screenFactor(field.unit), 'g', 8)
+                            : QString();
+}
 
 QString channelName(int channel, bool output) {
     const char* group = channel < kFirstConfigurable ? "D" : channel < kFirstTool ? "C" : "T";

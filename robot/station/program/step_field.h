@@ -61,6 +61,17 @@ struct StepField {
     std::vector<Choice> choices = {};
 };
 
+/// A typed text as a value of a field.
+struct FieldInput {
+    QJsonValue value = QJsonValue::Undefined;  ///< undefined: no value
+    QString refusal;                           ///< translated, with the permitted range; empty: accepted
+};
+/// For number, text, expression and variable fields. Numbers are in the unit of the screen, with the decimal separator of
+/// the language or a point.
+FieldInput fieldInput(const StepField& field, const QString& text);
+/// The text for an editor: the value in the unit of the screen, without the unit. Empty without a value.
+QString editText(const StepField& field, const QJsonValue& value);
+
 /// "DI 3", "CI 0", "TI 1"; with `output` "DO 3".
 QString channelName(int channel, bool output);
 

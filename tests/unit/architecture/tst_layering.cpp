@@ -132,6 +132,7 @@ const QList<Folder>& folders() {
          {"robot/core", "robot/script", "robot/dashboard", "robot/doctor", "robot/station", "widgets/common"},
          {}},
         {"widgets/project", {"robot/core", "robot/project", "robot/station", "widgets/common"}, {}},
+        {"widgets/program", {"robot/core", "robot/project", "robot/station", "widgets/common"}, {}},
         {"widgets/waypoints",
          {"robot/core", "robot/receive", "robot/kinematics", "robot/project", "robot/recording",
           "robot/station", "widgets/common", "widgets/project"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/program/preview/preview.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <set>
 
@@ -216,6 +217,24 @@ private:
 };
 
 }  // namespace
+
+QString findingText(const project::Project& project, const ProgramScript& script, const Finding& finding) {
+    const QString time = QLocale().toString(finding.time, 'f', 1);
+    const QString name = stepName(project, script, finding.step);
+    return name.isEmpty()
+               ? ProgramText::tr("At %1 s: %2").arg(time, finding.text)
+               : ProgramText::tr("Step %1 (%2) at %3 s: %4").arg(finding.step).arg(name, time, finding.text);
+}
+
+std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing) {
+    std::vector<Eigen::Vector3d> places;
+    for (const PathSample& sample : preview.path) {
+        if (places.empty() || (sample.tcp.position - places.back()).norm() >= spacing) {
+            places.push_back(sample.tcp.position);
+        }
+    }
+    return places;
+}
 
 JointPositions startPosition(const project::Project& project, const ProgramScript& script) {
     for (const NumberedStep& numbered : script.steps) {

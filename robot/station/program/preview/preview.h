@@ -76,6 +76,12 @@ struct Preview {
     bool isGood() const { return completed && findings.empty(); }  ///< The program ended without a finding.
 };
 
+/// A finding with its step and time: "Step 7 (MoveL) at 3.2 s: The arm comes too close to the floor."
+QString findingText(const project::Project& project, const ProgramScript& script, const Finding& finding);
+
+/// Positions of the TCP along the path, at least `spacing` [m] apart, in the base frame [m].
+std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
+
 /// Start position of a preview: the joints of the first waypoint of the program, otherwise the project's home
 /// position, otherwise the start position of the simulated controller.
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);

@@ -117,6 +117,35 @@ private Q_SLOTS:
                      ->fields.contains("text"));
     }
 
+    void stepsChangeTheirLevel() {
+        const project::Program program = sample();  // a b(c d(e) f) g
+        QCOMPARE(shapeOf(withNested(program, idsOf(program, {"g"})).steps), QString("a b(c d(e) f g)"));
+        QCOMPARE(shapeOf(withNested(program, idsOf(program, {"f"})).steps), QString("a b(c d(e f)) g"));
+        QVERIFY(withNested(program, idsOf(program, {"a"})) == program);  // nothing above it
+        QVERIFY(withNested(program, idsOf(program, {"b"})) == program);  // "a" is no section
+        QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"e"})).steps), QString("a b(c d e f) g"));
+        QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"c", "f"})).steps),
+                 QString("a b(d(e)) c f g"));
+        QVERIFY(withUnnested(program, idsOf(program, {"a"})) == program);
+        QCOMPARE(shapeOf(withShifted(program, idsOf(program, {"g"}), -1).steps), QString("a g b(c d(e) f)"));
+        QCOMPARE(shapeOf(withShifted(program, idsOf(program, {"c"}), 1).steps), QString("a b(d(e) c f) g"));
+        QVERIFY(withShifted(program, idsOf(program, {"c"}), -1) == program);
+        QVERIFY(withShifted(program, idsOf(program, {"g"}), 1) == program);
+        QVERIFY(withShifted(program, {}, 1) == program);
+    }
+
+    void newStepsFollowTheSelectedOne() {
+        project::Program program = sample();
+        const auto into = [&](const QUuid& id) {
+            return shapeOf(withSteps(program, positionBehind(program, id), {leaf("x")}).steps);
+        };
+        QCOMPARE(into(idOf(program, "c")), QString("a b(c x d(e) f) g"));
+        QCOMPARE(into(idOf(program, "d")), QString("a b(c d(e) x f) g"));
+        QCOMPARE(into({}), QString("a b(c d(e) f) g x"));
+        program = withoutSteps(program, idsOf(program, {"e"}));
+        QCOMPARE(into(idOf(program, "d")), QString("a b(c d(x) f) g"));  // an empty section
+    }
+
     void nestingIsLimited() {
         project::Program program = makeProgram("p", {step("folder", {{"name", "0"}})});
         for (int depth = 1; depth < project::kMaxProgramDepth; ++depth) {
@@ -138,6 +167,46 @@ private Q_SLOTS:
              {"", "hello", "{}", "{\"tillerSteps\": [1]}", "{\"tillerSteps\": [{\"do\": \"wait\"}]}"}) {
             QVERIFY2(!stepsFromText(text), text);
         }
+    }
+
+    void typedNumbersAreInTheUnitOfTheScreen() {
+        StepField field{"speed", "Speed", FieldType::Number, {}, true, Unit::Speed, 0.001, 2, {}};
+        QCOMPARE(fieldInput(field, "50").value, QJsonValue(0.05));
+        QCOMPARE(fieldInput(field, " 12.5 ").value, QJsonValue(0.0125));
+        QCOMPARE(fieldInput(field, "2000").value, QJsonValue(2));
+        QVERIFY(fieldInput(field, "").value.isUndefined() && fieldInput(field, "").refusal.isEmpty());
+        for (const char* text : {"0", "2000.1", "-1", "fast", "nan", "inf", "1e9"}) {
+            QVERIFY2(fieldInput(field, text).value.isUndefined(), text);
+            QCOMPARE(fieldInput(field, text).refusal,
+                     QString("“Speed” must be between 1 mm/s and 2,000 mm/s."));
+        }
+        QCOMPARE(editText(field, 1.25), QString("1250"));
+        QCOMPARE(editText(field, QJsonValue::Undefined), QString());
+        field.optional = false;
+        QVERIFY(!fieldInput(field, "").refusal.isEmpty());
+        const StepField whole{"times", "Times", FieldType::Whole, 1, false, Unit::None, -5, 5, {}};
+        QCOMPARE(fieldInput(whole, "3").value, QJsonValue(3));
+        QCOMPARE(fieldInput(whole, "−3").value, QJsonValue(-3));  // a typographic minus
+        QVERIFY(!fieldInput(whole, "2.5").refusal.isEmpty());
+    }
+
+    void choicesHaveNames() {
+        const project::Project project = sampleProject();
+        const auto namesOf = [&](FieldType type) {
+            StepField field;
+            field.type = type;
+            QStringList names;
+            for (const auto& [value, name] : choicesOf(project, field)) {
+                names << name;
+            }
+            return names;
+        };
+        QCOMPARE(namesOf(FieldType::Group), QStringList{"row"});
+        QCOMPARE(namesOf(FieldType::Tool), (QStringList{"gripper", "camera"}));
+        QCOMPARE(namesOf(FieldType::DigitalOutput).size(), 18);
+        QCOMPARE(namesOf(FieldType::DigitalOutput).last(), QString("TO 1"));
+        QVERIFY(namesOf(FieldType::Waypoint).contains("pick"));
+        QVERIFY(namesOf(FieldType::Number).isEmpty());
     }
 
     void summariesHaveNamesAndUnits() {

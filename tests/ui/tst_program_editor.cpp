@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard, problems, preview,
+// and stops from each of its controls.
+
+#include <QDragEnterEvent>
+#include <QDragMoveEvent>
+#include <QDropEvent>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+#include <functional>
+
+#include "program_samples.h"
+#include "robot/station/program/program_edit.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/elided_label.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/program/program_model.h"
+#include "widgets/program/program_tab.h"
+#include "widgets/program/step_palette.h"
+#include "widgets/program/step_tree.h"
+#include "widgets/project/undoable_document.h"
+#include "widgets/scene/scene_view.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using program::Steps;
+
+class TestProgramEditor : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<WindowBench> bench_;
+
+    app::MainWindow& window() { return bench_->window; }
+    VirtualCell& cell() { return bench_->cell; }
+    UndoableDocument& document() { return window().document(); }
+    StepTree& tree() { return bench_->find<StepTree>("program.tree"); }
+    StepPalette& palette() { return bench_->find<StepPalette>("program.palette"); }
+    QAbstractItemModel& model() { return *tree().model(); }
+    const Steps& steps() { return document().project().programs.at(0).steps; }
+    QString status() { return bench_->find<ElidedLabel>("program.status").fullText(); }
+    QPushButton& key(const char* name) { return bench_->find<QPushButton>(name); }
+    QLineEdit& field(const char* name) {
+        return bench_->find<QLineEdit>(QByteArray("program.field.").append(name).constData());
+    }
+    QModelIndex rowOf(const QUuid& id) { return static_cast<ProgramModel&>(model()).indexOf(id); }
+    QModelIndex paletteRow(const QString& name) {
+        return palette()
+            .model()
+            ->match(palette().model()->index(0, 0), Qt::DisplayRole, name, 1,
+                    Qt::MatchExactly | Qt::MatchRecursive)
+            .value(0);
+    }
+    /// Builds the tray program and opens it.
+    void openTray() {
+        document().setProject(program::sampleProject());
+        project::ProgramList programs;
+        programs.append(program::trayProgram(document().project()));
+        document().changePrograms(programs, "open");
+        QCoreApplication::processEvents();
+    }
+    QString shape() { return document().project().programs.isEmpty() ? QString() : shapeOf(steps()); }
+    static QString shapeOf(const Steps& steps) {
+        QStringList kinds;
+        for (const project::ProgramStep& step : steps) {
+            kinds << step.kind + (step.steps.empty() ? QString() : '(' + shapeOf(step.steps) + ')');
+        }
+        return kinds.join(' ');
+    }
+    /// Drops what was dragged from these rows, as the drag manager does. Ctrl copies.
+    void drop(QAbstractItemModel& from, const QModelIndexList& rows, const QPoint& at,
+              Qt::DropAction action) {
+        const std::unique_ptr<QMimeData> data(from.mimeData(rows));
+        const Qt::DropActions possible = Qt::CopyAction | Qt::MoveAction;
+        const auto keys = action == Qt::CopyAction ? Qt::ControlModifier : Qt::NoModifier;
+        QDragEnterEvent enter(at, possible, data.get(), Qt::LeftButton, keys);
+        QApplication::sendEvent(tree().viewport(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDragMoveEvent move(at, possible, data.get(), Qt::LeftButton, keys);
+        move.setDropAction(action);
+        QApplication::sendEvent(tree().viewport(), &move);
+        QVERIFY(move.isAccepted());
+        QDropEvent dropped(at, possible, data.get(), Qt::LeftButton, keys);
+        dropped.setDropAction(action);
+        QApplication::sendEvent(tree().viewport(), &dropped);
+    }
+    QPoint middleOf(const QModelIndex& row) { return tree().visualRect(row).center(); }
+    QPoint topOf(const QModelIndex& row) {
+        const QRect place = tree().visualRect(row);
+        return {place.center().x(), place.top() + 1};
+    }
+    QPoint belowAll() { return {40, tree().viewport()->height() - 2}; }
+
+private Q_SLOTS:
+    void init() {
+        bench_ = std::make_unique<WindowBench>();
+        bench_->show(QSize(1920, 1040));
+        window().showTab("program");
+    }
+    void cleanup() { bench_.reset(); }
+
+    void stepsAreDraggedFromThePalette() {
+        QCOMPARE(document().project().programs.size(), std::size_t(0));
+        drop(*palette().model(), {paletteRow("Loop")}, belowAll(), Qt::CopyAction);
+        QCOMPARE(shape(), QString("loop"));
+        drop(*palette().model(), {paletteRow("Wait")}, middleOf(rowOf(steps()[0].id)), Qt::CopyAction);
+        QCOMPARE(shape(), QString("loop(wait)"));
+        drop(*palette().model(), {paletteRow("MoveJ")}, belowAll(), Qt::CopyAction);
+        QCOMPARE(shape(), QString("loop(wait) moveJ"));
+        // The first drop also added the program: one undo step.
+        for (int i = 0; i < 3; ++i) {
+            document().undo();
+        }
+        QVERIFY(document().project().programs.isEmpty());
+    }
+
+    void stepsAreDraggedInTheTree() {
+        openTray();
+        drop(model(), {rowOf(steps()[1].id)}, topOf(rowOf(steps()[0].id)), Qt::MoveAction);
+        QVERIFY2(shape().startsWith("gripper moveJ assign try"), qPrintable(shape()));
+        const QUuid inner = steps()[3].steps[0].id;
+        drop(model(), {rowOf(steps()[0].id)}, middleOf(rowOf(inner)), Qt::MoveAction);
+        QVERIFY2(shape().startsWith("moveJ assign try(forEachPlace(moveJ moveL gripper"),
+                 qPrintable(shape()));
+        QVERIFY2(shape().contains("assign gripper))"), qPrintable(shape()));
+        drop(model(), {rowOf(steps()[0].id)}, belowAll(), Qt::CopyAction);
+        QVERIFY2(
+            shape().startsWith("moveJ assign try") && shape().endsWith("onError(gripper log) moveJ moveJ"),
+            qPrintable(shape()));
+        for (int i = 0; i < 3; ++i) {
+            document().undo();
+        }
+        QVERIFY2(shape().startsWith("moveJ gripper assign try"), qPrintable(shape()));
+    }
+
+    // Mouse and keyboard reach the same program.
+    void aProgramIsBuiltWithTheKeyboard() {
+        palette().setCurrentIndex(paletteRow("Loop"));
+        palette().setFocus();
+        QTest::keyClick(&palette(), Qt::Key_Return);
+        palette().setCurrentIndex(paletteRow("Wait"));
+        QTest::keyClick(&palette(), Qt::Key_Return);
+        palette().setCurrentIndex(paletteRow("Comment"));
+        QTest::keyClick(&palette(), Qt::Key_Return);
+        QCOMPARE(shape(), QString("loop(wait comment)"));
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(shape(), QString("loop(wait) comment"));
+        QTest::keyClick(&tree(), Qt::Key_Up, Qt::ControlModifier);
+        QCOMPARE(shape(), QString("comment loop(wait)"));
+        QTest::keyClick(&tree(), Qt::Key_Down, Qt::ControlModifier);
+        QTest::keyClick(&tree(), Qt::Key_Right, Qt::ControlModifier);
+        QCOMPARE(shape(), QString("loop(wait comment)"));
+        QTest::keyClick(&tree(), Qt::Key_Up);
+        QTest::keyClick(&tree(), Qt::Key_Return);
+        QCOMPARE(QApplication::focusWidget(), &field("time"));
+        QTest::keyClicks(&field("time"), "7");
+        QTest::keyClick(&field("time"), Qt::Key_Escape);
+        QVERIFY(!field("time").text().contains('7'));
+        field("time").selectAll();
+        QTest::keyClicks(&field("time"), "2.5");
+        QTest::keyClick(&field("time"), Qt::Key_Return);
+        QCOMPARE(steps()[0].steps[0].fields["time"].toDouble(), 2.5);
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_Delete);
+        QCOMPARE(shape(), QString("loop(comment)"));
+        QTest::keyClick(&tree(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(shape(), QString("loop(wait comment)"));
+        QTest::keyClick(&tree(), Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(shape(), QString("loop(comment)"));
+    }
+
+    void problemsAreOneClickAway() {
+        openTray();
+        QVERIFY(!key("program.showProblem").isVisible());
+        project::ProgramList programs = document().project().programs;
+        project::Program broken = programs.at(0);
+        broken.steps[0].fields.remove("waypoint");
+        broken.steps[3].steps[0].fields.remove("pattern");
+        programs.replace(0, broken);
+        document().changePrograms(programs, "break");
+        QTRY_VERIFY(key("program.showProblem").isVisible());
+        QVERIFY(!key("program.preview").isEnabled());
+        QVERIFY2(status().startsWith("⚠ Step 1:"), qPrintable(status()));
+        QTest::mouseClick(&key("program.showProblem"), Qt::LeftButton);
+        QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[0].id});
+        auto& problem = bench_->find<QLabel>("program.problem");
+        QVERIFY(problem.isVisible() && status().endsWith(QString(problem.text()).remove("⚠ ")));
+        QCOMPARE(QApplication::focusWidget()->objectName(), QString("program.field.waypoint"));
+        QTest::mouseClick(&key("program.showProblem"), Qt::LeftButton);
+        QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[3].steps[0].id});
+        QVERIFY(rowOf(steps()[0].id).data().toString().startsWith("⚠"));
+        document().undo();
+        QTRY_VERIFY(!key("program.showProblem").isVisible());
+        QVERIFY(!rowOf(steps()[0].id).data().toString().startsWith("⚠"));
+    }
+
+    void disabledStepsAndCommentsAreMarked() {
+        openTray();
+        tree().selectIds({steps()[1].id});
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_Slash, Qt::ControlModifier);
+        QVERIFY(rowOf(steps()[1].id).data(Qt::FontRole).value<QFont>().strikeOut());
+        QVERIFY(rowOf(steps()[1].id).data(Qt::AccessibleTextRole).toString().endsWith("disabled"));
+        project::ProgramList programs = document().project().programs;
+        project::Program program = programs.at(0);
+        program.steps.insert(program.steps.begin(),
+                             program::step("comment", {{"text", "Empty the tray first"}}));
+        programs.replace(0, program);
+        document().changePrograms(programs, "comment");
+        const QModelIndex comment = rowOf(steps()[0].id);
+        QVERIFY(comment.data(Qt::FontRole).value<QFont>().italic());
+        QCOMPARE(comment.siblingAtColumn(ProgramModel::Values).data().toString(),
+                 QString("Empty the tray first"));
+    }
+
+    void namesAreReadableWhole_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("smallest") << QSize(1280, 720);
+        QTest::newRow("full HD") << QSize(1920, 1040);
+    }
+    void namesAreReadableWhole() {
+        QFETCH(QSize, size);
+        openTray();
+        window().resize(size);
+        QTest::qWait(50);
+        QVERIFY(tree().columnWidth(ProgramModel::Step) >=
+                static_cast<QAbstractItemView&>(tree()).sizeHintForColumn(ProgramModel::Step));
+        QVERIFY(tree().viewport()->width() >= 150);
+    }
+
+    // Palette and fields take turns in a narrow panel, and the tree keeps its place.
+    void aNarrowPanelShowsOneSide() {
+        openTray();
+        window().resize(1280, 720);
+        QTest::qWait(50);
+        auto& side = bench_->find<SegmentedControl>("program.side");
+        QVERIFY(side.isVisible() && palette().isVisible());
+        const QRect before = tree().geometry();
+        tree().selectIds({steps()[0].id});
+        side.setCurrentIndex(1);
+        QTest::qWait(10);
+        QVERIFY(!palette().isVisible() && bench_->find<QWidget>("program.form").isVisible());
+        QCOMPARE(tree().geometry(), before);
+    }
+
+    void previewShowsStepsAndPath() {
+        openTray();
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        const JointPositions before = cell().truth().q;
+        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
+        QCOMPARE(status(), QString("Simulating…"));  // the window went on
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
+                                  60'000);
+        const QModelIndex inner = rowOf(steps()[3].steps[0].steps[1].id);
+        QVERIFY2(inner.siblingAtColumn(ProgramModel::Result).data().toString().startsWith("1 ×"),
+                 qPrintable(inner.siblingAtColumn(ProgramModel::Result).data().toString()));
+        const SceneView& view = *window().findChild<SceneView*>();
+        QCOMPARE(view.paths().size(), std::size_t(1));
+        QVERIFY(view.paths()[0].kind == PathMark::Kind::Coming && view.paths()[0].places.size() > 20);
+        window().showTab("log");
+        QVERIFY(view.paths().empty());
+        window().showTab("program");
+        QCOMPARE(view.paths().size(), std::size_t(1));
+        document().undo();
+        QTRY_VERIFY(view.paths().empty());
+        cell().advanceMs(500);
+        QVERIFY((cell().truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-9);
+    }
+
+    void previewNamesTheFirstProblem() {
+        openTray();
+        project::ProgramList programs = document().project().programs;
+        project::Program program = programs.at(0);
+        program.steps.insert(program.steps.begin() + 1, program::step("fail", {{"text", "No tray"}}));
+        programs.replace(0, program);
+        document().changePrograms(programs, "fail");
+        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains("Simulated: 1 problem"), qPrintable(status()), 60'000);
+        QVERIFY2(status().contains("Step 2 (Fail)"), qPrintable(status()));
+        QTest::mouseClick(&key("program.showProblem"), Qt::LeftButton);
+        QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[1].id});
+    }
+
+    // An endless program is followed for an hour of its time; an edit ends that at once.
+    void anEditEndsThePreview() {
+        document().setProject(program::sampleProject());
+        project::ProgramList programs;
+        programs.append(program::makeProgram(
+            "endless", {program::step("loop", {{"times", 0}}, {program::step("wait", {{"time", 1}})})}));
+        programs.append(program::makeProgram("short", {program::step("wait", {{"time", 1}})}));
+        document().changePrograms(programs, "open");
+        QTRY_VERIFY2(key("program.preview").isEnabled(), qPrintable(status()));
+        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
+        QCOMPARE(status(), QString("Simulating…"));
+        project::Program changed = programs.at(0);
+        changed.steps[0].steps[0].fields["time"] = 2;
+        programs.replace(0, changed);
+        document().changePrograms(programs, "change");
+        QTRY_VERIFY2(status().startsWith("The program can run"), qPrintable(status()));
+    }
+
+    // Every control of the tab has the focus once: Space and Esc stop the arm, as STOP does.
+    void everyControlStopsTheArm_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("stopKey");
+        for (const char* name : {"program.tree", "program.palette", "program.field.time", "program.preview",
+                                 "program.choice", "program.more"}) {
+            QTest::newRow(qPrintable(QStringLiteral("%1 Space").arg(name)))
+                << QString(name) << int(Qt::Key_Space);
+            QTest::newRow(qPrintable(QStringLiteral("%1 Esc").arg(name)))
+                << QString(name) << int(Qt::Key_Escape);
+        }
+    }
+    void everyControlStopsTheArm() {
+        QFETCH(QString, name);
+        QFETCH(int, stopKey);
+        openTray();
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        tree().selectIds({steps()[1].id});
+        QTRY_VERIFY(key("program.preview").isEnabled());
+        auto& control = bench_->find<QWidget>(qPrintable(name));
+        control.setFocus();
+        QCOMPARE(QApplication::focusWidget(), &control);
+        control::JogTarget target;
+        target.twist.linear.z() = 0.05;
+        const auto jog = window().session().beginJog(target);
+        QVERIFY(jog.ok());
+        cell().everyRefresh = [&] { window().session().hold(*jog); };
+        cell().advanceMs(300);
+        QVERIFY(tcpSpeed(cell()) > 0.02);
+        QTest::keyPress(&control, static_cast<Qt::Key>(stopKey));
+        QVERIFY(!window().session().hold(*jog));
+        const int ms = timeToStandstill(cell());
+        QVERIFY2(ms >= 0 && ms <= 100, qPrintable(QString::number(ms)));
+        QTest::keyRelease(&control, static_cast<Qt::Key>(stopKey));
+    }
+};
+
+QTEST_MAIN(TestProgramEditor)
+#include "tst_program_editor.moc"

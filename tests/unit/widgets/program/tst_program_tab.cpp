@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tab "Program": building, editing, checking and previewing a program.
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+
+#include "program_samples.h"
+#include "widgets/common/elided_label.h"
+#include "widgets/program/program_model.h"
+#include "widgets/program/program_tab.h"
+#include "widgets/program/step_palette.h"
+#include "widgets/program/step_tree.h"
+#include "widgets/project/undoable_document.h"
+
+using namespace tiller;
+using namespace tiller::program;
+
+class TestProgramTab : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        document_ = std::make_unique<UndoableDocument>();
+        document_->setProject(sampleProject());
+        tab_ = std::make_unique<ProgramTab>(*document_);
+        tab_->resize(1000, 500);
+        tab_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(tab_.get()));
+    }
+    void cleanup() {
+        tab_.reset();
+        document_.reset();
+    }
+
+    void stepsAreAddedFromThePalette() {
+        add("moveJ");
+        QCOMPARE(document_->project().programs.size(), std::size_t(1));
+        add("loop");
+        add("wait");  // into the empty loop that is selected
+        QCOMPARE(shape(), QString("moveJ loop(wait)"));
+        QCOMPARE(tree().selectedIds().size(), 1);
+        document_->undo();
+        QCOMPARE(shape(), QString("moveJ loop"));
+        document_->redo();
+        QCOMPARE(shape(), QString("moveJ loop(wait)"));
+    }
+
+    void stepsAreDroppedAndMoved() {
+        openTray();
+        const QModelIndex section = model().indexOf(steps()[3].id);  // Try
+        QVERIFY(model().flags(section) & Qt::ItemIsDropEnabled);
+        QVERIFY(!(model().flags(model().indexOf(steps()[0].id)) & Qt::ItemIsDropEnabled));
+        const std::unique_ptr<QMimeData> dragged(
+            model().mimeData({model().indexOf(steps()[1].id), model().indexOf(steps()[2].id)}));
+        QVERIFY(model().canDropMimeData(dragged.get(), Qt::MoveAction, 0, 0, section));
+        model().dropMimeData(dragged.get(), Qt::MoveAction, 0, 0, section);
+        QCOMPARE(
+            shape(),
+            QString(
+                "moveJ try(gripper assign forEachPlace(moveJ moveL gripper moveL moveL moveL gripper moveL "
+                "assign)) onError(gripper log) moveJ"));
+        model().dropMimeData(dragged.get(), Qt::CopyAction, 0, 0, {});
+        QVERIFY(shape().startsWith("gripper assign moveJ try(gripper assign"));
+        document_->undo();
+        document_->undo();
+        QVERIFY(shape().startsWith("moveJ gripper assign try(forEachPlace"));
+    }
+
+    void keysEditTheSelection() {
+        openTray();
+        tree().selectIds({steps()[1].id, steps()[2].id});
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_D, Qt::ControlModifier);
+        QVERIFY2(shape().startsWith("moveJ gripper assign gripper assign try"), qPrintable(shape()));
+        tree().selectIds({steps()[0].id});
+        QTest::keyClick(&tree(), Qt::Key_Down, Qt::ControlModifier);
+        QVERIFY2(shape().startsWith("gripper moveJ assign"), qPrintable(shape()));
+        QTest::keyClick(&tree(), Qt::Key_Up, Qt::ControlModifier);
+        QVERIFY2(shape().startsWith("moveJ gripper assign"), qPrintable(shape()));
+        QTest::keyClick(&tree(), Qt::Key_X, Qt::ControlModifier);
+        QVERIFY2(shape().startsWith("gripper assign gripper"), qPrintable(shape()));
+        tree().selectIds({steps()[1].id});
+        QTest::keyClick(&tree(), Qt::Key_V, Qt::ControlModifier);
+        QVERIFY2(shape().startsWith("gripper assign moveJ gripper"), qPrintable(shape()));
+        QTest::keyClick(&tree(), Qt::Key_Slash, Qt::ControlModifier);
+        QVERIFY(steps()[2].disabled);
+        QTest::keyClick(&tree(), Qt::Key_Slash, Qt::ControlModifier);
+        QVERIFY(!steps()[2].disabled);
+        QTest::keyClick(&tree(), Qt::Key_Delete);
+        QVERIFY2(shape().startsWith("gripper assign gripper"), qPrintable(shape()));
+        QCOMPARE(document_->undoStack().undoText(), QString("Delete steps"));
+    }
+
+    void stepsGoToOtherProgramsAsText() {
+        openTray();
+        tree().selectIds({steps()[3].id});
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_C, Qt::ControlModifier);
+        tab_->findChild<QAction*>("program.action.new")->trigger();
+        QCOMPARE(document_->project().programs.size(), std::size_t(2));
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(document_->project().programs.at(1).steps.size(), std::size_t(1));
+        QVERIFY(document_->project().programs.at(1).steps[0].id !=
+                document_->project().programs.at(0).steps[3].id);
+    }
+
+    void fieldsAreEditedInTheirUnits() {
+        openTray();
+        const QUuid id = steps()[3].steps[0].steps[0].id;  // MoveJ before the pick position
+        tree().selectIds({id});
+        auto* before = field<QLineEdit>("before");
+        QCOMPARE(before->text(), QString("50"));
+        type(*before, "80");
+        QCOMPARE(findStep(steps(), id)->fields["before"].toDouble(), 0.08);
+        QCOMPARE(document_->undoStack().undoText(), QString("Change “Distance before it”"));
+        auto* speed = field<QLineEdit>("speed");
+        QCOMPARE(speed->text(), QString());
+        type(*speed, "30");
+        QVERIFY(std::abs(findStep(steps(), id)->fields["speed"].toDouble() - 0.5235987755982988) < 1e-12);
+        type(*field<QLineEdit>("speed"), "");
+        QVERIFY(!findStep(steps(), id)->fields.contains("speed"));
+        auto* waypoint = field<QComboBox>("waypoint");
+        QCOMPARE(waypoint->currentText(), QString("pick"));
+        waypoint->setCurrentIndex(waypoint->findText("place"));
+        Q_EMIT waypoint->activated(waypoint->currentIndex());
+        QCOMPARE(findStep(steps(), id)->fields["waypoint"].toString(),
+                 waypointId(document_->project(), "place"));
+    }
+
+    void valuesOutOfRangeAreRefused() {
+        openTray();
+        const QUuid id = steps()[1].id;
+        tree().selectIds({id});
+        auto* time = field<QLineEdit>("time");
+        type(*time, "100");
+        QCOMPARE(time->text(), QString("100"));
+        QCOMPARE(findStep(steps(), id)->fields["time"].toDouble(), 0.2);
+        QVERIFY(tab_->findChild<QLabel*>("program.refusal")->text().contains("between 0 s and 60 s"));
+        type(*time, "fast");
+        QCOMPARE(findStep(steps(), id)->fields["time"].toDouble(), 0.2);
+    }
+
+    void problemsAreShownAtTheirStep() {
+        openTray();
+        QVERIFY(QTest::qWaitFor([&] { return status().contains("can run"); }));
+        add("moveL");
+        QTRY_VERIFY2(status().contains("Set a waypoint"), qPrintable(status()));
+        QVERIFY(!key("program.preview")->isEnabled());
+        const QUuid added = *tree().selectedIds().begin();
+        const QModelIndex at = model().indexOf(added).siblingAtColumn(ProgramModel::Result);
+        QVERIFY(at.data().toString().contains("Set a waypoint"));
+        document_->undo();
+        QTRY_VERIFY(key("program.preview")->isEnabled());
+    }
+
+    void previewShowsTimesAndFindings() {
+        openTray();
+        QTRY_VERIFY(key("program.preview")->isEnabled());
+        click("program.preview");
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated"), qPrintable(status()), 60'000);
+        const QModelIndex first = model().indexOf(steps()[0].id).siblingAtColumn(ProgramModel::Result);
+        QVERIFY2(first.data().toString().startsWith("1 ×"), qPrintable(first.data().toString()));
+        // An edit makes it stale.
+        tree().selectIds({steps()[1].id});
+        type(*field<QLineEdit>("time"), "0.3");
+        QTRY_VERIFY(status().contains("can run"));
+        QCOMPARE(first.data().toString(), QString());
+    }
+
+    void selectionStaysWhileTheProgramChanges() {
+        openTray();
+        const QUuid id = steps()[3].steps[0].steps[2].id;
+        tree().selectIds({id});
+        tree().collapse(model().indexOf(steps()[4].id));
+        project::ProgramList edited = document_->project().programs;
+        project::Program program = edited.at(0);
+        program.steps.erase(program.steps.begin());
+        edited.replace(0, program);
+        document_->changePrograms(edited, "remove");
+        QCOMPARE(tree().selectedIds(), QSet<QUuid>{id});
+        QVERIFY(!tree().isExpanded(model().indexOf(steps()[3].id)));
+        QVERIFY(tree().isExpanded(model().indexOf(steps()[2].id)));
+    }
+
+private:
+    StepTree& tree() { return tab_->tree(); }
+    ProgramModel& model() { return *static_cast<ProgramModel*>(tree().model()); }
+    const Steps& steps() { return document_->project().programs.at(0).steps; }
+    QPushButton* key(const char* name) { return tab_->findChild<QPushButton*>(QLatin1String(name)); }
+    void click(const char* name) { QTest::mouseClick(key(name), Qt::LeftButton); }
+    QString status() { return tab_->findChild<ElidedLabel*>("program.status")->fullText(); }
+    template <class Editor>
+    Editor* field(const char* name) {
+        return tab_->findChild<Editor*>(QStringLiteral("program.field.%1").arg(QLatin1String(name)));
+    }
+    static void type(QLineEdit& edit, const QString& text) {
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClick(&edit, Qt::Key_Delete);
+        QTest::keyClicks(&edit, text);
+        QTest::keyClick(&edit, Qt::Key_Return);
+    }
+    void openTray() {
+        project::ProgramList programs;
+        programs.append(trayProgram(document_->project()));
+        document_->changePrograms(programs, "open");
+    }
+    void add(const char* kind) {
+        Q_EMIT tab_->findChild<StepPalette*>()->stepChosen(newStep(*findStepKind(kind)));
+    }
+    QString shape() { return shapeOf(steps()); }
+    static QString shapeOf(const Steps& steps) {
+        QStringList kinds;
+        for (const project::ProgramStep& step : steps) {
+            kinds << step.kind + (step.steps.empty() ? QString() : '(' + shapeOf(step.steps) + ')');
+        }
+        return kinds.join(' ');
+    }
+
+    std::unique_ptr<UndoableDocument> document_;
+    std::unique_ptr<ProgramTab> tab_;
+};
+
+QTEST_MAIN(TestProgramTab)
+#include "tst_program_tab.moc"

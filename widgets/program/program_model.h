@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The steps of one program as a tree: number and kind, values, and the problem or the simulated time. Dropped steps are
+// reported, not inserted: the project is edited, and the model follows.
+
+#include <QAbstractItemModel>
+#include <QSet>
+#include <memory>
+
+#include "robot/station/program/preview/preview.h"
+#include "robot/station/program/program_edit.h"
+
+namespace tiller {
+
+class ProgramModel : public QAbstractItemModel {
+    Q_OBJECT
+
+public:
+    enum Column { Step, Values, Result };
+    static constexpr char kStepsMime[] = "application/x-tiller-steps";
+
+    explicit ProgramModel(QObject* parent = nullptr);
+    ~ProgramModel() override;
+
+    /// project  must outlive the model or the next call
+    /// program  null: the tree is empty
+    void setProgram(const project::Project& project, const project::Program* program);
+    /// Of the program that is shown.
+    void setProblems(const std::vector<program::ProgramProblem>& problems);
+    /// script  of the preview; null: no preview
+    void setPreview(const program::ProgramScript* script, const program::Preview* preview);
+
+    QUuid idAt(const QModelIndex& index) const;  ///< Null for an invalid index.
+    QModelIndex indexOf(const QUuid& id) const;
+    /// The problem of a step, or what the preview found there; empty: none.
+    QString noteAt(const QUuid& id) const;
+
+    QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    QModelIndex parent(const QModelIndex& index) const override;
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    Qt::DropActions supportedDropActions() const override;
+    bool canDropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                         const QModelIndex& parent) const override;
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
+
+Q_SIGNALS:
+    /// The tree was reset: views restore selection and expanded sections by id.
+    void treeChanged();
+    void stepsDropped(const tiller::program::StepPosition& at,
+                      const std::vector<tiller::project::ProgramStep>& steps);
+    void stepsMoved(const tiller::program::StepPosition& at, const QSet<QUuid>& ids);
+
+private:
+    struct Node;
+    Node* nodeAt(const QModelIndex& index) const;
+    void changed();
+
+    const project::Project* project_ = nullptr;
+    project::Program program_;
+    std::unique_ptr<Node> root_;
+    QHash<QUuid, Node*> nodes_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/program/program_tab.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QMenu>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "robot/core/atomic_file.h"
+#include "robot/station/document/project_document.h"
+#include "widgets/common/choice_box.h"
+#include "widgets/common/elided_label.h"
+#include "widgets/common/enter_key.h"
+#include "widgets/common/no_focus_scroll_area.h"
+#include "widgets/common/segmented_control.h"
+#include "widgets/program/program_model.h"
+#include "widgets/program/step_form.h"
+#include "widgets/program/step_palette.h"
+#include "widgets/program/step_tree.h"
+
+namespace tiller {
+
+using program::Steps;
+
+namespace {
+
+constexpr int kWide = 820;              ///< [px] palette, tree and fields fit next to each other
+constexpr double kPathSpacing = 0.003;  ///< [m] between points of the path in the 3D view
+
+QPushButton* keyFor(const char* name, const QString& text) {
+    auto* key = new EnterKey(text);
+    key->setObjectName(QLatin1String(name));
+    key->setAutoDefault(false);
+    return key;
+}
+
+}  // namespace
+
+ProgramTab::ProgramTab(ProjectDocument& document, QWidget* parent)
+    : QWidget(parent)
+    , document_(document)
+    , model_(new ProgramModel(this))
+    , programs_(new ChoiceBox)
+    , palette_(new StepPalette)
+    , tree_(new StepTree(*model_))
+    , form_(new StepForm)
+    , sides_(new SegmentedControl({tr("Add"), tr("Edit")}))
+    , status_(new ElidedLabel)
+    , showKey_(keyFor("program.showProblem", tr("Show step")))
+    , previewKey_(keyFor("program.preview", tr("Preview"))) {
+    setObjectName("program.tab");
+    buildLayout();
+    addCommands();
+    connect(previewKey_, &QPushButton::clicked, this, &ProgramTab::preview);
+    connect(showKey_, &QPushButton::clicked, this, &ProgramTab::showNextProblem);
+    connect(sides_, &SegmentedControl::currentChanged, this, &ProgramTab::showSides);
+    connect(programs_, &QComboBox::activated, this, [this] {
+        program_ = programs_->currentData().toUuid();
+        follow();
+    });
+    connect(palette_, &StepPalette::stepChosen, this,
+            [this](const project::ProgramStep& step) { insert({step}); });
+    connect(model_, &ProgramModel::stepsDropped, this,
+            [this](const program::StepPosition& at, const Steps& steps) { insert(steps, at); });
+    connect(model_, &ProgramModel::stepsMoved, this,
+            [this](const program::StepPosition& at, const QSet<QUuid>& ids) {
+                if (const project::Program* program = current()) {
+                    edit(program::withMovedSteps(*program, ids, at), tr("Move steps"));
+                }
+            });
+    connect(tree_, &StepTree::selectionMoved, this, &ProgramTab::showSelection);
+    connect(tree_, &StepTree::activated, this, [this] {
+        sides_->setCurrentIndex(Form);
+        form_->focusField({});
+    });
+    connect(form_, &StepForm::edited, this,
+            [this](const QUuid& step, const QString& key, const QString& label, const QJsonValue& value) {
+                if (const project::Program* program = current()) {
+                    edit(program::withField(*program, step, key, value), tr("Change “%1”").arg(label));
+                }
+            });
+    // Many changes arrive together when a project is opened.
+    checkTimer_.setSingleShot(true);
+    connect(&checkTimer_, &QTimer::timeout, this, &ProgramTab::check);
+    for (const auto change : {&ProjectDocument::documentChanged, &ProjectDocument::projectReplaced}) {
+        connect(&document_, change, this, &ProgramTab::follow);
+    }
+    follow();
+}
+
+void ProgramTab::buildLayout() {
+    programs_->setObjectName("program.choice");
+    programs_->setAccessibleName(tr("Program"));
+    programs_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    programs_->setMinimumContentsLength(10);
+    status_->setObjectName("program.status");
+    status_->setTextFormat(Qt::PlainText);
+    status_->setMinimumHeight(showKey_->sizeHint().height());
+    auto* more = keyFor("program.more", QStringLiteral("···"));
+    more->setAccessibleName(tr("More"));
+    auto* menu = new QMenu(more);
+    menu->setObjectName("program.menu");
+    more->setMenu(menu);
+    sides_->setNames("program.side", tr("Add steps, or edit the selected step"));
+
+    auto* above = new QHBoxLayout;
+    above->setSpacing(8);
+    above->addWidget(programs_, 1);
+    above->addWidget(previewKey_);
+    above->addWidget(more);
+    auto* area = new NoFocusScrollArea;
+    area->setObjectName("program.fields");
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setAccessibleName(tr("Fields of the step"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setMinimumWidth(170);
+    area->setWidget(form_);
+    area->viewport()->setAutoFillBackground(false);
+    form_->setAutoFillBackground(false);
+    formArea_ = area;
+    palette_->setMinimumWidth(170);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(8);
+    columns->addWidget(palette_, 1);
+    columns->addWidget(area, 1);
+    auto* side = new QWidget;
+    auto* sideLayout = new QVBoxLayout(side);
+    sideLayout->setContentsMargins(0, 0, 0, 0);
+    sideLayout->setSpacing(6);
+    sideLayout->addWidget(sides_);
+    sideLayout->addLayout(columns, 1);
+    auto* parts = new QSplitter;
+    parts->setObjectName("program.parts");
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(tree_);
+    parts->addWidget(side);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
+    tree_->setMinimumWidth(180);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(8);
+    below->addWidget(status_, 1);
+    below->addWidget(showKey_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 8, 12, 8);
+    layout->setSpacing(6);
+    layout->addLayout(above);
+    layout->addWidget(parts, 1);
+    layout->addLayout(below);
+    showSides();
+}
+
+void ProgramTab::addCommands() {
+    auto* menu = findChild<QMenu*>("program.menu");
+    menu->addActions({addCommand("new", tr("New program"), {}, &ProgramTab::addProgram),
+                      addCommand("rename", tr("Rename program…"), {}, &ProgramTab::renameProgram),
+                      addCommand("remove", tr("Delete program"), {}, &ProgramTab::removeProgram),
+                      addCommand("export", tr("Export script…"), {}, &ProgramTab::exportScript)});
+    tree_->addAction(addCommand("paste", tr("Paste steps"), QKeySequence::Paste, &ProgramTab::paste));
+    selectionActions_ = {
+        addCommand("cut", tr("Cut steps"), QKeySequence::Cut, &ProgramTab::cut),
+        addCommand("copy", tr("Copy steps"), QKeySequence::Copy, &ProgramTab::copy),
+        addCommand("duplicate", tr("Duplicate steps"), QKeySequence(Qt::CTRL | Qt::Key_D),
+                   &ProgramTab::duplicate),
+        addCommand("delete", tr("Delete steps"), QKeySequence::Delete, &ProgramTab::remove),
+        addCommand("disable", tr("Disable or enable steps"), QKeySequence(Qt::CTRL | Qt::Key_Slash),
+                   &ProgramTab::toggleDisabled),
+        addCommand("up", tr("Move steps up"), QKeySequence(Qt::CTRL | Qt::Key_Up), &ProgramTab::moveUp),
+        addCommand("down", tr("Move steps down"), QKeySequence(Qt::CTRL | Qt::Key_Down),
+                   &ProgramTab::moveDown),
+        addCommand("nest", tr("Move steps into the section above"), QKeySequence(Qt::CTRL | Qt::Key_Right),
+                   &ProgramTab::nest),
+        addCommand("unnest", tr("Move steps out of the section"), QKeySequence(Qt::CTRL | Qt::Key_Left),
+                   &ProgramTab::unnest)};
+    tree_->addActions(selectionActions_);
+    tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+QAction* ProgramTab::addCommand(const char* name, const QString& text, const QKeySequence& keys,
+                                void (ProgramTab::*run)()) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QStringLiteral("program.action.%1").arg(QLatin1String(name)));
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setAutoRepeat(false);
+    connect(action, &QAction::triggered, this, [this, run] {
+        Q_EMIT frontWanted();
+        (this->*run)();
+    });
+    actions_.append(action);
+    return action;
+}
+
+void ProgramTab::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showSides();
+}
+
+void ProgramTab::showSides() {
+    const bool isWide = width() >= kWide;
+    sides_->setVisible(!isWide);
+    palette_->setVisible(isWide || sides_->currentIndex() == Palette);
+    formArea_->setVisible(isWide || sides_->currentIndex() == Form);
+}
+
+void ProgramTab::showStatus(const QString& text) {
+    status_->setFullText(text);
+}
+
+const project::Program* ProgramTab::current() const {
+    return document_.project().programs.find(program_);
+}
+
+void ProgramTab::follow() {
+    const project::ProgramList& programs = document_.project().programs;
+    if (current() == nullptr) {
+        program_ = programs.isEmpty() ? QUuid() : programs.at(0).id;
+    }
+    programs_->clear();
+    for (const project::Program& program : programs) {
+        programs_->addItem(program.name, program.id);
+        if (program.id == program_) {
+            programs_->setCurrentIndex(programs_->count() - 1);
+        }
+    }
+    programs_->setEnabled(!programs.isEmpty());
+    model_->setProgram(document_.project(), current());
+    showSelection();
+    checkTimer_.start(0);
+}
+
+void ProgramTab::check() {
+    const project::Program* program = current();
+    script_ =
+        program != nullptr ? program::writeScript(document_.project(), program_) : program::ProgramScript();
+    model_->setProblems(script_.problems);
+    const bool isStale =
+        !script_.ok() || previewed_.text != script_.text || !(previewedCell_ == document_.cell());
+    if (isStale) {
+        clearPreview();
+        marks_.clear();
+        nextMark_ = 0;
+        for (const program::ProgramProblem& problem : script_.problems) {
+            if (!problem.step.isNull()) {
+                marks_.push_back({problem.program, problem.step, problem.field});
+            }
+        }
+    }
+    previewKey_->setEnabled(script_.ok());
+    if (program == nullptr || program->steps.empty()) {
+        showStatus(tr("Drag steps into the program, or double-click them."));
+    } else if (!script_.problems.empty()) {
+        const program::ProgramProblem& first = script_.problems.front();
+        showStatus(first.number > 0 ? tr("⚠ Step %1: %2").arg(first.number).arg(first.text)
+                                    : tr("⚠ %1").arg(first.text));
+    } else if (isStale) {
+        showStatus(tr("The program can run. Press “Preview” to simulate it."));
+    }
+    showKey_->setVisible(!marks_.empty());
+    showSelection();
+}
+
+void ProgramTab::showNextProblem() {
+    if (marks_.empty()) {
+        return;
+    }
+    const Mark mark = marks_[nextMark_ % marks_.size()];
+    nextMark_ = (nextMark_ + 1) % marks_.size();
+    if (mark.program != program_ && document_.project().programs.find(mark.program) != nullptr) {
+        program_ = mark.program;
+        follow();
+    }
+    tree_->selectIds({mark.step});
+    sides_->setCurrentIndex(Form);
+    if (mark.field.isEmpty()) {
+        tree_->setFocus();
+    } else {
+        form_->focusField(mark.field);
+    }
+}
+
+void ProgramTab::showSelection() {
+    const project::Program* program = current();
+    const QSet<QUuid> selected = tree_->selectedIds();
+    const project::ProgramStep* step = program != nullptr && selected.size() == 1
+                                           ? program::findStep(program->steps, *selected.begin())
+                                           : nullptr;
+    form_->setStep(document_.project(), step);
+    form_->setProblem(step != nullptr ? model_->noteAt(step->id) : QString());
+    for (QAction* action : std::as_const(selectionActions_)) {
+        action->setEnabled(!selected.isEmpty());
+    }
+}
+
+// ---- edits ----------------------------------------------------------------------------------------------
+
+void ProgramTab::edit(const project::Program& after, const QString& text) {
+    project::ProgramList programs = document_.project().programs;
+    programs.replace(static_cast<std::size_t>(programs.indexOf(after.id)), after);
+    document_.changePrograms(programs, text);
+}
+
+void ProgramTab::insert(const Steps& steps, const std::optional<program::StepPosition>& at) {
+    document_.beginGroup(tr("Add steps"));
+    if (current() == nullptr) {
+        addProgram();
+    }
+    const project::Program* program = current();
+    const QUuid selected = tree_->selectedIds().contains(tree_->currentId()) ? tree_->currentId() : QUuid();
+    edit(program::withSteps(*program, at.value_or(program::positionBehind(*program, selected)), steps),
+         tr("Add steps"));
+    document_.endGroup();
+    QList<QUuid> ids;
+    for (const project::ProgramStep& step : steps) {
+        ids.append(step.id);
+    }
+    tree_->selectIds(ids);
+}
+
+void ProgramTab::changeSelected(project::Program (*change)(const project::Program&, const QSet<QUuid>&),
+                                const QString& text) {
+    if (const project::Program* program = current()) {
+        edit(change(*program, tree_->selectedIds()), text);
+    }
+}
+
+void ProgramTab::moveUp() {
+    changeSelected(
+        [](const auto& program, const auto& ids) { return program::withShifted(program, ids, -1); },
+        tr("Move steps"));
+}
+void ProgramTab::moveDown() {
+    changeSelected([](const auto& program, const auto& ids) { return program::withShifted(program, ids, 1); },
+                   tr("Move steps"));
+}
+void ProgramTab::nest() {
+    changeSelected(program::withNested, tr("Move steps"));
+}
+void ProgramTab::unnest() {
+    changeSelected(program::withUnnested, tr("Move steps"));
+}
+void ProgramTab::duplicate() {
+    changeSelected(program::withDuplicates, tr("Duplicate steps"));
+}
+void ProgramTab::remove() {
+    changeSelected([](const auto& program, const auto& ids) { return program::withoutSteps(program, ids); },
+                   tr("Delete steps"));
+}
+
+void ProgramTab::addProgram() {
+    project::ProgramList programs = document_.project().programs;
+    project::Program program;
+    program.id = QUuid::createUuid();
+    program.name = programs.nextName(tr("Program"));
+    programs.append(program);
+    program_ = program.id;
+    document_.changePrograms(programs, tr("Add “%1”").arg(program.name));
+}
+
+void ProgramTab::renameProgram() {
+    const project::Program* program = current();
+    if (program == nullptr) {
+        return;
+    }
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Rename program"), tr("Name"), QLineEdit::Normal,
+                                               program->name, &accepted)
+                             .trimmed();
+    program = current();
+    if (!accepted || name.isEmpty() || program == nullptr || name == program->name) {
+        return;
+    }
+    project::Program after = *program;
+    after.name = document_.project().programs.uniqueName(name);
+    edit(after, tr("Rename “%1” to “%2”").arg(program->name, after.name));
+}
+
+void ProgramTab::removeProgram() {
+    project::ProgramList programs = document_.project().programs;
+    const int index = programs.indexOf(program_);
+    if (index >= 0) {
+        const QString name = programs.at(static_cast<std::size_t>(index)).name;
+        programs.remove(static_cast<std::size_t>(index));
+        document_.changePrograms(programs, tr("Delete “%1”").arg(name));
+    }
+}
+
+void ProgramTab::copy() {
+    const project::Program* program = current();
+    if (program != nullptr && !tree_->selectedIds().isEmpty()) {
+        QApplication::clipboard()->setText(
+            QString::fromUtf8(program::textOf(program::selectedSteps(*program, tree_->selectedIds()))));
+    }
+}
+
+void ProgramTab::cut() {
+    copy();
+    remove();
+}
+
+void ProgramTab::paste() {
+    if (const auto steps = program::stepsFromText(QApplication::clipboard()->text().toUtf8())) {
+        insert(*steps);
+    }
+}
+
+void ProgramTab::toggleDisabled() {
+    const project::Program* program = current();
+    const QSet<QUuid> ids = tree_->selectedIds();
+    if (program == nullptr || ids.isEmpty()) {
+        return;
+    }
+    const Steps selected = program::selectedSteps(*program, ids);
+    const bool disable = std::any_of(selected.begin(), selected.end(),
+                                     [](const project::ProgramStep& step) { return !step.disabled; });
+    edit(program::withDisabled(*program, ids, disable), disable ? tr("Disable steps") : tr("Enable steps"));
+}
+
+// ---- preview and export ---------------------------------------------------------------------------------
+
+void ProgramTab::preview() {
+    check();
+    if (!script_.ok()) {
+        return;
+    }
+    clearPreview();
+    previewed_ = script_;
+    previewedCell_ = document_.cell();
+    showStatus(tr("Simulating…"));
+    runner_.start(document_.project(), script_, {}, {},
+                  [this, text = script_.text](const program::Preview& done) {
+                      QMetaObject::invokeMethod(this, [this, done, text] {
+                          if (previewed_.text == text) {
+                              showPreview(done);
+                          }
+                      });
+                  });
+}
+
+void ProgramTab::showPreview(const program::Preview& preview) {
+    model_->setPreview(&previewed_, &preview);
+    path_ = program::tcpPath(preview, kPathSpacing);
+    marks_.clear();
+    nextMark_ = 0;
+    for (const program::Finding& finding : preview.findings) {
+        if (finding.step >= 1 && finding.step <= static_cast<int>(previewed_.steps.size())) {
+            const program::NumberedStep& at = previewed_.steps[static_cast<std::size_t>(finding.step - 1)];
+            marks_.push_back({at.program, at.step, {}});
+        }
+    }
+    showKey_->setVisible(!marks_.empty());
+    const QString duration = QLocale().toString(preview.duration, 'f', 1);
+    showStatus(
+        preview.isGood()
+            ? tr("Simulated: the program takes %1 s. No problems found.").arg(duration)
+            : tr("⚠ Simulated: %n problem(s) found. %1", nullptr, static_cast<int>(preview.findings.size()))
+                  .arg(program::findingText(document_.project(), previewed_, preview.findings.front())));
+    showSelection();
+    Q_EMIT previewPathChanged();
+}
+
+void ProgramTab::clearPreview() {
+    runner_.cancel();
+    previewed_ = {};
+    model_->setPreview(nullptr, nullptr);
+    if (!path_.empty()) {
+        path_.clear();
+        Q_EMIT previewPathChanged();
+    }
+}
+
+void ProgramTab::exportScript() {
+    check();
+    if (!script_.ok()) {
+        return;
+    }
+    const program::ProgramScript script = script_;
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export script"), script.name + QStringLiteral(".script"), tr("URScript (*.script)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const auto written = writeFileAtomically(path, script.text.toUtf8());
+    showStatus(written ? tr("Written: %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
+}
+
+}  // namespace tiller
+
+#include "moc_program_tab.cpp"

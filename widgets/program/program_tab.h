@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The tab "Program": the programs of the project, the steps of one of them, the fields of the selected step, and a preview
+// in the simulated controller. Nothing here moves a robot.
+
+#include <Eigen/Core>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "robot/station/program/preview/preview_runner.h"
+#include "robot/station/program/program_edit.h"
+
+class QAction;
+class QComboBox;
+class QPushButton;
+
+namespace tiller {
+
+class ElidedLabel;
+class ProgramModel;
+class ProjectDocument;
+class SegmentedControl;
+class StepForm;
+class StepPalette;
+class StepTree;
+
+class ProgramTab : public QWidget {
+    Q_OBJECT
+
+public:
+    /// document  must outlive the tab
+    explicit ProgramTab(ProjectDocument& document, QWidget* parent = nullptr);
+
+    /// All actions, for menus, the command palette and the help.
+    QList<QAction*> commandActions() const { return actions_; }
+    StepTree& tree() { return *tree_; }
+    /// Path of the TCP in the preview, in the base frame [m]; empty without a preview.
+    const std::vector<Eigen::Vector3d>& previewPath() const { return path_; }
+
+Q_SIGNALS:
+    /// A command of this tab was triggered: the tab should be shown.
+    void frontWanted();
+    void previewPathChanged();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    /// The pages of the column at the right when there is space for one of them.
+    enum Side { Palette, Form };
+
+    const project::Program* current() const;
+    QAction* addCommand(const char* name, const QString& text, const QKeySequence& keys,
+                        void (ProgramTab::*run)());
+    void buildLayout();
+    void addCommands();
+    void follow();
+    void check();
+    void showSelection();
+    void showSides();
+    void showStatus(const QString& text);
+    /// Selects the step of the next problem, or of the next finding of the preview.
+    void showNextProblem();
+    void edit(const project::Program& after, const QString& text);
+    /// at  empty: behind the selected step
+    void insert(const program::Steps& steps, const std::optional<program::StepPosition>& at = std::nullopt);
+    void changeSelected(project::Program (*change)(const project::Program&, const QSet<QUuid>&),
+                        const QString& text);
+    void addProgram();
+    void renameProgram();
+    void removeProgram();
+    void cut();
+    void copy();
+    void paste();
+    void duplicate();
+    void remove();
+    void toggleDisabled();
+    void moveUp();
+    void moveDown();
+    void nest();
+    void unnest();
+    void preview();
+    void showPreview(const program::Preview& preview);
+    void clearPreview();
+    void exportScript();
+
+    /// A step to jump to.
+    struct Mark {
+        QUuid program;
+        QUuid step;
+        QString field;
+    };
+
+    ProjectDocument& document_;
+    ProgramModel* model_;
+    QComboBox* programs_;
+    StepPalette* palette_;
+    StepTree* tree_;
+    StepForm* form_;
+    QWidget* formArea_ = nullptr;
+    SegmentedControl* sides_;
+    ElidedLabel* status_;
+    QPushButton* showKey_;
+    QPushButton* previewKey_;
+    QList<QAction*> actions_;
+    QList<QAction*> selectionActions_;  ///< need selected steps
+    QUuid program_;
+    program::ProgramScript script_;
+    program::ProgramScript previewed_;  ///< script of the preview that is shown or under way
+    project::CellGeometry previewedCell_;
+    std::vector<Eigen::Vector3d> path_;
+    std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview
+    std::size_t nextMark_ = 0;
+    QTimer checkTimer_;
+    program::PreviewRunner runner_;
+};
+
+}  // namespace tiller

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All step kinds in their groups, to be dragged into a program.
+
+#include <QTreeWidget>
+
+#include "robot/project/program.h"
+
+namespace tiller {
+
+class StepPalette : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    explicit StepPalette(QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// By a double click or Return.
+    void stepChosen(const tiller::project::ProgramStep& step);
+
+protected:
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override;
+};
+
+}  // namespace tiller

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/program/step_tree.h"
+
+#include <QHeaderView>
+#include <functional>
+
+#include "widgets/common/list_typing.h"
+#include "widgets/program/program_model.h"
+#include "widgets/program/program_row_delegate.h"
+
+namespace tiller {
+
+StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), model_(model) {
+    setObjectName("program.tree");
+    setAccessibleName(tr("Steps of the program"));
+    setModel(&model);
+    setSelectionMode(ExtendedSelection);
+    setSelectionBehavior(SelectRows);
+    setDragEnabled(true);
+    setAcceptDrops(true);
+    setDropIndicatorShown(true);
+    setDragDropMode(DragDrop);
+    setDefaultDropAction(Qt::MoveAction);
+    setItemDelegate(new ProgramRowDelegate(this));
+    setUniformRowHeights(true);
+    setEditTriggers(NoEditTriggers);
+    setAllColumnsShowFocus(true);
+    setExpandsOnDoubleClick(false);
+    setHorizontalScrollMode(ScrollPerPixel);
+    new ListTyping(*this);
+    header()->setSectionResizeMode(ProgramModel::Step, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(ProgramModel::Values, QHeaderView::ResizeToContents);
+    header()->setStretchLastSection(true);
+    connect(this, &QTreeView::collapsed, this,
+            [this](const QModelIndex& index) { collapsed_.insert(model_.idAt(index)); });
+    connect(this, &QTreeView::expanded, this,
+            [this](const QModelIndex& index) { collapsed_.remove(model_.idAt(index)); });
+    connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+        selected_ = selectedIds();
+        current_ = currentId();
+        isRestoring_ = true;
+    });
+    connect(&model, &ProgramModel::treeChanged, this, [this] {
+        const std::function<void(const QModelIndex&)> restore = [&](const QModelIndex& section) {
+            for (int row = 0; row < model_.rowCount(section); ++row) {
+                const QModelIndex index = model_.index(row, 0, section);
+                if (model_.rowCount(index) > 0) {
+                    setExpanded(index, !collapsed_.contains(model_.idAt(index)));
+                    restore(index);
+                }
+            }
+        };
+        restore({});
+        isRestoring_ = false;
+        selectIds(selected_.values());
+        if (const QModelIndex index = model_.indexOf(current_); index.isValid()) {
+            selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+        }
+        Q_EMIT selectionMoved();
+    });
+}
+
+QSet<QUuid> StepTree::selectedIds() const {
+    QSet<QUuid> ids;
+    for (const QModelIndex& index : selectionModel()->selectedRows()) {
+        ids.insert(model_.idAt(index));
+    }
+    return ids;
+}
+
+QUuid StepTree::currentId() const {
+    return model_.idAt(currentIndex());
+}
+
+void StepTree::selectIds(const QList<QUuid>& ids) {
+    QItemSelection selection;
+    QModelIndex last;
+    for (const QUuid& id : ids) {
+        if (const QModelIndex index = model_.indexOf(id); index.isValid()) {
+            selection.select(index, index);
+            last = index;
+        }
+    }
+    selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    if (last.isValid()) {
+        selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
+        scrollTo(last);
+    }
+}
+
+void StepTree::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {
+    QTreeView::selectionChanged(selected, deselected);
+    if (!isRestoring_) {
+        Q_EMIT selectionMoved();
+    }
+}
+
+}  // namespace tiller
+
+#include "moc_step_tree.cpp"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The tree of a program's steps. Expanded sections and the selection are kept by step while the program changes.
+
+#include <QSet>
+#include <QTreeView>
+#include <QUuid>
+
+namespace tiller {
+
+class ProgramModel;
+
+class StepTree : public QTreeView {
+    Q_OBJECT
+
+public:
+    explicit StepTree(ProgramModel& model, QWidget* parent = nullptr);
+
+    QSet<QUuid> selectedIds() const;
+    QUuid currentId() const;  ///< Null: no step is current.
+    void selectIds(const QList<QUuid>& ids);
+
+Q_SIGNALS:
+    void selectionMoved();
+
+protected:
+    void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
+
+private:
+    ProgramModel& model_;
+    QSet<QUuid> collapsed_;
+    QSet<QUuid> selected_;
+    QUuid current_;
+    bool isRestoring_ = false;
+};
+
+}  // namespace tiller
