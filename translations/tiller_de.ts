@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation>Programmschritte</translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation>Solange</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem %2 nicht im Projekt ist.</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>Nach %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation>Schritt %1 (%2) nach %3 s: %4</translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation>„%1“ muss zwischen %2 und %3 liegen.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3931,6 +3951,10 @@
         <source>At standstill</source>
         <translation>Im Stillstand</translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation>Daten verspätet</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4778,6 +4802,10 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
     <message>
         <source>Rotate “%1”</source>
         <translation>„%1“ drehen</translation>
+    </message>
+    <message>
+        <source>missing frame</source>
+        <translation>Koordinatensystem fehlt</translation>
     </message>
 </context>
 <context>
@@ -6602,6 +6630,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <source>“%1”</source>
         <translation>„%1“</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem %2 nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8308,6 +8340,203 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation>%1 × %2 s</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, deaktiviert</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation>Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation>Schritte verschieben</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation>Schritte hinzufügen oder den gewählten Schritt bearbeiten</translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation>Felder des Schritts</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>Neues Programm</translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation>Programm umbenennen …</translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation>Programm löschen</translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation>Skript exportieren …</translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation>Schritte einfügen</translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation>Schritte ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation>Schritte kopieren</translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation>Schritte duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>Schritte löschen</translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation>Schritte deaktivieren oder aktivieren</translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation>Schritte nach oben verschieben</translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation>Schritte nach unten verschieben</translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation>Schritte in den Abschnitt darüber verschieben</translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation>Schritte aus dem Abschnitt herausnehmen</translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation>Ziehen Sie Schritte in das Programm, oder doppelklicken Sie sie an.</translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation>⚠ Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation>Das Programm ist ausführbar. Drücken Sie „Vorschau“, um es zu simulieren.</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>Schritte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>„%1“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation>Programm umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>„%1“ in „%2“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation>Schritte deaktivieren</translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation>Schritte aktivieren</translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation>Simulation läuft …</translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation>Simuliert: Das Programm dauert %1 s. Keine Probleme gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ Simuliert: %n Problem gefunden. %1</numerusform>
+            <numerusform>⚠ Simuliert: %n Probleme gefunden. %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation>Skript exportieren</translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation>URScript (*.script)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8423,14 +8652,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein anderes Fenster oder Programm hat %1 geändert</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation>Dieses Fenster enthält ungespeicherte Änderungen. „Neu laden“ verwirft sie. „Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei.</translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>„Neu laden“ zeigt den neuen Inhalt. „Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei. Bis Sie entscheiden, werden Änderungen nicht gespeichert.</translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation>Neu laden</translation>
     </message>
@@ -8481,6 +8702,14 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>The project has unsaved changes.</source>
         <translation>Das Projekt enthält ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation>„Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei. „Neu laden“ zeigt den neuen Inhalt; nicht gespeicherte Änderungen dieses Fensters werden dann beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation>Nicht lesbare Boxen und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
     </message>
 </context>
 <context>
@@ -8892,6 +9121,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Move refused: %1.</source>
         <translation>Bewegung abgelehnt: %1.</translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation>Bewegungen werden abgelehnt. %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9244,6 +9477,31 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Not recording</source>
         <translation>Keine Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation>Wählen Sie einen Schritt aus, um ihn zu bearbeiten.</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(keine)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation>Verfügbare Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
+        <translation>Schritte des Programms</translation>
     </message>
 </context>
 <context>
@@ -11240,10 +11498,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation>Wegpunkte, Koordinatensysteme, Werkzeuge, E/A, Protokoll</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
@@ -11329,6 +11583,22 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Keep the program</source>
         <translation>Programm beibehalten</translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation>Wegpunkte, Programm, Koordinatensysteme, Werkzeuge, E/A, Protokoll</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation>Das Ausschalten stoppt das Programm. Es kann nicht fortgesetzt, sondern nur neu gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
+        <translation>Stoppen und ausschalten</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3931,6 +3951,10 @@
         <source>At standstill</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4775,6 +4799,10 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Rotate “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing frame</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6596,6 +6624,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>“%1”</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8296,6 +8328,203 @@ Release the key to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ Simulated: %n problem found. %1</numerusform>
+            <numerusform>⚠ Simulated: %n problems found. %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8411,14 +8640,6 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8468,6 +8689,14 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The project has unsaved changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8880,6 +9109,10 @@ Release the key to stop the arm.</source>
         <source>Move refused: %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9231,6 +9464,31 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Not recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11225,10 +11483,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11313,6 +11567,22 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keep the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

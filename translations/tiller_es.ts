@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation>Herramientas</translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation>Pasos del programa</translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation>Mientras</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas %2 no está en el proyecto.</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>A los %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation>Paso %1 (%2) a los %3 s: %4</translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation>«%1» debe estar entre %2 y %3.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3931,6 +3951,10 @@
         <source>At standstill</source>
         <translation>En reposo</translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation>Datos con retraso</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4778,6 +4802,10 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     <message>
         <source>Rotate “%1”</source>
         <translation>Girar «%1»</translation>
+    </message>
+    <message>
+        <source>missing frame</source>
+        <translation>falta el sistema de coordenadas</translation>
     </message>
 </context>
 <context>
@@ -6602,6 +6630,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <source>“%1”</source>
         <translation>«%1»</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas %2 no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8308,6 +8340,203 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation>%1 × %2 s</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, desactivado</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobación</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation>Mostrar paso</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation>Mover pasos</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar «%1»</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation>Añadir pasos o editar el paso seleccionado</translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation>Campos del paso</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>Programa nuevo</translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation>Cambiar el nombre del programa…</translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation>Eliminar programa</translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation>Exportar script…</translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation>Pegar pasos</translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation>Cortar pasos</translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation>Copiar pasos</translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation>Duplicar pasos</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>Eliminar pasos</translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation>Desactivar o activar pasos</translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation>Subir pasos</translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation>Bajar pasos</translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation>Mover pasos a la sección de arriba</translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation>Sacar pasos de la sección</translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation>Arrastre pasos al programa o haga doble clic en ellos.</translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation>⚠ Paso %1: %2</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation>El programa se puede ejecutar. Pulse «Vista previa» para simularlo.</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>Añadir pasos</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Añadir «%1»</translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation>Cambiar el nombre del programa</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Cambiar el nombre de «%1» a «%2»</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar «%1»</translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation>Desactivar pasos</translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation>Activar pasos</translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation>Simulando…</translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation>Simulado: el programa tarda %1 s. No se encontraron problemas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ Simulado: se encontró %n problema. %1</numerusform>
+            <numerusform>⚠ Simulado: se encontraron %n problemas. %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation>Exportar script</translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation>URScript (*.script)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8423,14 +8652,6 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Otra ventana o programa ha cambiado %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation>Esta ventana tiene cambios sin guardar. «Recargar» los descarta. «Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo.</translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>«Recargar» muestra el contenido nuevo. «Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo. Los cambios no se guardan hasta que decida.</translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation>Recargar</translation>
     </message>
@@ -8481,6 +8702,14 @@ Suelte la tecla para detener el brazo.</translation>
     <message>
         <source>The project has unsaved changes.</source>
         <translation>El proyecto tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation>«Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo. «Recargar» muestra el contenido nuevo; los cambios sin guardar de esta ventana se ofrecen en el próximo inicio.</translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation>Cajas y planos ilegibles de la celda: %1. No se evitan colisiones con ellos.</translation>
     </message>
 </context>
 <context>
@@ -8892,6 +9121,10 @@ Suelte la tecla para detener el brazo.</translation>
         <source>Move refused: %1.</source>
         <translation>Movimiento rechazado: %1.</translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation>Los movimientos se rechazan. %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9244,6 +9477,31 @@ Suelte la tecla para detener el brazo.</translation>
     <message>
         <source>Not recording</source>
         <translation>Sin grabación</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation>Seleccione un paso para editarlo.</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(ninguno)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation>Pasos disponibles</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
+        <translation>Pasos del programa</translation>
     </message>
 </context>
 <context>
@@ -11240,10 +11498,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Hay una grabación en curso. Deténgala primero.</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation>Puntos de paso, Sistemas, Herramientas, E/S, Registro</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
     </message>
@@ -11329,6 +11583,22 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Keep the program</source>
         <translation>Mantener el programa</translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation>Puntos de paso, Programa, Sistemas, Herramientas, E/S, Registro</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation>Al apagar se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
+        <translation>Detenerlo y apagar</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation>Outils</translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation>Étapes du programme</translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation>Tant que</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet.</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>À %1 s : %2</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation>Étape %1 (%2) à %3 s : %4</translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation>« %1 » doit être compris entre %2 et %3.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3931,6 +3951,10 @@
         <source>At standstill</source>
         <translation>À l’arrêt</translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation>Données en retard</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4778,6 +4802,10 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
     <message>
         <source>Rotate “%1”</source>
         <translation>Tourner « %1 »</translation>
+    </message>
+    <message>
+        <source>missing frame</source>
+        <translation>repère manquant</translation>
     </message>
 </context>
 <context>
@@ -6602,6 +6630,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <source>“%1”</source>
         <translation>« %1 »</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet. Saisissez la position, excluez l&apos;objet ou supprimez-le sur la page Cellule</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8308,6 +8340,203 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation>%1 × %2 s</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, désactivée</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Contrôle</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation>Afficher l’étape</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation>Déplacer des étapes</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Modifier « %1 »</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation>Ajouter des étapes ou modifier l’étape sélectionnée</translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation>Champs de l’étape</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>Nouveau programme</translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation>Renommer le programme…</translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation>Supprimer le programme</translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation>Exporter le script…</translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation>Coller des étapes</translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation>Couper des étapes</translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation>Copier des étapes</translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation>Dupliquer des étapes</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>Supprimer des étapes</translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation>Désactiver ou activer des étapes</translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation>Monter des étapes</translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation>Descendre des étapes</translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation>Déplacer des étapes dans la section au-dessus</translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation>Sortir des étapes de la section</translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation>Glissez des étapes dans le programme, ou double-cliquez dessus.</translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation>⚠ Étape %1 : %2</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation>Le programme peut s’exécuter. Appuyez sur « Aperçu » pour le simuler.</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>Ajouter des étapes</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Ajouter « %1 »</translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation>Renommer le programme</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>Renommer « %1 » en « %2 »</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation>Désactiver des étapes</translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation>Activer des étapes</translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation>Simulation en cours…</translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation>Simulé : le programme dure %1 s. Aucun problème trouvé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ Simulé : %n problème trouvé. %1</numerusform>
+            <numerusform>⚠ Simulé : %n problèmes trouvés. %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation>Exporter le script</translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation>URScript (*.script)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8423,14 +8652,6 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Une autre fenêtre ou un autre programme a modifié %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation>Cette fenêtre contient des modifications non enregistrées. « Recharger » les abandonne. « Garder les deux » enregistre le projet de cette fenêtre dans un second fichier.</translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>« Recharger » affiche le nouveau contenu. « Garder les deux » enregistre le projet de cette fenêtre dans un second fichier. Les modifications ne sont pas enregistrées jusqu’à votre décision.</translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation>Recharger</translation>
     </message>
@@ -8481,6 +8702,14 @@ Relâchez la touche pour arrêter le bras.</translation>
     <message>
         <source>The project has unsaved changes.</source>
         <translation>Le projet contient des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation>« Garder les deux » enregistre le projet de cette fenêtre dans un second fichier. « Recharger » affiche le nouveau contenu ; les modifications non enregistrées de cette fenêtre sont proposées au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation>Boîtes et plans illisibles de la cellule : %1. Les collisions avec eux ne sont pas évitées.</translation>
     </message>
 </context>
 <context>
@@ -8892,6 +9121,10 @@ Relâchez la touche pour arrêter le bras.</translation>
         <source>Move refused: %1.</source>
         <translation>Mouvement refusé : %1.</translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation>Les mouvements sont refusés. %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9244,6 +9477,31 @@ Relâchez la touche pour arrêter le bras.</translation>
     <message>
         <source>Not recording</source>
         <translation>Pas d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation>Sélectionnez une étape pour la modifier.</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(aucun)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation>Étapes disponibles</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
+        <translation>Étapes du programme</translation>
     </message>
 </context>
 <context>
@@ -11240,10 +11498,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un enregistrement est en cours. Arrêtez-le d’abord.</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation>Points de passage, Repères, Outils, E/S, Journal</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Outils</translation>
     </message>
@@ -11329,6 +11583,22 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Keep the program</source>
         <translation>Garder le programme</translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation>Points de passage, Programme, Repères, Outils, E/S, Journal</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation>La mise hors tension arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
+        <translation>L&apos;arrêter et mettre hors tension</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation>ツール</translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation>プログラムのステップ</translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation>条件が真の間</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation>「%1」の座標系 %2 がプロジェクトにないため、位置が不明です。</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>%1 s 時点: %2</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation>ステップ %1 (%2)、%3 s 時点: %4</translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation>「%1」は %2 から %3 の範囲で指定してください。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3930,6 +3950,10 @@
         <source>At standstill</source>
         <translation>静止中</translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation>データ遅延</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4776,6 +4800,10 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <message>
         <source>Rotate “%1”</source>
         <translation>「%1」を回転</translation>
+    </message>
+    <message>
+        <source>missing frame</source>
+        <translation>座標系がありません</translation>
     </message>
 </context>
 <context>
@@ -6594,6 +6622,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>“%1”</source>
         <translation>「%1」</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>「%1」の座標系 %2 がプロジェクトにないため、位置が不明です。セルページで位置を入力するか、対象外にするか、削除してください</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8290,6 +8322,202 @@ Release the key to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation>%1 × %2 s</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1、無効</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>チェック</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>編集</translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation>ステップを表示</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation>ステップを移動</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation>ステップの追加、または選択したステップの編集</translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation>ステップの項目</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>新しいプログラム</translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation>プログラムの名前を変更…</translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation>プログラムを削除</translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation>スクリプトを書き出す…</translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation>ステップを貼り付け</translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation>ステップを切り取り</translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation>ステップをコピー</translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation>ステップを複製</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>ステップを削除</translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation>ステップを無効または有効にする</translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation>ステップを上へ移動</translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation>ステップを下へ移動</translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation>ステップを上のセクションに入れる</translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation>ステップをセクションから出す</translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation>ステップをプログラムにドラッグするか、ダブルクリックしてください。</translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation>⚠ ステップ %1: %2</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation>プログラムは実行できます。「プレビュー」を押すとシミュレーションします。</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>ステップを追加</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>「%1」を追加</translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation>プログラムの名前を変更</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>「%1」の名前を「%2」に変更</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>「%1」を削除</translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation>ステップを無効にする</translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation>ステップを有効にする</translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation>シミュレーション中…</translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation>シミュレーション結果: プログラムの所要時間は %1 s です。問題は見つかりませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ シミュレーション結果: %n 件の問題が見つかりました。%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation>スクリプトを書き出す</translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation>URScript (*.script)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き出しました: %1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8403,14 +8631,6 @@ Release the key to stop the arm.</source>
         <translation>別のウィンドウまたはプログラムが%1を変更しました</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation>このウィンドウには未保存の変更があります。「再読み込み」で変更を破棄します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。</translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>「再読み込み」で新しい内容を表示します。「両方を残す」で、このウィンドウのプロジェクトを別のファイルに保存します。決定するまで変更は保存されません。</translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation>再読み込み</translation>
     </message>
@@ -8461,6 +8681,14 @@ Release the key to stop the arm.</source>
     <message>
         <source>The project has unsaved changes.</source>
         <translation>プロジェクトに未保存の変更があります。</translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation>「両方を残す」はこのウィンドウのプロジェクトを別のファイルに保存します。「再読み込み」は新しい内容を表示し、このウィンドウの未保存の変更は次回の起動時に提示されます。</translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation>読み取れないセルのボックスと平面: %1。それらとの衝突は防止されません。</translation>
     </message>
 </context>
 <context>
@@ -8869,6 +9097,10 @@ Release the key to stop the arm.</source>
         <source>Move refused: %1.</source>
         <translation>移動を拒否しました：%1。</translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation>移動は拒否されます。%1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9220,6 +9452,31 @@ Release the key to stop the arm.</source>
     <message>
         <source>Not recording</source>
         <translation>記録していません</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation>編集するステップを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(なし)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation>追加できるステップ</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
+        <translation>プログラムのステップ</translation>
     </message>
 </context>
 <context>
@@ -11202,10 +11459,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>記録中です。先に停止してください。</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation>ウェイポイント、座標系、ツール、I/O、ログ</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>ツール</translation>
     </message>
@@ -11290,6 +11543,22 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Keep the program</source>
         <translation>プログラムを維持</translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation>ウェイポイント、プログラム、座標系、ツール、I/O、ログ</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation>電源を切るとプログラムが停止します。再開はできず、最初からの実行のみ可能です。</translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
+        <translation>停止して電源を切る</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>Tools</source>
         <translation>工具</translation>
     </message>
+    <message>
+        <source>Program steps</source>
+        <translation>程序步骤</translation>
+    </message>
 </context>
 <context>
     <name>ActionWords</name>
@@ -2831,6 +2835,22 @@
         <source>While</source>
         <translation>当</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
+        <translation>“%1”的位置未知，因为其坐标系 %2 不在项目中。</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>在 %1 s：%2</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) at %3 s: %4</source>
+        <translation>步骤 %1（%2），在 %3 s：%4</translation>
+    </message>
+    <message>
+        <source>“%1” must be between %2 and %3.</source>
+        <translation>“%1”必须在 %2 和 %3 之间。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3930,6 +3950,10 @@
         <source>At standstill</source>
         <translation>静止</translation>
     </message>
+    <message>
+        <source>Late data</source>
+        <translation>数据延迟</translation>
+    </message>
 </context>
 <context>
     <name>Texts</name>
@@ -4776,6 +4800,10 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     <message>
         <source>Rotate “%1”</source>
         <translation>旋转“%1”</translation>
+    </message>
+    <message>
+        <source>missing frame</source>
+        <translation>缺少坐标系</translation>
     </message>
 </context>
 <context>
@@ -6594,6 +6622,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>“%1”</source>
         <translation>“%1”</translation>
     </message>
+    <message>
+        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>“%1”的位置未知，因为其坐标系 %2 不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
+    </message>
 </context>
 <context>
     <name>tiller::NoticeBar</name>
@@ -8290,6 +8322,202 @@ Release the key to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::ProgramModel</name>
+    <message>
+        <source>%1 × %2 s</source>
+        <translation>%1 × %2 s</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1，已禁用</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ProgramTab</name>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Show step</source>
+        <translation>显示步骤</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Move steps</source>
+        <translation>移动步骤</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>更改“%1”</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Add steps, or edit the selected step</source>
+        <translation>添加步骤，或编辑所选步骤</translation>
+    </message>
+    <message>
+        <source>Fields of the step</source>
+        <translation>步骤的字段</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>新建程序</translation>
+    </message>
+    <message>
+        <source>Rename program…</source>
+        <translation>重命名程序…</translation>
+    </message>
+    <message>
+        <source>Delete program</source>
+        <translation>删除程序</translation>
+    </message>
+    <message>
+        <source>Export script…</source>
+        <translation>导出脚本…</translation>
+    </message>
+    <message>
+        <source>Paste steps</source>
+        <translation>粘贴步骤</translation>
+    </message>
+    <message>
+        <source>Cut steps</source>
+        <translation>剪切步骤</translation>
+    </message>
+    <message>
+        <source>Copy steps</source>
+        <translation>复制步骤</translation>
+    </message>
+    <message>
+        <source>Duplicate steps</source>
+        <translation>创建步骤副本</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>删除步骤</translation>
+    </message>
+    <message>
+        <source>Disable or enable steps</source>
+        <translation>禁用或启用步骤</translation>
+    </message>
+    <message>
+        <source>Move steps up</source>
+        <translation>上移步骤</translation>
+    </message>
+    <message>
+        <source>Move steps down</source>
+        <translation>下移步骤</translation>
+    </message>
+    <message>
+        <source>Move steps into the section above</source>
+        <translation>将步骤移入上方的段</translation>
+    </message>
+    <message>
+        <source>Move steps out of the section</source>
+        <translation>将步骤移出该段</translation>
+    </message>
+    <message>
+        <source>Drag steps into the program, or double-click them.</source>
+        <translation>将步骤拖入程序，或双击步骤。</translation>
+    </message>
+    <message>
+        <source>⚠ Step %1: %2</source>
+        <translation>⚠ 步骤 %1：%2</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>The program can run. Press “Preview” to simulate it.</source>
+        <translation>程序可以运行。按“预览”进行仿真。</translation>
+    </message>
+    <message>
+        <source>Add steps</source>
+        <translation>添加步骤</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>添加“%1”</translation>
+    </message>
+    <message>
+        <source>Rename program</source>
+        <translation>重命名程序</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Rename “%1” to “%2”</source>
+        <translation>将“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message>
+        <source>Disable steps</source>
+        <translation>禁用步骤</translation>
+    </message>
+    <message>
+        <source>Enable steps</source>
+        <translation>启用步骤</translation>
+    </message>
+    <message>
+        <source>Simulating…</source>
+        <translation>正在仿真…</translation>
+    </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found.</source>
+        <translation>仿真结果：程序用时 %1 s。未发现问题。</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ Simulated: %n problem(s) found. %1</source>
+        <translation>
+            <numerusform>⚠ 仿真结果：发现 %n 个问题。%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export script</source>
+        <translation>导出脚本</translation>
+    </message>
+    <message>
+        <source>URScript (*.script)</source>
+        <translation>URScript (*.script)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+</context>
+<context>
     <name>tiller::ProjectDocument</name>
     <message>
         <source>Delete “%1”</source>
@@ -8403,14 +8631,6 @@ Release the key to stop the arm.</source>
         <translation>另一个窗口或程序更改了 %1</translation>
     </message>
     <message>
-        <source>This window has unsaved changes. “Reload” discards them. “Keep both” saves the project of this window to a second file.</source>
-        <translation>此窗口有未保存的更改。“重新加载”会放弃它们。“两者都保留”会将此窗口的项目保存到第二个文件。</translation>
-    </message>
-    <message>
-        <source>“Reload” shows the new content. “Keep both” saves the project of this window to a second file. Changes are not saved until you decide.</source>
-        <translation>“重新加载”会显示新内容。“两者都保留”会将此窗口的项目保存到第二个文件。在您决定之前，更改不会保存。</translation>
-    </message>
-    <message>
         <source>Reload</source>
         <translation>重新加载</translation>
     </message>
@@ -8461,6 +8681,14 @@ Release the key to stop the arm.</source>
     <message>
         <source>The project has unsaved changes.</source>
         <translation>项目有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <translation>“两者都保留”将此窗口的项目保存到第二个文件。“重新加载”显示新内容；此窗口未保存的更改将在下次启动时提供。</translation>
+    </message>
+    <message>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation>无法读取的单元方块和平面：%1。与它们的碰撞不会被阻止。</translation>
     </message>
 </context>
 <context>
@@ -8869,6 +9097,10 @@ Release the key to stop the arm.</source>
         <source>Move refused: %1.</source>
         <translation>移动被拒绝：%1。</translation>
     </message>
+    <message>
+        <source>Moves are refused. %1.</source>
+        <translation>移动被拒绝。%1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>
@@ -9220,6 +9452,31 @@ Release the key to stop the arm.</source>
     <message>
         <source>Not recording</source>
         <translation>未录制</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepForm</name>
+    <message>
+        <source>Select one step to edit it.</source>
+        <translation>请选择一个步骤进行编辑。</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>（无）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepPalette</name>
+    <message>
+        <source>Steps to add</source>
+        <translation>可添加的步骤</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::StepTree</name>
+    <message>
+        <source>Steps of the program</source>
+        <translation>程序的步骤</translation>
     </message>
 </context>
 <context>
@@ -11202,10 +11459,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>正在录制。请先停止。</translation>
     </message>
     <message>
-        <source>Waypoints, Frames, Tools, I/O, Log</source>
-        <translation>路点、坐标系、工具、I/O、日志</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>工具</translation>
     </message>
@@ -11290,6 +11543,22 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Keep the program</source>
         <translation>保留程序</translation>
+    </message>
+    <message>
+        <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
+        <translation>路点、程序、坐标系、工具、I/O、日志</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <translation>关闭电源会停止程序。程序无法继续，只能重新启动。</translation>
+    </message>
+    <message>
+        <source>Stop it and power off</source>
+        <translation>停止并关闭电源</translation>
     </message>
 </context>
 <context>
