@@ -54,11 +54,13 @@ Services::Services(ControllerModel& plant, FaultServer::Handler faults)
     all_.insert(all_.end(), {{&primary_, &Ports::primary, "primary"},
                              {&secondary_, &Ports::secondary, "secondary"},
                              {&realtime_, &Ports::realtime, "realtime"},
-                             {&rtde_, &Ports::rtde, "RTDE"},
                              {&primaryReadOnly_, &Ports::primaryReadOnly, "read-only primary"},
                              {&secondaryReadOnly_, &Ports::secondaryReadOnly, "read-only secondary"},
                              {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"},
                              {&gripper_, &Ports::gripper, "gripper"}});
+    if (software >= SoftwareVersion{3, 2, 0, 0}) {
+        all_.push_back({&rtde_, &Ports::rtde, "RTDE"});
+    }
     if (software >= SoftwareVersion{5, 10, 0, 0}) {
         all_.push_back({&interpreter_, &Ports::interpreter, "interpreter"});
     }

@@ -193,7 +193,7 @@ Status enableExternalFtSensor(Call& c) {
 }
 
 constexpr BuiltinRow kSetupRows[] = {
-    {"get_tcp_offset()", getTcpOffset, kPlain, {0, 0, 6}},
+    {"get_tcp_offset()", getTcpOffset, kPlain, {{0, 0, 6}}},
     {"set_tcp(pose, tcp_name=\"\")", setTcp},
     {"get_target_payload()", targetPayload, kPlain, kSeries5},
     {"get_target_payload_cog()", targetPayloadCog, kPlain, kSeries5},
@@ -201,12 +201,12 @@ constexpr BuiltinRow kSetupRows[] = {
     {"set_payload(m, cog?)", setPayload},
     {"set_payload_mass(m)", setPayloadMass},
     {"set_payload_cog(cog)", setPayloadCog},
-    {"set_target_payload(m, cog, inertia?, transition_time=0)", setTargetPayload, kPlain, {10, 0}},
+    {"set_target_payload(m, cog, inertia?, transition_time=0)", setTargetPayload, kPlain, {{10}}},
     {"estimate_payload(poses, wrenches)", estimatePayload, kPlain, kAfter2019},
     {"set_gravity(d)", setGravity},
-    {"get_gravity()", getGravity, kPlain, {17, 0}},
+    {"get_gravity()", getGravity, kPlain, {{17}}},
     {"set_base_acceleration(a)", setBaseAcceleration, kPlain, kAfter2019},
-    {"get_base_acceleration()", getBaseAcceleration, kPlain, {17, 0}},
+    {"get_base_acceleration()", getBaseAcceleration, kPlain, {{17}}},
     {"zero_ftsensor()", zeroFtSensor},
     {"ft_rtde_input_enable(enable, sensor_mass=0.0, sensor_measuring_offset?, sensor_cog?)",
      ftRtdeInputEnable,
