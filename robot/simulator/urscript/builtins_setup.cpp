@@ -211,7 +211,7 @@ constexpr BuiltinRow kSetupRows[] = {
     {"ft_rtde_input_enable(enable, sensor_mass=0.0, sensor_measuring_offset?, sensor_cog?)",
      ftRtdeInputEnable,
      kPlain,
-     {9, 0}},
+     {{9}}},
     {"enable_external_ft_sensor(enable, sensor_mass=0.0, sensor_measuring_offset?, sensor_cog?)",
      enableExternalFtSensor},
     {"high_holding_torque_enable()", setting, kPlain, kAfter2019},
