@@ -37,7 +37,7 @@ RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::stri
     InputRecipe recipe;
     std::vector<rtde::DataType> types;
     bool granted = !names.empty();
-    const bool isListed = plant_.assumptions().firstVersions == Assumptions::FirstVersions::Latest;
+    const bool isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
     for (const std::string& name : names) {
         const rtde::Field* field = rtde::findInput(name);
         if (field == nullptr ||

@@ -167,7 +167,7 @@ void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
         return;
     }
     client.output.emplace(request->names, plant_.options().software,
-                          plant_.assumptions().firstVersions == Assumptions::FirstVersions::Latest);
+                          plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest);
     client.divider = client.protocol == rtde::ProtocolVersion::V1 ? 1 : dividerFor(request->frequency);
     const bool valid = client.output->isValid();
     client.started = client.started && valid;

@@ -100,7 +100,7 @@ bool DashboardCommands::mayControl(Rights rights) const {
 
 bool DashboardCommands::isKnown(const KnownCommand& command) const {
     const SoftwareVersion& software = plant_.options().software;
-    const bool isListed = plant_.assumptions().firstVersions == Assumptions::FirstVersions::Latest;
+    const bool isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
     return software >= (software.isCb3() ? command.cb3 : command.eSeries) &&
            (!isListed || software >= (software.isCb3() ? command.listedCb3 : command.listedESeries));
 }

@@ -52,8 +52,8 @@ QString since(const urscript::Since& s) {
 
 /// The option that removes a builtin. No source says in which version one went.
 QString until(const Builtin& b) {
-    for (const AssumptionInfo& info : assumptionTable()) {
-        Assumptions assumptions;
+    for (const BehaviourOptionInfo& info : assumptionTable()) {
+        BehaviourOptions assumptions;
         const QString words = info.name + QStringLiteral("=missing");
         if (!assume(assumptions, words).ok()) {
             continue;
