@@ -3,6 +3,7 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QHostAddress>
+#include <algorithm>
 
 #include "app/cli_command.h"
 #include "app/cli_options.h"
@@ -33,6 +34,9 @@ const QString kSimulateHelp = QStringLiteral(
     "                       text; with the installation files that they name\n"
     "  --urcaps FOLDER      URScript that replaces nodes of URCaps: one .script file for each node class,\n"
     "                       with a line '# class: NAME'\n"
+    "  --device NAME=FILE   a camera, gripper or other device that answers programs as the table in FILE\n"
+    "                       says, by XML-RPC or lines of text; can be given several times. The README of\n"
+    "                       robot/simulator describes the table; the fault 'device' makes it absent\n"
     "  --fault WORDS        fault that is present from the start; can be given several times. See\n"
     "                       'tiller-cli fault --help': the same words work while the simulator runs;\n"
     "                       '--fault help' lists them\n"
@@ -114,14 +118,15 @@ int simulate(const QStringList& arguments) {
     const QCommandLineOption local("local");
     const QCommandLineOption programs("programs", {}, "FOLDER");
     const QCommandLineOption urcaps("urcaps", {}, "FOLDER");
+    const QCommandLineOption device("device", {}, "NAME=FILE");
     const QCommandLineOption fault("fault", {}, "WORDS");
     const QCommandLineOption assumed("assume", {}, "NAME=VALUE");
     const QCommandLineOption bootTime("boot-time", {}, "SECONDS", "0");
     const QCommandLineOption calibration("calibration", {}, "SIZE", "0");
     const QCommandLineOption seed("seed", {}, "N", "1");
     const QCommandLineOption priority("priority", {}, "N");
-    parser.addOptions({help, listen, offset, model, software, headless, local, programs, urcaps, fault,
-                       assumed, bootTime, calibration, seed, priority});
+    parser.addOptions({help, listen, offset, model, software, headless, local, programs, urcaps, device,
+                       fault, assumed, bootTime, calibration, seed, priority});
     if (!parser.parse(arguments)) {
         return wrongArguments(parser.errorText());
     }
@@ -205,6 +210,18 @@ int simulate(const QStringList& arguments) {
             QStringLiteral("--programs: '%1' is not a folder that can be read").arg(options.programsFolder));
     }
     options.urcapsFolder = parser.value(urcaps);
+    for (const QString& words : parser.values(device)) {
+        const QString name = words.section('=', 0, 0).trimmed(), file = words.section('=', 1).trimmed();
+        const bool isTaken = std::any_of(options.devices.begin(), options.devices.end(),
+                                         [&name](const auto& other) { return other.name == name; });
+        if (name.isEmpty() || name.contains(' ') || file.isEmpty() || isTaken) {
+            return wrongArguments(
+                QStringLiteral(
+                    "--device takes a name of its own and a file, such as camera=camera.txt, not '%1'")
+                    .arg(words));
+        }
+        options.devices.push_back({name, file});
+    }
     options.poweredOn = parser.isSet(headless);
     options.remoteControl = !parser.isSet(local);
     options.gateLocalControl = options.gateLoopbackClients = parser.isSet(local);

@@ -102,6 +102,13 @@ bool Field::isAvailableOn(const SoftwareVersion& version) const {
     return asked >= since.eSeries;
 }
 
+bool Field::isListedOn(const SoftwareVersion& version) const {
+    // The software of the clients whose tables list the undocumented fields.
+    const SoftwareVersion listed =
+        version.isPolyScopeX() ? SoftwareVersion{10, 12, 0, 0} : SoftwareVersion{5, 25, 0, 0};
+    return isAvailableOn(version) && (since.confirmed || version >= listed);
+}
+
 std::span<const Field> outputFields() {
     return catalogue().outputs();
 }

@@ -43,6 +43,8 @@ struct Field {
     }  ///< Number of values in the field: 1, 3 or 6.
     /// Compares with the first and last software version of the field.
     bool isAvailableOn(const SoftwareVersion& version) const;
+    /// The same with the latest first version that sources allow, where it is not documented.
+    bool isListedOn(const SoftwareVersion& version) const;
 };
 
 /// All outputs: first the single fields, then the registers in ascending order. The span stays valid for the

@@ -61,6 +61,10 @@ const std::vector<Row>& rows() {
             "without a server, rpc_factory ends the program, or only calls of its methods do"),
         row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},
             "whether the threads of a program run before its main program in each period"),
+        row(&A::firstVersions, "first-versions", {"earliest", "latest"},
+            "which version counts for functions, RTDE fields and dashboard commands whose first version is "
+            "only "
+            "known to be within a range"),
         row(&A::teachMode, "teach_mode", kBuiltin, "and end_teach_mode: missing is a compile error"),
         row(&A::servoc, "servoc", kBuiltin, "missing is a compile error"),
         row(&A::isWithinSafetyLimits, "is_within_safety_limits", kBuiltin, "missing is a compile error"),

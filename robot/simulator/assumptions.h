@@ -71,6 +71,10 @@ struct BehaviourOptions {
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
     ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, after equal waits
 
+    enum class FirstVersions : std::uint8_t { Earliest, Latest };
+    /// Of functions, fields and commands where sources only give a range of versions.
+    FirstVersions firstVersions = FirstVersions::Earliest;
+
     /// Deprecated builtins: available, or unknown to the compiler.
     enum class Builtin : std::uint8_t { Present, Missing };
     Builtin teachMode = Builtin::Present;

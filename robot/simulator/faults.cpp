@@ -104,6 +104,26 @@ QString changeLink(ControllerServices& controlBox, Words& words, Change change) 
     return {};
 }
 
+QString changeDevice(ControllerServices& controlBox, Words& words) {
+    using Presence = DeviceServer::Presence;
+    DeviceServer* const device = controlBox.services.device(words.word());
+    const QString wanted = words.word();
+    const Presence presence = wanted == QLatin1String("refuses")  ? Presence::Refuses
+                              : wanted == QLatin1String("silent") ? Presence::Silent
+                                                                  : Presence::Answers;
+    if (words.goodSoFar() && device == nullptr) {
+        words.complain(QStringLiteral("there is no device of that name"));
+    } else if (presence == Presence::Answers && wanted != QLatin1String("answers")) {
+        words.complain(QStringLiteral("'%1' is neither answers nor refuses nor silent").arg(wanted));
+    }
+    if (words.good()) {
+        if (const Result<void> done = controlBox.services.setPresence(*device, presence); !done) {
+            words.complain(done.error().context);
+        }
+    }
+    return {};
+}
+
 QString holdRegisters(ControllerServices& controlBox, Words& words) {
     const QString given = words.word();
     if (!words.good()) {
@@ -444,6 +464,7 @@ const Verb kVerbs[] = {
     {"modbus-error", "NAME CODE", "answer of the device to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
+    {"device", "NAME answers|refuses|silent", "a device of --device: answers, refuses connections, or accepts them and is silent", &changeDevice},
     {"assume", "NAME=VALUE", "changes an assumption from now on; see 'tiller-cli simulate --assume help'",
      [](ControllerServices& m, Words& w) {
          const QString words = w.word();

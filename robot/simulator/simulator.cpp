@@ -16,6 +16,7 @@
 #include "robot/realtime/thread_priority.h"
 #include "robot/simulator/box/personality.h"
 #include "robot/simulator/controller_services.h"
+#include "robot/simulator/equipment/device_table.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/pendant/urcaps.h"
@@ -268,6 +269,11 @@ Result<void> Simulator::start() {
     if (const Text& folder = d_->options.urcapsFolder; !folder.isEmpty()) {
         if (Result<void> read = pendant::UrcapStandIns().addFolder(folder); !read) {
             return read;
+        }
+    }
+    for (const SimulatorOptions::Device& device : d_->options.devices) {
+        if (const Result<DeviceTable> table = DeviceTable::read(device.file); !table) {
+            return table.error();
         }
     }
     adoptMainThread();

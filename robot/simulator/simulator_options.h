@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "robot/core/joints.h"
 #include "robot/core/robot_model.h"
@@ -47,7 +48,12 @@ struct SimulatorOptions {
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
     Text programsFolder = {};     ///< folder for `load`; empty: no programs
     Text urcapsFolder = {};       ///< more stand-ins for nodes of URCaps, see README.md; empty: none
-    Text serialNumber = {};       ///< empty: a default per model
+    struct Device {
+        Text name;
+        Text file;  ///< its table, see equipment/device_table.h
+    };
+    std::vector<Device> devices = {};  ///< on the network of the robot
+    Text serialNumber = {};            ///< empty: a default per model
     /// Pause in the received data after which the script of an External Control node is complete.
     std::chrono::milliseconds scriptSilence{150};
     BehaviourOptions assumptions = {};  ///< behaviour that is not documented for real controllers

@@ -392,8 +392,8 @@ void ControllerModel::setFreedriveButton(bool pressed) {
 
 int ControllerModel::showPopup(const std::string& text, bool blocking) {
     const int id = popups_.open(blocking);
-    publish(
-        primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text}));
+    publish(primary::popup(timestampNs(), {static_cast<std::uint32_t>(id), false, false, blocking, "", text},
+                           options_.software));
     return id;
 }
 

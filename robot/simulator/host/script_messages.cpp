@@ -15,9 +15,10 @@ void ScriptMessages::programLabel(int number, std::string_view text) {
 
 int ScriptMessages::showPopup(const urscript::Popup& popup) {
     const int id = plant_.popups().open(popup.blocking);
-    plant_.publish(
-        primary::popup(plant_.timestampNs(), {static_cast<std::uint32_t>(id), popup.warning, popup.error,
-                                              popup.blocking, popup.title, popup.text}));
+    plant_.publish(primary::popup(
+        plant_.timestampNs(),
+        {static_cast<std::uint32_t>(id), popup.warning, popup.error, popup.blocking, popup.title, popup.text},
+        plant_.options().software));
     return id;
 }
 

@@ -39,7 +39,10 @@ bool ScriptSockets::openSocket(std::string_view name, std::string_view address, 
     connection.socket->setReadBufferSize(kShare);
     auto host = QString::fromUtf8(address.data(), static_cast<qsizetype>(address.size()));
     const auto own = ownPorts_.find(port);
-    if (own != ownPorts_.end() && (address == "127.0.0.1" || address == "localhost")) {
+    if (const auto device = devices_.find({host.toLower(), port}); device != devices_.end()) {
+        host = ownAddress_;
+        port = device->second;
+    } else if (own != ownPorts_.end() && (address == "127.0.0.1" || address == "localhost")) {
         host = ownAddress_;
         port = own->second;
     }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "robot/simulator/urscript/host.h"
 
@@ -24,6 +25,11 @@ class ScriptSockets : public virtual urscript::SocketHost {
 public:
     /// Services of this controller that a program reaches at 127.0.0.1, by their standard ports.
     void setOwnServices(const QString& address, std::map<int, int> ports);
+
+    /// A device on the network of the robot.
+    /// host, port  where programs look for it
+    /// ownPort     where it is, on the address of setOwnServices()
+    void setDevice(const QString& host, int port, int ownPort) { devices_[{host.toLower(), port}] = ownPort; }
 
     bool openSocket(std::string_view name, std::string_view address, int port) override;
     State socketState(std::string_view name) const override;
@@ -50,6 +56,7 @@ private:
     std::map<std::string, Connection, std::less<>> sockets_;
     QString ownAddress_;
     std::map<int, int> ownPorts_;  ///< actual port by standard port
+    std::map<std::pair<QString, int>, int> devices_;
 };
 
 }  // namespace tiller::simulator

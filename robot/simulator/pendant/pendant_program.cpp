@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/pendant/pendant_program.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStringList>
 #include <memory>
 
 #include "robot/simulator/pendant/installation.h"
@@ -27,6 +29,19 @@ Result<Installation> installationOf(const XmlElement& root, const PendantSource&
         }
     }
     return Installation();
+}
+
+/// Types of the nodes of a .urpx program, in their order, each once.
+void addNodeTypes(const QJsonObject& node, QStringList& types) {
+    constexpr qsizetype kMaxTypes = 20;
+    const QString type =
+        node.value(QLatin1String("contributedNode")).toObject().value(QLatin1String("type")).toString();
+    if (!type.isEmpty() && types.size() < kMaxTypes && !types.contains(type)) {
+        types << type;
+    }
+    for (const QJsonValue& child : node.value(QLatin1String("children")).toArray()) {
+        addNodeTypes(child.toObject(), types);
+    }
 }
 
 }  // namespace
@@ -72,9 +87,15 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
     if (const QJsonValue script = root.value(QLatin1String("script")); script.isString()) {
         return PendantProgram{script.toString().toStdString()};
     }
-    return Error{ErrorCode::FileCorrupt,
-                 QStringLiteral("there is no URScript within, and no .script file beside it"),
-                 {}};
+    QStringList types;
+    addNodeTypes(
+        root.value(QLatin1String("program")).toObject().value(QLatin1String("programContent")).toObject(),
+        types);
+    QString reason = QStringLiteral("there is no URScript within, and no .script file beside it");
+    if (!types.isEmpty()) {
+        reason += QStringLiteral("; its nodes are not translated: %1").arg(types.join(QStringLiteral(", ")));
+    }
+    return Error{ErrorCode::FileCorrupt, reason, {}};
 }
 
 }  // namespace tiller::simulator::pendant

@@ -68,6 +68,7 @@ void ProgramRunner::takeControlScript() {
 bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
     urscript::CompileOptions options;
     options.version = plant_.options().software;
+    options.isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
     options.missing = plant_.assumptions().missingBuiltins();
     urscript::CompileOutcome outcome = urscript::compile(text, options);
     if (!outcome) {

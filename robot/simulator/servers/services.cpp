@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/services.h"
 
+#include <algorithm>
 #include <map>
 
 #include "robot/simulator/box/controller_model.h"
@@ -54,11 +55,13 @@ Services::Services(ControllerModel& plant, FaultServer::Handler faults)
     all_.insert(all_.end(), {{&primary_, &Ports::primary, "primary"},
                              {&secondary_, &Ports::secondary, "secondary"},
                              {&realtime_, &Ports::realtime, "realtime"},
-                             {&rtde_, &Ports::rtde, "RTDE"},
                              {&primaryReadOnly_, &Ports::primaryReadOnly, "read-only primary"},
                              {&secondaryReadOnly_, &Ports::secondaryReadOnly, "read-only secondary"},
                              {&realtimeReadOnly_, &Ports::realtimeReadOnly, "read-only realtime"},
                              {&gripper_, &Ports::gripper, "gripper"}});
+    if (software >= SoftwareVersion{3, 2, 0, 0}) {
+        all_.push_back({&rtde_, &Ports::rtde, "RTDE"});
+    }
     if (software >= SoftwareVersion{5, 10, 0, 0}) {
         all_.push_back({&interpreter_, &Ports::interpreter, "interpreter"});
     }
@@ -106,6 +109,15 @@ Result<void> Services::open(const SimulatorOptions& options) {
             return opened;
         }
     }
+    for (const SimulatorOptions::Device& device : options.devices) {
+        Result<DeviceTable> table = DeviceTable::read(device.file);
+        if (!table) {
+            close();
+            return table.error();
+        }
+        devices_.push_back(std::make_unique<DeviceServer>(plant_, device.name, std::move(*table)));
+        devices_.back()->setLink(&link_);
+    }
     // Listening on all addresses includes the address by which programs reach this controller.
     const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
     std::map<int, int> own;
@@ -116,6 +128,39 @@ Result<void> Services::open(const SimulatorOptions& options) {
     }
     plant_.scriptHost().setOwnServices(everywhere ? Text("127.0.0.1") : options.listenAddress,
                                        std::move(own));
+    for (const auto& device : devices_) {
+        if (Result<void> opened = openDevice(*device); !opened) {
+            close();
+            return opened;
+        }
+    }
+    return {};
+}
+
+Result<void> Services::openDevice(DeviceServer& device) {
+    // Any free port: programs reach it under the address of its table.
+    Result<void> opened =
+        device.open(QHostAddress(plant_.options().listenAddress), 0, "device", link_.poller());
+    if (opened) {
+        plant_.scriptHost().setDevice(device.table().host(), device.table().port(), device.port());
+    }
+    return opened;
+}
+
+DeviceServer* Services::device(const QString& name) const {
+    const auto found = std::find_if(devices_.begin(), devices_.end(),
+                                    [&name](const auto& device) { return device->name() == name; });
+    return found == devices_.end() ? nullptr : found->get();
+}
+
+Result<void> Services::setPresence(DeviceServer& device, DeviceServer::Presence presence) {
+    const bool wasRefusing = device.isRefusing();
+    device.setPresence(presence);
+    if (device.isRefusing() && !wasRefusing) {
+        device.close();
+    } else if (wasRefusing && !device.isRefusing()) {
+        return openDevice(device);
+    }
     return {};
 }
 
@@ -123,6 +168,7 @@ void Services::close() {
     for (const Entry& entry : all_) {
         entry.server->close();
     }
+    devices_.clear();
 }
 
 Ports Services::ports() const {
@@ -139,6 +185,9 @@ void Services::service() {
         if (entry.server != &faults_) {
             entry.server->service();
         }
+    }
+    for (const auto& device : devices_) {
+        device->service();
     }
 }
 
@@ -160,6 +209,9 @@ void Services::closeClients() {
         if (entry.server != &faults_) {
             entry.server->closeClients();
         }
+    }
+    for (const auto& device : devices_) {
+        device->closeClients();
     }
 }
 

@@ -4,8 +4,10 @@
 // All services of one controller, opened and served together. The set of services depends on the software:
 // PolyScope X has the Robot API instead of the dashboard.
 
+#include <memory>
 #include <vector>
 
+#include "robot/simulator/equipment/device_server.h"
 #include "robot/simulator/equipment/gripper_server.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/net/link.h"
@@ -44,6 +46,11 @@ public:
     RtdeServer& rtde() { return rtde_; }
     const RtdeServer& rtde() const { return rtde_; }
     GripperServer& gripper() { return gripper_; }
+    /// Null when there is none of that name.
+    DeviceServer* device(const QString& name) const;
+    /// A device that refuses connections does not listen.
+    /// Errors  as Listener::open()
+    Result<void> setPresence(DeviceServer& device, DeviceServer::Presence presence);
     FaultServer& faults() { return faults_; }
     Link& link() { return link_; }
 
@@ -53,6 +60,7 @@ private:
         std::uint16_t Ports::*port;
         const char* name;
     };
+    Result<void> openDevice(DeviceServer& device);
     Result<void> openOne(const Entry& entry, const QHostAddress& address, const SimulatorOptions& options);
 
     ControllerModel& plant_;
@@ -66,6 +74,7 @@ private:
     InterpreterServer interpreter_;
     GripperServer gripper_;
     FaultServer faults_;
+    std::vector<std::unique_ptr<DeviceServer>> devices_;
     std::vector<Entry> all_;  ///< the fault port last
 };
 

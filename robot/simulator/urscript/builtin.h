@@ -5,6 +5,7 @@
 // interpreter and documentation use the same entries.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -149,23 +150,40 @@ enum BuiltinFlags : unsigned {
 inline constexpr int kNever = 1000;
 /// The release of series 3 published together with that of series 5: 3.10 with 5.4, 3.15 with 5.10.
 inline constexpr int kInStep = -1;
-/// First version that has the function, by series; 0: all versions of the series.
-struct Since {
+/// Minor numbers of the first version with a function, for each series; 0: all versions of the series.
+struct FirstVersions {
     int minor5 = 0;
     int minor10 = 0;
     int minor3 = kInStep;
 
-    int firstOfSeries3() const;  ///< kNever: in no version
-    bool availableIn(const SoftwareVersion& version) const;
+    int ofSeries3() const;  ///< kNever: no version has it
+    bool isIn(const SoftwareVersion& version) const;
 };
-inline constexpr Since kPolyScopeX{kNever, 0, kNever};
-/// Not in the function lists of 2019 (3.11 and 5.5), but in those of 5.15.
-inline constexpr Since kAfter2019{6, 0};
-/// Not in the function lists of 5.15, but in those of 5.24 and 10.11.
-inline constexpr Since kAfter515{16, 0, kNever};
-inline constexpr Since kStructSince{0, 0, 6};
-inline constexpr Since kStringsSince{2, 0, 8};
-inline constexpr Since kSeries5{0, 0, kNever};
+
+/// When a function came. Where sources only give a range, `listed` is its end: the first versions whose published lists
+/// have the function.
+struct Since {
+    FirstVersions first;
+    std::optional<FirstVersions> listed = {};
+
+    /// isListed  the later version counts
+    bool availableIn(const SoftwareVersion& version, bool isListed = false) const {
+        return (isListed && listed ? *listed : first).isIn(version);
+    }
+};
+inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11, kNever}};
+/// Not in the list of 3.3, but in those of 2019 (3.11 and 5.5).
+inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
+/// Not in the lists of 2019, but in those of 5.15.
+inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
+/// The same, but in a list of 2021 (5.11) or 2022 (5.12).
+inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
+inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
+/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
+inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
+inline constexpr Since kStructSince{{0, 0, 6}};
+inline constexpr Since kStringsSince{{2, 0, 8}};
+inline constexpr Since kSeries5{{0, 0, kNever}};
 
 /// An entry as written in the tables.
 struct BuiltinRow {
@@ -174,7 +192,8 @@ struct BuiltinRow {
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
-    const char* needs = nullptr;  ///< with absent(): the equipment, "a ROS network"
+    const char* needs = nullptr;   ///< with absent(): the equipment, "a ROS network"
+    const char* partly = nullptr;  ///< the part of the effect that is not simulated
 };
 
 struct Builtin {
@@ -185,7 +204,7 @@ struct Builtin {
     unsigned flags = kPlain;
     Since since;
     const char* needs = nullptr;
-    bool availableIn(const SoftwareVersion& version) const { return since.availableIn(version); }
+    const char* partly = nullptr;
 };
 
 /// All entries, sorted by name.

@@ -37,6 +37,7 @@ Builtin parseRow(const BuiltinRow& row) {
     b.flags = row.flags;
     b.since = row.since;
     b.needs = row.needs;
+    b.partly = row.partly;
     std::string_view rest = text.substr(open + 1, text.rfind(')') - open - 1);
     while (!trimmed(rest).empty() && (row.flags & kAnyArguments) == 0) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
@@ -78,7 +79,7 @@ std::vector<Builtin> allRows() {
 
 }  // namespace
 
-int Since::firstOfSeries3() const {
+int FirstVersions::ofSeries3() const {
     if (minor3 != kInStep || minor5 == 0) {
         return std::max(minor3, 0);
     }
@@ -87,8 +88,8 @@ int Since::firstOfSeries3() const {
     return minor5 > kLast ? kNever : minor5 + (minor5 <= 6 ? 6 : 5);
 }
 
-bool Since::availableIn(const SoftwareVersion& version) const {
-    const int first = version.major >= 10 ? minor10 : version.major >= 5 ? minor5 : firstOfSeries3();
+bool FirstVersions::isIn(const SoftwareVersion& version) const {
+    const int first = version.major >= 10 ? minor10 : version.major >= 5 ? minor5 : ofSeries3();
     return static_cast<int>(version.minor) >= first;
 }
 

@@ -114,7 +114,7 @@ Status endScrewDriving(Call& c) {
 constexpr BuiltinRow kForceRows[] = {
     {"force_mode(task_frame, selection_vector, wrench, type, limits)", forceMode},
     {"end_force_mode()", endForceMode},
-    {"force_mode_set_damping(damping)", setDamping, kPlain, {0, 0, 5}},
+    {"force_mode_set_damping(damping)", setDamping, kPlain, {{0, 0, 5}}},
     {"force_mode_get_damping()", getDamping, kPlain, kAfter515},
     // Also available in series 3, because control scripts for both series call these functions conditionally.
     {"force_mode_set_gain_scaling(scaling)", setGain},
@@ -122,7 +122,7 @@ constexpr BuiltinRow kForceRows[] = {
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},
     {"freedrive_mode_no_incorrect_payload_check()", freedriveUnchecked, kPlain, kAfter515},
     {"end_freedrive_mode()", endFreedrive},
-    {"get_freedrive_status()", freedriveStatus, kPlain, {10, 0}},
+    {"get_freedrive_status()", freedriveStatus, kPlain, {{10}}},
     {"teach_mode()", teachMode},
     {"end_teach_mode()", endFreedrive},
     {"screw_driving(f, v_limit)", screwDriving, kPlain, kAfter2019},

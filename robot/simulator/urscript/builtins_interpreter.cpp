@@ -40,7 +40,7 @@ Status clearInterpreter(Call& c) {
     return Status::Done;
 }
 
-constexpr Since kSince{10, 0, kNever};
+constexpr Since kSince{{10, 0, kNever}};
 
 constexpr BuiltinRow kInterpreterRows[] = {
     // As a bare statement, it replaces the running program, like a motion command.

@@ -176,7 +176,7 @@ constexpr BuiltinRow kIoRows[] = {
     {"set_tool_analog_input_domain(port, domain)", setDomain<AnalogPort::ToolInput>},
     {"set_tool_voltage(voltage)", setToolVoltage},
     {"set_tool_communication(enabled, baud_rate, parity, stop_bits, rx_idle_chars, tx_idle_chars)",
-     setToolCommunication, kPlain, kSeries5},
+     setToolCommunication, kPlain, kSeries5, nullptr, "no device is connected to the tool connector"},
     {"set_tool_digital_output_mode(n, mode)", setToolDigitalOutputMode, kPlain, kAfter2019},
     {"set_tool_output_mode(mode)", setToolOutputMode, kPlain, kAfter2019},
     {"set_runstate_outputs(outputs)", runStateOutputs<RuledOutput::Standard, 7>},
@@ -191,11 +191,13 @@ constexpr BuiltinRow kIoRows[] = {
     {"set_runstate_tool_digital_output_to_value(outputId, state)", runState<RuledOutput::Tool, 1>},
     {"set_runstate_standard_analog_output_to_value(outputId, state)", runState<RuledOutput::Analog, 1>},
     {"set_runstate_gp_boolean_output_to_value(outputId, state)", runState<RuledOutput::Register, 127>},
-    {"set_standard_digital_input_action(port, action)", inputAction<RuledInput::Standard, 7>},
-    {"set_configurable_digital_input_action(port, action)", inputAction<RuledInput::Configurable, 7>},
-    {"set_tool_digital_input_action(port, action)", inputAction<RuledInput::Tool, 1>},
-    {"set_gp_boolean_input_action(port, action)", inputAction<RuledInput::Register, 127>},
-    {"set_input_actions_to_default()", resetInputActions},
+    {"set_standard_digital_input_action(port, action)", inputAction<RuledInput::Standard, 7>, kPlain,
+     kAfter33},
+    {"set_configurable_digital_input_action(port, action)", inputAction<RuledInput::Configurable, 7>, kPlain,
+     kAfter33},
+    {"set_tool_digital_input_action(port, action)", inputAction<RuledInput::Tool, 1>, kPlain, kAfter33},
+    {"set_gp_boolean_input_action(port, action)", inputAction<RuledInput::Register, 127>, kPlain, kAfter33},
+    {"set_input_actions_to_default()", resetInputActions, kPlain, kAfter33},
 };
 
 }  // namespace

@@ -98,7 +98,7 @@ constexpr BuiltinRow kKinematicsRows[] = {
     {"get_inverse_kin_has_solution(pose, qnear?, maxPositionError=1e-10, maxOrientationError=1e-10, tcp?)",
      inverseKinHasSolution,
      kPlain,
-     {9, 0}},
+     {{9}}},
     {"is_within_safety_limits(pose)", withinSafetyLimits},
     {"get_jacobian(q?, tcp?)", jacobian, kPlain, kAfter515},
     {"get_jacobian_time_derivative(q?, qd?, tcp?)", jacobianTimeDerivative, kPlain, kAfter515},

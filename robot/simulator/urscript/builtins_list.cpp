@@ -177,11 +177,11 @@ Status integerToBinaryList(Call& c) {
 
 constexpr BuiltinRow kListRows[] = {
     {"norm(a)", norm},
-    {"normalize(v)", normalize},
+    {"normalize(v)", normalize, kPlain, kAfter33},
     {"get_list_length(v)", length},
     {"length(v)", length},
     {"size(v)", size, kPlain, kAfter2019},
-    {"make_list(length, initial_value, capacity?)", makeList, kPlain, {15, 0}},
+    {"make_list(length, initial_value, capacity?)", makeList, kPlain, {{15}}},
     {"inv(m)", inv, kPlain, kAfter2019},
     {"transpose(m)", transpose, kPlain, kAfter2019},
     {"binary_list_to_integer(l)", binaryListToInteger},

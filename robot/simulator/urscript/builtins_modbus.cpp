@@ -203,7 +203,7 @@ constexpr BuiltinRow kModbusRows[] = {
     {"modbus_set_output_signal(signal_name, digital_value, is_secondary_program=False)", setSignal},
     {"modbus_set_signal_update_frequency(signal_name, update_frequency)", setFrequency},
     {"modbus_set_signal_watchdog(signal_name, new_timeout_in_sec)", setSignalWatchdog, kPlain, kAfter2019},
-    {"modbus_set_digital_input_action(signal_name, action)", setInputAction},
+    {"modbus_set_digital_input_action(signal_name, action)", setInputAction, kPlain, kAfter33},
     {"modbus_set_runstate_dependent_choice(signal_name, runstate_choice)", setRunState},
     {"modbus_send_custom_command(IP, slave_number, function_code, data)", sendCommand},
     {"modbus_reset_connection(connection_id, is_blocking=True)", resetConnection, kPlain, kAfter2019},

@@ -232,13 +232,15 @@ Status jerkGainGet(Call& c) {
     return Status::Done;
 }
 
+constexpr const char* kNoJerkLimit = "profiles have no limit of the jerk";
+
 constexpr BuiltinRow kMotionRows[] = {
     {"movej(q, a=1.4, v=1.05, t=0, r=0)", movej, kMotion},
     {"movel(pose, a=1.2, v=0.25, t=0, r=0)", movel, kMotion},
     {"movep(pose, a=1.2, v=0.25, r=0)", movep, kMotion},
     {"movec(pose_via, pose_to, a=1.2, v=0.25, r=0, mode=0)", movec, kMotion},
-    {"optimovej(goal, a=0.3, v=0.3, r=0)", optimovej, kMotion, {21, 8}},
-    {"optimovel(goal, a=0.3, v=0.3, r=0)", optimovel, kMotion, {21, 8}},
+    {"optimovej(goal, a=0.3, v=0.3, r=0)", optimovej, kMotion, {{21, 8}}, nullptr, kNoJerkLimit},
+    {"optimovel(goal, a=0.3, v=0.3, r=0)", optimovel, kMotion, {{21, 8}}, nullptr, kNoJerkLimit},
     {"servoj(q, a?, v?, t?, lookahead_time=0.1, gain=300)", servoj, kMotion},
     {"servoc(pose, a=1.2, v=0.25, r=0)", servoc, kMotion},
     {"speedj(qd, a, t|t_min?)", speedj, kMotion},
@@ -248,17 +250,18 @@ constexpr BuiltinRow kMotionRows[] = {
     {"direct_torque(torque|torques, viscous_scale?, coulomb_scale?, friction_comp?)",
      directTorque,
      kMotion,
-     {23, 10}},
+     {{23, 10}}},
     {"set_pos(q)", setPos},
     {"reset_revolution_counter(qNear?)", resetRevolutionCounter},
-    {"set_safety_mode_transition_hardness(type)", setting},
+    {"set_safety_mode_transition_hardness(type)", setting, kPlain, kAfter33},
     {"position_deviation_warning(enabled, threshold=0.8)", setting},
     {"pause_on_error_code(code, argument?)", setting, kPlain, kAfter2019},
-    {"tool_wrench_limit_set(frame_offset, Fx?, Fy?, Fz?, Mx?, My?, Mz?)", setting, kPlain, {19, 0}},
-    {"tool_wrench_limit_disable()", setting, kPlain, {19, 0}},
-    {"motion_version_set(version)", motionVersionSet, kPlain, kAfter515},
+    {"tool_wrench_limit_set(frame_offset, Fx?, Fy?, Fz?, Mx?, My?, Mz?)", setting, kPlain, {{19}}},
+    {"tool_wrench_limit_disable()", setting, kPlain, {{19}}},
+    {"motion_version_set(version)", motionVersionSet, kPlain, kAfter515, nullptr,
+     "the profile of movej and movel stays that of version 1"},
     {"motion_version_get()", motionVersionGet, kPlain, kAfter515},
-    {"jerk_gain_scaling_set(gain)", jerkGainSet, kPlain, kAfter515},
+    {"jerk_gain_scaling_set(gain)", jerkGainSet, kPlain, kAfter515, nullptr, kNoJerkLimit},
     {"jerk_gain_scaling_get()", jerkGainGet, kPlain, kAfter515},
     {"frame_tracking_enable(frame_name)", absent, kPlain, kPolyScopeX, "a frame that moves"},
     {"frame_tracking_disable()", absent, kPlain, kPolyScopeX, "a frame that moves"},

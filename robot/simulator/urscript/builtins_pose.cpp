@@ -93,7 +93,7 @@ constexpr BuiltinRow kPoseRows[] = {
     {"pose_trans(p_from, p_from_to)", poseTrans},
     {"rotvec2rpy(rotation_vector)", rotvec2rpy},
     {"rpy2rotvec(rpy_vector)", rpy2rotvec},
-    {"wrench_trans(T_from_to, w_from)", wrenchTrans},
+    {"wrench_trans(T_from_to, w_from)", wrenchTrans, kPlain, kAfter33},
 };
 
 }  // namespace

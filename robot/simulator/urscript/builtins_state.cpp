@@ -127,7 +127,7 @@ Status rtdeValue(Call& c) {
 
 constexpr BuiltinRow kStateRows[] = {
     {"get_actual_joint_positions()", jointPositions<Source::Actual>},
-    {"get_actual_joint_positions_history(steps=0)", history, kPlain, {4, 0, kNever}},
+    {"get_actual_joint_positions_history(steps=0)", history, kPlain, {{4, 0, kNever}}},
     {"get_actual_joint_speeds()", jointSpeeds<Source::Actual>},
     {"get_actual_joint_accelerations()", jointAccelerations<Source::Actual>, kPlain, kAfter515},
     {"get_actual_tcp_pose()", tcpPose<Source::Actual>},
@@ -142,17 +142,17 @@ constexpr BuiltinRow kStateRows[] = {
     {"get_target_tcp_speed()", tcpSpeed<Source::Target>},
     {"get_target_tcp_pose_along_path()", tcpPose<Source::Target>, kPlain, kAfter2019},
     {"get_target_tcp_speed_along_path()", tcpSpeed<Source::Target>, kPlain, kAfter2019},
-    {"get_target_waypoint()", targetWaypoint, kPlain, {3, 0, kNever}},
+    {"get_target_waypoint()", targetWaypoint, kPlain, {{3, 0, kNever}}},
     {"get_joint_torques()", jointTorques},
     {"get_tcp_force()", tcpForce},
     {"force()", force},
     {"get_joint_temp(j)", jointTemperature},
     {"get_controller_temp()", controllerTemperature},
-    {"get_tool_temp()", toolTemperature, kPlain, {17, 0}},
+    {"get_tool_temp()", toolTemperature, kPlain, {{17}}},
     {"get_tool_current()", toolCurrent},
     {"get_tool_accelerometer_reading()", toolAccelerometer},
     {"is_steady()", isSteady},
-    {"tool_contact(direction)", toolContact, kPlain, {4, 0, kNever}},
+    {"tool_contact(direction)", toolContact, kPlain, {{4, 0, kNever}}},
     {"get_rtde_value(key)", rtdeValue, kPlain, kAfter515},
 };
 

@@ -128,8 +128,8 @@ constexpr BuiltinRow kStringRows[] = {
     {"str_find(src, target, start_from=0)", strFind, kPlain, kStringsSince},
     {"str_len(str)", strLen, kPlain, kStringsSince},
     {"str_sub(src, index, len?)", strSub, kPlain, kStringsSince},
-    {"to_num(str)", toNum},
-    {"to_str(val)", toString},
+    {"to_num(str)", toNum, kPlain, kAfter33},
+    {"to_str(val)", toString, kPlain, kAfter33},
 };
 
 }  // namespace

@@ -5,13 +5,12 @@
 // slot number, every callee an index; names are not looked up at runtime.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "robot/core/version.h"
 #include "robot/simulator/urscript/ast.h"
 #include "robot/simulator/urscript/host.h"
+#include "robot/simulator/urscript/program.h"
 #include "robot/simulator/urscript/value.h"
 
 namespace tiller::simulator::urscript {
@@ -136,8 +135,8 @@ struct Bytecode {
     ProgramKind kind = ProgramKind::Main;
     bool raw = false;
     bool commandsMotion = false;
-    bool clearsInterpreter = false;  ///< contains a call of clear_interpreter()
-    std::optional<SoftwareVersion> version;
+    bool clearsInterpreter = false;       ///< contains a call of clear_interpreter()
+    CompileOptions options;               ///< for the lines of interpreter mode
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
     std::vector<std::string> globals;  ///< a line of interpreter mode: the globals it adds

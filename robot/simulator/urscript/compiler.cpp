@@ -26,7 +26,7 @@ std::unique_ptr<Bytecode> Compiler::run() {
     out_->raw = main.kind == FunctionKind::Raw;
     out_->kind = main.kind == FunctionKind::Sec ? ProgramKind::Secondary : ProgramKind::Main;
     out_->name = out_->raw ? options_.rawName : std::string(main.name);
-    out_->version = options_.version;
+    out_->options = options_;
     collectGlobals();
     out_->functions.resize(tree_.functions.size());
     for (const Function& f : tree_.functions) {
@@ -230,9 +230,7 @@ LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings) {
         out.error = *parsed.error;
         return out;
     }
-    CompileOptions options;
-    options.version = surroundings.program.code->version;
-    Compiler compiler(parsed.tree, options, &surroundings);
+    Compiler compiler(parsed.tree, surroundings.program.code->options, &surroundings);
     out.code = compiler.run();
     if (compiler.error()) {
         out.error = *compiler.error();

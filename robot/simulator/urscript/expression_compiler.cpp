@@ -140,7 +140,7 @@ void ExpressionCompiler::expression(const Expr* e) {
             emit(Op::MakeList, e->at, count, 0, 1 - count);
             break;
         case ExprKind::StructLiteral:
-            if (options_.version && !kStructSince.availableIn(*options_.version)) {
+            if (options_.version && !kStructSince.availableIn(*options_.version, options_.isListed)) {
                 nameNotFound(e->at, "struct");
             }
             out_->shapes.emplace_back(e->names.begin(), e->names.end());
@@ -234,7 +234,8 @@ void ExpressionCompiler::call(const Expr* e) {
         builtin = findBuiltin(e->text);
         const bool isMissing =
             std::find(options_.missing.begin(), options_.missing.end(), e->text) != options_.missing.end();
-        if (builtin < 0 || isMissing || (options_.version && !row(builtin).availableIn(*options_.version))) {
+        if (builtin < 0 || isMissing ||
+            (options_.version && !row(builtin).since.availableIn(*options_.version, options_.isListed))) {
             nameNotFound(e->at, e->text);
             builtin = -1;
         } else {

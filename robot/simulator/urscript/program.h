@@ -27,6 +27,8 @@ struct CompileError {
 struct CompileOptions {
     /// Software version whose builtins are available; none: all builtins.
     std::optional<SoftwareVersion> version;
+    /// Where sources only give a range for the first version of a builtin, its end counts.
+    bool isListed = false;
     /// Builtins that are missing although the software version has them.
     std::vector<std::string> missing;
     /// Name of a program without `def`.

@@ -39,6 +39,24 @@ public:
         }
         xml_.writeEndDocument();
     }
+    void response(const Value& answer) {
+        xml_.writeStartElement(QStringLiteral("methodResponse"));
+        xml_.writeStartElement(QStringLiteral("params"));
+        if (!answer.is(Value::Type::None)) {
+            xml_.writeStartElement(QStringLiteral("param"));
+            value(answer);
+        }
+        xml_.writeEndDocument();
+    }
+    void faultResponse(std::string_view words) {
+        StructData data;
+        data.members.emplace_back("faultCode", std::int32_t{1});
+        data.members.emplace_back("faultString", Value(std::string(words)));
+        xml_.writeStartElement(QStringLiteral("methodResponse"));
+        xml_.writeStartElement(QStringLiteral("fault"));
+        value(Value::structure(std::move(data)));
+        xml_.writeEndDocument();
+    }
 
 private:
     static QString text(std::string_view s) {
@@ -121,6 +139,25 @@ class Reader {
 public:
     explicit Reader(std::string_view body)
         : xml_(QByteArray(body.data(), static_cast<qsizetype>(body.size()))) {}
+
+    MethodCall call() {
+        enter("methodCall");
+        enter("methodName");
+        MethodCall out;
+        out.method = xml_.readElementText().trimmed().toStdString();
+        if (!xml_.readNextStartElement()) {
+            return out;
+        }
+        if (xml_.name() != QLatin1String("params")) {
+            malformed();
+        }
+        while (xml_.readNextStartElement()) {
+            enter("value");
+            out.arguments.push_back(value(0));
+            xml_.skipCurrentElement();  // to the end of <param>
+        }
+        return out;
+    }
 
     Value response() {
         enter("methodResponse");
@@ -276,6 +313,30 @@ Result<std::string> request(const Address& address, std::string_view method,
                        "\r\n\r\n";
     text.append(body.constData(), static_cast<std::size_t>(body.size()));
     return text;
+}
+
+Result<MethodCall> readCall(std::string_view body) {
+    try {
+        return Reader(body).call();
+    } catch (const Fault& f) {
+        return scriptError(f.text);
+    }
+}
+
+std::string response(const Value& value) {
+    QByteArray body;
+    try {
+        Writer(body).response(value);
+    } catch (const Fault& f) {
+        return faultResponse(f.text);
+    }
+    return body.toStdString();
+}
+
+std::string faultResponse(std::string_view text) {
+    QByteArray body;
+    Writer(body).faultResponse(text);
+    return body.toStdString();
 }
 
 Result<std::optional<Value>> reply(std::string_view received, bool ended) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/result.h"
 #include "robot/simulator/urscript/value.h"
@@ -32,5 +33,17 @@ Result<std::string> request(const Address& address, std::string_view method,
 /// ended  the connection has ended
 /// Errors  ScriptError: HTTP status, malformed reply, fault of the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
+
+// The side of a server.
+
+struct MethodCall {
+    std::string method;
+    std::vector<Value> arguments;
+};
+/// body  of the HTTP request.  Errors  ScriptError: malformed, or a type that URScript does not have
+Result<MethodCall> readCall(std::string_view body);
+/// Body of a reply. None: a reply without a value.
+std::string response(const Value& value);
+std::string faultResponse(std::string_view text);
 
 }  // namespace tiller::simulator::urscript::xml_rpc

@@ -31,6 +31,25 @@ private Q_SLOTS:
                  QByteArray("\x01INT32,INT32"));
     }
 
+    // Source: RTDE guide: version 2 from 3.4 on, RTDE from 3.2 on.
+    void oldSoftwareHasOnlyTheFirstProtocol() {
+        auto options = VirtualRobot::options();
+        options.model = RobotModelId::UR5;
+        options.software = {3, 3, 0, 0};
+        VirtualRobot old(options);
+        RawRtde rtde = old.rtde();
+        QVERIFY(!rtde.useVersion(2));
+        QVERIFY(rtde.useVersion(1));
+        options.software = {3, 4, 0, 0};
+        VirtualRobot newer(options);
+        RawRtde second = newer.rtde();
+        QVERIFY(second.useVersion(2));
+        options.software = {3, 1, 0, 0};
+        VirtualRobot none(options);
+        QVERIFY(none.started);
+        QCOMPARE(none.controller.ports().rtde, std::uint16_t(0));
+    }
+
     void packagesComeEveryNthPeriod_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");

@@ -106,11 +106,18 @@ Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t ki
                    [&](ByteWriter& out) { out.u32(id).u32(kind).text(bounded(words)); });
 }
 
-Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup) {
+Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup, const SoftwareVersion& software) {
     constexpr std::uint32_t kPlainPopup = 8;
+    const bool hasRequests =
+        software >= (software.isCb3() ? SoftwareVersion{3, 12, 0, 0} : SoftwareVersion{5, 6, 0, 0});
     return message(timestampNs, RobotInterface, Popup, [&](ByteWriter& out) {
-        out.u32(popup.id).u32(kPlainPopup);
-        out.flag(popup.warning).flag(popup.error).flag(popup.blocking);
+        if (hasRequests) {
+            out.u32(popup.id).u32(kPlainPopup);
+        }
+        out.flag(popup.warning).flag(popup.error);
+        if (hasRequests) {
+            out.flag(popup.blocking);
+        }
         counted(out, popup.title);
         out.text(bounded(popup.text));
     });

@@ -47,6 +47,7 @@ struct PopupMessage {
 };
 /// kind  requestedType: 0 boolean, 1 integer, 2 float, 3 string
 Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view text);
-Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup);
+/// software  before 3.12 and 5.6 there are no request id and no type, as in the layout that older clients read
+Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup, const SoftwareVersion& software);
 
 }  // namespace tiller::simulator::primary

@@ -26,6 +26,11 @@ bool hasSafetyStatus(const SoftwareVersion& software) {
     return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
 }
 
+/// Before, type 5 was another package, which clients skip. Source: urx.
+bool hasKinematics(const SoftwareVersion& software) {
+    return software >= SoftwareVersion{3, 6, 0, 0};
+}
+
 template <class Body>
 void part(ByteWriter& out, unsigned type, Body body) {
     const std::size_t length = out.openLength();
@@ -171,12 +176,19 @@ void forceModeData(ByteWriter& out, const Telemetry& now) {
 void smallParts(ByteWriter& out, const Telemetry& now) {
     part(out, 8, [&] { out.flag(now.freedriveButton).flag(true).flag(false).u8(1); });
     part(out, 10, [&] { out.u32(kInternalWord).u8(1).u8(1).f64(0).f64(0).f64(0).f64(0); });
-    part(out, 11, [&] {
-        const Pins::ToolCommunication& tool = now.pins->toolCommunication;
-        out.flag(tool.enabled).i32(tool.baudRate).i32(tool.parity).i32(tool.stopBits);
-        out.f32(tool.rxIdleChars).f32(tool.txIdleChars);
-    });
-    part(out, 12, [&] { out.u8(0).u8(1).u8(1); });
+    if (!now.software.isCb3()) {  // whose tool connector has neither
+        part(out, 11, [&] {
+            const Pins::ToolCommunication& tool = now.pins->toolCommunication;
+            out.flag(tool.enabled).i32(tool.baudRate).i32(tool.parity).i32(tool.stopBits);
+            out.f32(tool.rxIdleChars).f32(tool.txIdleChars);
+        });
+        part(out, 12, [&] {
+            out.u8(static_cast<unsigned>(now.pins->toolOutputMode));
+            for (const auto mode : now.pins->toolDigitalOutputModes) {
+                out.u8(static_cast<unsigned>(mode));
+            }
+        });
+    }
     if (isNewer(now)) {
         part(out, 13, [&] { out.u8(0).u8(0); });  // no singularity nearby
     }
@@ -193,7 +205,7 @@ std::vector<std::uint8_t> robotState(const Telemetry& now, bool first) {
     modeData(out, now);
     jointData(out, now);
     cartesianInfo(out, now);
-    if (first) {
+    if (first && hasKinematics(now.software)) {
         kinematicsInfo(out, now);
     }
     calibrationData(out, now);

@@ -37,9 +37,11 @@ RtdeInputs::Claim RtdeInputs::claim(ClientId client, const std::vector<std::stri
     InputRecipe recipe;
     std::vector<rtde::DataType> types;
     bool granted = !names.empty();
+    const bool isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
     for (const std::string& name : names) {
         const rtde::Field* field = rtde::findInput(name);
-        if (field == nullptr || !field->isAvailableOn(software_)) {
+        if (field == nullptr ||
+            !(isListed ? field->isListedOn(software_) : field->isAvailableOn(software_))) {
             claim.answers.push_back(rtde::FieldAnswer::notFound());
             granted = false;
             continue;

@@ -137,7 +137,11 @@ void RtdeServer::reply(Client& client) {
 
 void RtdeServer::onProtocol(Client& client, rtde::ByteView payload) {
     const Result<std::uint16_t> wanted = rtde::readProtocolRequest(payload);
-    const std::uint16_t newest = hasProperties(plant_.options().software) ? 3 : 2;
+    const SoftwareVersion& software = plant_.options().software;
+    // CB3 has version 2 from 3.4 on. Source: RTDE guide.
+    const std::uint16_t newest = hasProperties(software)                   ? 3
+                                 : software >= SoftwareVersion{3, 4, 0, 0} ? 2
+                                                                           : 1;
     const bool accepted = wanted && *wanted >= 1 && *wanted <= newest;
     if (accepted) {
         client.protocol = static_cast<rtde::ProtocolVersion>(*wanted);
@@ -162,7 +166,8 @@ void RtdeServer::onOutputs(Client& client, rtde::ByteView payload) {
         rtde::writeSetupOutputsReply(reply_, client.protocol, 0, {});
         return;
     }
-    client.output.emplace(request->names, plant_.options().software);
+    client.output.emplace(request->names, plant_.options().software,
+                          plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest);
     client.divider = client.protocol == rtde::ProtocolVersion::V1 ? 1 : dividerFor(request->frequency);
     const bool valid = client.output->isValid();
     client.started = client.started && valid;

@@ -195,13 +195,15 @@ std::optional<FieldSource> fieldSource(const rtde::Field& field) {
     return std::nullopt;
 }
 
-OutputRecipe::OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software)
+OutputRecipe::OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software,
+                           bool isListed)
     : valid_(!names.empty()) {
     std::vector<rtde::DataType> types;
     for (const std::string& name : names) {
         const rtde::Field* field = rtde::findOutput(name);
-        const auto source =
-            field != nullptr && field->isAvailableOn(software) ? fieldSource(*field) : std::nullopt;
+        const bool exists =
+            field != nullptr && (isListed ? field->isListedOn(software) : field->isAvailableOn(software));
+        const auto source = exists ? fieldSource(*field) : std::nullopt;
         if (!source) {
             answers_.push_back(rtde::FieldAnswer::notFound());
             valid_ = false;

@@ -30,7 +30,8 @@ std::optional<FieldSource> fieldSource(const rtde::Field& field);
 class OutputRecipe {
 public:
     /// True for each field that exists in this software; answers() lists them.
-    OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software);
+    OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software,
+                 bool isListed = false);
 
     /// In the order of the names.
     const std::vector<rtde::FieldAnswer>& answers() const { return answers_; }

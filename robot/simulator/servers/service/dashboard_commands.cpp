@@ -56,17 +56,24 @@ const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
     {"close safety popup", &C::closeSafetyPopup, false, true, {3, 1, 0, 0}, {}},
     {"restart safety", &C::restartSafety, false, true, {3, 7, 0, 0}, {5, 1, 0, 0}},
     {"safetymode", &C::safetyMode, false, false, {}, {}},
-    {"safetystatus", &C::safetyStatus, false, false, {3, 11, 0, 0}, {5, 4, 0, 0}},
+    {"safetystatus",
+     &C::safetyStatus,
+     false,
+     false,
+     {3, 11, 0, 0},
+     {5, 4, 0, 0},
+     {3, 11, 0, 0},
+     {5, 5, 0, 0}},
     {"shutdown", &C::shutdown, false, true, {}, {}},
     {"quit", &C::quit, false, false, {}, {}},
     {"popup", &C::popup, true, false, {}, {}},
     {"close popup", &C::closePopup, false, false, {}, {}},
     {"addToLog", &C::addToLog, true, false, {}, {}},
     {"saveLog", &C::saveLog, false, false, {3, 13, 0, 0}, {5, 8, 0, 0}},
-    {"setUserRole", &C::setUserRole, true, false, {3, 1, 0, 0}, kNever},
+    {"setUserRole", &C::setUserRole, true, false, {}, kNever, {3, 1, 0, 0}},
     {"getUserRole", &C::getUserRole, false, false, {3, 1, 0, 0}, kNever},
     {"PolyscopeVersion", &C::polyscopeVersion, false, false, {}, {}},
-    {"version", &C::version, false, false, kNever, {}},
+    {"version", &C::version, false, false, kNever, {}, {}, {5, 13, 0, 0}},
     {"get serial number", &C::serialNumber, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
     {"get robot model", &C::robotModel, false, false, {3, 12, 0, 0}, {5, 6, 0, 0}},
     {"is in remote control", &C::isInRemoteControl, false, false, kNever, {5, 6, 0, 0}},
@@ -93,7 +100,14 @@ bool DashboardCommands::mayControl(Rights rights) const {
 
 bool DashboardCommands::isKnown(const KnownCommand& command) const {
     const SoftwareVersion& software = plant_.options().software;
-    return software >= (software.isCb3() ? command.cb3 : command.eSeries);
+    const bool isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
+    return software >= (software.isCb3() ? command.cb3 : command.eSeries) &&
+           (!isListed || software >= (software.isCb3() ? command.listedCb3 : command.listedESeries));
+}
+
+/// Software before 3.4 answers as if the command had been carried out.
+std::string DashboardCommands::refused(const char* failure, const char* success) const {
+    return plant_.options().software >= SoftwareVersion{3, 4, 0, 0} ? failure : success;
 }
 
 const DashboardCommands::KnownCommand* DashboardCommands::find(std::string_view line,
@@ -164,11 +178,11 @@ std::string DashboardCommands::loadInstallation(const std::string& name) {
 }
 
 std::string DashboardCommands::play(const std::string&) {
-    constexpr const char* kFailed = "Failed to execute: play";
+    const std::string failed = refused("Failed to execute: play", "Starting program");
     ProgramRunner& programs = plant_.programs();
     if (plant_.power().mode() != RobotMode::Running || !allowsMotion(plant_.safety().mode()) ||
         plant_.popups().anyBlocking()) {
-        return kFailed;
+        return failed;
     }
     if (programs.isPaused() || programs.state() == RuntimeState::Pausing) {
         programs.resume();
@@ -178,19 +192,19 @@ std::string DashboardCommands::play(const std::string&) {
         programs.stopNow();  // "stop" has been answered, so "play" may follow immediately
     }
     if (!store_.isLoaded() || programs.isActive()) {
-        return kFailed;
+        return failed;
     }
     const Result<std::string> text = store_.script();
     if (!text) {
         plant_.appendToLog("Error while loading program: " + store_.name() + ": " +
                            text.error().context.toStdString());
-        return kFailed;
+        return failed;
     }
     if (text->find(pendant::kControlNode) != std::string::npos) {
         programs.submitControlled(*text, store_.scriptProvider());
         return "Starting program";
     }
-    return programs.submitText(*text) ? "Starting program" : kFailed;
+    return programs.submitText(*text) ? "Starting program" : failed;
 }
 
 std::string DashboardCommands::stop(const std::string&) {
@@ -202,7 +216,7 @@ std::string DashboardCommands::stop(const std::string&) {
 
 std::string DashboardCommands::pause(const std::string&) {
     if (plant_.programs().state() != RuntimeState::Playing) {
-        return "Failed to execute: pause";
+        return refused("Failed to execute: pause", "Pausing program");
     }
     plant_.programs().pause();
     return "Pausing program";

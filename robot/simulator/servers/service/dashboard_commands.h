@@ -39,10 +39,13 @@ private:
         bool controls = false;  ///< refused in local control
         SoftwareVersion cb3{};
         SoftwareVersion eSeries{};
+        SoftwareVersion listedCb3{};  ///< the latest first version, where sources disagree
+        SoftwareVersion listedESeries{};
     };
     static const KnownCommand kCommands[];
     const KnownCommand* find(std::string_view line, std::string& argument) const;
     bool isKnown(const KnownCommand& command) const;
+    std::string refused(const char* failure, const char* success) const;
 
     // program
     std::string load(const std::string& name);

@@ -8,11 +8,14 @@
 #include <QFile>
 #include <QTcpServer>
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <map>
 
 #include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/program.h"
 
 using namespace tiller;
 using namespace tiller::simulator;
@@ -22,43 +25,89 @@ namespace {
 
 const char* const kBegin = "<!-- builtins: written by tst_builtin_table -->\n";
 
-QString since(const urscript::Since& s) {
-    if (s.minor5 == urscript::kNever) {
-        return QStringLiteral("PolyScope X");
+/// One series of releases: "5.21", "5.6 to 5.15", "3.12 or never". Empty: it never has the function.
+QString seriesText(int major, int first, int listed) {
+    const QString series = QString::number(major) + QLatin1Char('.');
+    if (first == urscript::kNever) {
+        return {};
     }
-    QStringList parts;
-    const int series3 = s.firstOfSeries3();
-    if (series3 > 0 && series3 != urscript::kNever) {
-        parts << QStringLiteral("3.%1").arg(series3);
-    }
-    if (s.minor5 > 0) {
-        parts << QStringLiteral("5.%1").arg(s.minor5);
-    } else if (series3 == urscript::kNever) {
-        parts << QStringLiteral("5.0");
-    }
-    if (s.minor10 > 0) {
-        parts << QStringLiteral("10.%1").arg(s.minor10);
-    }
-    return parts.join(QStringLiteral(", "));
+    const QString text = series + QString::number(first);
+    return listed == first              ? text
+           : listed == urscript::kNever ? text + QStringLiteral(" or never")
+                                        : text + QStringLiteral(" to ") + series + QString::number(listed);
 }
 
-QString state(const Builtin& b) {
-    if (b.needs != nullptr) {
-        return QStringLiteral("error: needs %1").arg(QString::fromLatin1(b.needs));
+QString since(const urscript::Since& s) {
+    const urscript::FirstVersions& first = s.first;
+    const urscript::FirstVersions listed = s.listed.value_or(first);
+    QStringList parts{seriesText(3, first.ofSeries3(), listed.ofSeries3()),
+                      seriesText(5, first.minor5, listed.minor5)};
+    if (first.minor5 == urscript::kNever || first.minor10 > 0 || listed.minor10 > 0) {
+        parts << seriesText(10, first.minor10, listed.minor10);
     }
-    return b.function == urscript::setting ? QStringLiteral("taken, without effect")
-                                           : QStringLiteral("works");
+    parts.removeAll(QString());
+    const QString text = parts.join(QStringLiteral(", "));
+    return text == QLatin1String("3.0, 5.0") ? QStringLiteral("all") : text;
+}
+
+/// The option that removes a builtin. No source says in which version one went.
+QString until(const Builtin& b) {
+    for (const BehaviourOptionInfo& info : assumptionTable()) {
+        BehaviourOptions assumptions;
+        const QString words = info.name + QStringLiteral("=missing");
+        if (!assume(assumptions, words).ok()) {
+            continue;
+        }
+        const std::vector<std::string> missing = assumptions.missingBuiltins();
+        if (std::find(missing.begin(), missing.end(), b.name) != missing.end()) {
+            return QStringLiteral("option `%1`").arg(words);
+        }
+    }
+    return {};
+}
+
+enum Effect { Full, Partly, Accepted, Refused };
+Effect effectOf(const Builtin& b) {
+    return b.needs != nullptr                ? Refused
+           : b.partly != nullptr             ? Partly
+           : b.function == urscript::setting ? Accepted
+                                             : Full;
+}
+
+QString effectText(const Builtin& b) {
+    switch (effectOf(b)) {
+        case Full:
+            break;
+        case Partly:
+            return QStringLiteral("partly: %1").arg(QString::fromLatin1(b.partly));
+        case Accepted:
+            return QStringLiteral("accepted without effect");
+        case Refused:
+            return QStringLiteral("refused: needs %1").arg(QString::fromLatin1(b.needs));
+    }
+    return QStringLiteral("full");
 }
 
 QString table() {
-    QString out = QStringLiteral("| Function | Since | State |\n|---|---|---|\n");
+    std::array<int, 4> counts{};
+    QString rows;
     for (const Builtin& b : urscript::builtins()) {
         QString signature = QString::fromStdString(b.signature);
         signature.replace('?', QString());
         signature.replace('|', QStringLiteral(" or "));
-        out += QStringLiteral("| `%1` | %2 | %3 |\n").arg(signature, since(b.since), state(b));
+        rows += QStringLiteral("| `%1` | %2 | %3 | %4 |\n")
+                    .arg(signature, since(b.since), until(b), effectText(b));
+        ++counts[effectOf(b)];
     }
-    return out;
+    return QStringLiteral(
+               "%1 functions: %2 with their full effect, %3 in part, %4 accepted without effect, "
+               "%5 refused.\n\n")
+               .arg(urscript::builtins().size())
+               .arg(counts[Full])
+               .arg(counts[Partly])
+               .arg(counts[Accepted])
+               .arg(counts[Refused]) +
+           QStringLiteral("| Function | Since | Until | Effect |\n|---|---|---|---|\n") + rows;
 }
 
 /// Returns a plausible argument for a parameter of this name.
@@ -228,6 +277,37 @@ private Q_SLOTS:
         QVERIFY2(text == wanted, "run it again with TILLER_UPDATE=1 and look at the change");
     }
 
+    // Each switch of a version, in each series, through the compiler.
+    void everyFunctionComesWithItsVersion_data() { everyStateIsTrue_data(); }
+    void everyFunctionComesWithItsVersion() {
+        QFETCH(int, index);
+        const Builtin& b = urscript::builtins()[static_cast<std::size_t>(index)];
+        const std::string source = "def t():\n" + b.name + "()\nend\n";
+        const auto knows = [&](int major, int minor, bool isListed) {
+            urscript::CompileOptions options;
+            options.version =
+                SoftwareVersion{static_cast<unsigned>(major), static_cast<unsigned>(minor), 9, 0};
+            options.isListed = isListed;
+            const urscript::CompileOutcome outcome = urscript::compile(source, options);
+            return outcome || outcome.error.text != "compile_error_name_not_found:" + b.name + ":";
+        };
+        const auto verify = [&](int major, int first, bool isListed) {
+            constexpr int kLast = 200;
+            QCOMPARE(knows(major, kLast, isListed), first != urscript::kNever);
+            if (first != urscript::kNever) {
+                QVERIFY(knows(major, first, isListed));
+                QVERIFY(first == 0 || !knows(major, first - 1, isListed));
+            }
+        };
+        for (const bool isListed : {false, true}) {
+            const urscript::FirstVersions first =
+                isListed ? b.since.listed.value_or(b.since.first) : b.since.first;
+            verify(3, first.ofSeries3(), isListed);
+            verify(5, first.minor5, isListed);
+            verify(10, first.minor10, isListed);
+        }
+    }
+
     void everyStateIsTrue_data() {
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < urscript::builtins().size(); ++i) {
@@ -239,7 +319,7 @@ private Q_SLOTS:
         const Builtin& b = urscript::builtins()[static_cast<std::size_t>(index)];
         SimulatorOptions options;
         options.poweredOn = true;
-        const bool polyScopeX = b.since.minor5 == urscript::kNever;
+        const bool polyScopeX = b.since.first.minor5 == urscript::kNever;
         options.software = polyScopeX ? SoftwareVersion{10, 12, 1, 0} : SoftwareVersion{5, 25, 1, 0};
         ControllerModel plant(options);
         const QString frame =

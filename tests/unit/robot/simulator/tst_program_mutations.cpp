@@ -202,6 +202,19 @@ private Q_SLOTS:
         QVERIFY2(bool(outcome), outcome.error.text.c_str());
     }
 
+    void aUrpxProgramWithoutScriptIsRefusedWithItsNodes() {
+        const auto bare = pendant::readUrpx(R"json({"program": {"programContent": {"children": [
+            {"contributedNode": {"type": "ur-functions"}, "children": [{"contributedNode": {"type": "ur-move-to"}},
+             {"contributedNode": {"type": "ur-wait"}}, {"contributedNode": {"type": "ur-move-to"}}]}]}}})json");
+        QVERIFY(!bare.ok());
+        QVERIFY2(
+            bare.error().context.endsWith("its nodes are not translated: ur-functions, ur-move-to, ur-wait"),
+            qPrintable(bare.error().context));
+        const auto whole = pendant::readUrpx(R"json({"application": {"urscript": {"script": "global a = 1"}},
+            "program": {"urscript": {"script": "textmsg(a)"}}})json");
+        QVERIFY(whole.ok() && urscript::compile(whole->script));
+    }
+
     void aThousandDamagedProgramsAreRefusedOrCompiled() {
         const QByteArray whole = everyNode();
         int told = 0, refused = 0;

@@ -291,6 +291,17 @@ private Q_SLOTS:
         QVERIFY(interpreter.mode().submit("optimovej([0,0,0,0,0,0])").kind == Kind::Discard);
         QVERIFY(interpreter.mode().submit("movej([0,0,0,0,0,0])").kind == Kind::Ack);
     }
+    void linesDoNotKnowWhatTheProgramDoesNotKnow() {
+        CompileOptions options;
+        options.missing = {"teach_mode"};
+        const CompileOutcome outcome = compile("def p():\n interpreter_mode()\nend\n", options);
+        QVERIFY(outcome);
+        FakeHost host;
+        Interpreter interpreter(outcome.program, host);
+        interpreter.runFrame();
+        QVERIFY(interpreter.mode().submit("teach_mode()").kind == Kind::Discard);
+        QVERIFY(interpreter.mode().submit("freedrive_mode()").kind == Kind::Ack);
+    }
 };
 
 QTEST_GUILESS_MAIN(tst_InterpreterMode)

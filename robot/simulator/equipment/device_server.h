@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A device on the network of the robot that answers programs as its table says: XML-RPC over HTTP, or lines of text. It
+// listens on a port of its own; programs reach it under the address in the table.
+
+#include <deque>
+#include <string>
+
+#include "robot/simulator/equipment/device_table.h"
+#include "robot/simulator/servers/net/http_message.h"
+#include "robot/simulator/servers/net/server.h"
+
+namespace tiller::simulator {
+
+class ControllerModel;
+
+class DeviceServer final : public Server {
+public:
+    enum class Presence {
+        Answers,
+        Refuses,  ///< nothing listens there
+        Silent,   ///< connections are accepted, and no request is answered
+    };
+
+    DeviceServer(ControllerModel& plant, QString name, DeviceTable table)
+        : plant_(plant), name_(std::move(name)), table_(std::move(table)) {}
+
+    const QString& name() const { return name_; }
+    const DeviceTable& table() const { return table_; }
+    bool isRefusing() const { return presence_ == Presence::Refuses; }
+    void setPresence(Presence presence);
+
+    void service() override;
+    void closeClients() override { clients_.clear(); }
+
+private:
+    struct Client {
+        explicit Client(native_socket::Descriptor descriptor) : peer(descriptor, 1 << 20) {}
+        Peer peer;
+        HttpParser parser;        ///< xml-rpc
+        std::string line;         ///< lines: what came of the next one
+        bool isAnswered = false;  ///< lines: that text was answered without its end
+        struct Pending {
+            double due;  ///< [s] controller time
+            std::string bytes;
+            bool closes;
+        };
+        std::deque<Pending> answers;
+    };
+    void read(Client& client);
+    void takeCalls(Client& client);
+    void takeLines(Client& client, std::string_view bytes);
+    bool answerLine(Client& client, bool isWhole);
+    void queue(Client& client, double delay, std::string bytes, bool closes);
+    void sendDue(Client& client);
+    void tellUnknown(const std::string& request);
+
+    ControllerModel& plant_;
+    QString name_;
+    DeviceTable table_;
+    Presence presence_ = Presence::Answers;
+    std::vector<std::unique_ptr<Client>> clients_;
+};
+
+}  // namespace tiller::simulator
