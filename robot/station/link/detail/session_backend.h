@@ -86,7 +86,7 @@ struct SessionBackend {
     std::vector<receive::Sample> room;  ///< buffer for the samples of a frame, reused
     control::AbandonedProgram abandoned;
     const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
-    dashboard::ServiceReport report;    ///< queried about once a second; Unknown until the first answer
+    dashboard::ServiceReport report;  ///< queried about once a second; Unknown until the first answer
     bool localRefuses = false;  ///< was in Remote before, or has refused a command because it was in Local
     bool takingControl = false;
     bool monitorOnly = false;
