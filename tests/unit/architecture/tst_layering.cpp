@@ -52,6 +52,7 @@ const QList<Folder>& folders() {
          {"robot/core", "robot/realtime", "robot/receive", "robot/control", "robot/io", "robot/dashboard",
           "robot/recording"},
          kGui},
+        {"robot/c", {"robot/core", "robot/receive", "robot/control", "robot/io", "robot/api"}, kGui},
         {"robot/live",
          {"robot/core", "robot/realtime", "robot/receive", "robot/recording/mcap/robot_state_message.h",
           "robot/recording/mcap/ros_messages.h"},
