@@ -184,6 +184,22 @@ py::dict cycleDict(const CycleState& cycle, double waited) {
     result["tcp_speed"] = py::array_t<double>(6, speed.data());
     result["speed_fraction"] = cycle.speedFraction;
     result["speed_scaling"] = cycle.speedScaling;
+    if (const receive::Sample* packet = cycle.packet; packet != nullptr) {
+        result["packet"] = py::make_tuple(
+            packet->sequence, packet->hostTimeNs, packet->connection, packet->lostBefore,
+            py::array_t<double>(static_cast<py::ssize_t>(packet->values.size()), packet->values.data()));
+    }
+    return result;
+}
+
+/// The position of each field in the values of the packets: name to (first, count).
+py::dict layoutDict(const CycleState& cycle) {
+    py::dict result;
+    if (cycle.packet != nullptr && cycle.packet->layout) {
+        for (const auto& entry : cycle.packet->layout->entries()) {
+            result[entry.name.c_str()] = py::make_tuple(entry.first, entry.count);
+        }
+    }
     return result;
 }
 
@@ -222,6 +238,7 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
     std::exception_ptr thrown;
     CycleReport report;
     std::chrono::duration<double> longestWait{0};
+    std::optional<py::dict> layout;  // accessed with the interpreter lock
     const auto ask = [&](const CycleState& cycle) -> std::optional<Six> {
         if (isParked()) {
             return std::nullopt;
@@ -232,7 +249,10 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
         longestWait = std::max(longestWait, waited);
         const InCallback callbackRuns;
         try {
-            const py::object answer = callback(cycleDict(cycle, waited.count()));
+            if (!layout) {
+                layout = layoutDict(cycle);
+            }
+            const py::object answer = callback(cycleDict(cycle, waited.count()), *layout);
             return answer.is_none() ? std::nullopt : std::optional(answer.cast<Six>());
         } catch (...) {
             thrown = std::current_exception();
@@ -348,8 +368,6 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
     }
     return path;
 }
-
-using ControllerClass = py::class_<NativeController, SharedController>;
 
 void defineMotions(ControllerClass& cls) {
     const auto parameters = [](std::optional<double> speed, double acceleration, double silence) {
@@ -544,18 +562,19 @@ void defineControl(py::module_& module) {
 
     ControllerClass cls(module, "Controller");
     cls.def(py::init([](const std::string& host, int portOffset, bool upperRegisters, int priority,
-                        double speedCap, SharedClock clock) {
+                        double speedCap, SharedClock clock, const std::vector<std::string>& fields) {
                 ControllerOptions options;
                 options.host = host;
                 options.portOffset = portOffset;
                 options.registers = upperRegisters ? RegisterRange::Upper : RegisterRange::Lower;
                 options.priority = priority;
+                options.fields = fields;
                 auto made = sharedOwn<NativeController>(options, std::move(clock));
                 taken(made->controller.setSpeedCap(speedCap));
                 return made;
             }),
             py::arg("host"), py::arg("port_offset"), py::arg("upper_registers"), py::arg("priority"),
-            py::arg("speed_cap"), py::arg("clock"));
+            py::arg("speed_cap"), py::arg("clock"), py::arg("fields"));
     cls.def("take_control", [](const SharedController& self, const Seconds& seconds) {
         waited(seconds, [&](const Deadline& deadline) { return self->controller.takeControl(deadline); });
     });
@@ -573,6 +592,7 @@ void defineControl(py::module_& module) {
             [](NativeController& self, double cap) { taken(self.controller.setSpeedCap(cap)); });
     defineMotions(cls);
     defineQueries(cls);
+    defineSetup(cls);
 }
 
 }  // namespace tiller::python
