@@ -109,6 +109,7 @@ struct NativeStream {
 };
 using NativeJointServo = NativeStream<JointServo, JointPositions>;
 using NativePoseServo = NativeStream<PoseServo, Pose>;
+using NativeCircularServo = NativeStream<CircularServo, Pose>;
 using NativeJointSpeed = NativeStream<JointSpeed, JointVelocities>;
 using NativeToolSpeed = NativeStream<ToolSpeed, Twist>;
 using NativeJointTorque = NativeStream<JointTorque, JointTorques>;
@@ -432,6 +433,10 @@ void defineMotions(ControllerClass& cls) {
         return std::make_unique<NativePoseServo>(
             self, taken(Motions(self->controller).startServoL({.lookahead = lookahead, .gain = gain})));
     });
+    cls.def("servo_c", [](const SharedController& self, double speed, double acceleration, double blend) {
+        return std::make_unique<NativeCircularServo>(
+            self, taken(Motions(self->controller).startServoC({speed, acceleration, blend})));
+    });
     cls.def("speed_j", [](const SharedController& self, double acceleration) {
         return std::make_unique<NativeJointSpeed>(
             self, taken(Motions(self->controller).startSpeedJ({.acceleration = acceleration})));
@@ -556,6 +561,7 @@ void defineControl(py::module_& module) {
         .def("cause", [](const NativeJog& self) { return self.motion().cause(); });
     defineStream<NativeJointServo>(module, "JointServo");
     defineStream<NativePoseServo>(module, "PoseServo");
+    defineStream<NativeCircularServo>(module, "CircularServo");
     defineStream<NativeJointSpeed>(module, "JointSpeed");
     defineStream<NativeToolSpeed>(module, "ToolSpeed");
     defineStream<NativeJointTorque>(module, "JointTorque");

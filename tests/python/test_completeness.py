@@ -36,7 +36,7 @@ TABLE = {
         "moveJ": "Robot.move_j", "moveJToPose": "Robot.move_j_to_pose", "moveL": "Robot.move_l",
         "moveLToJoints": "Robot.move_l_to_joints", "movePath": "Robot.move_path",
         "moveUntilContact": "Robot.move_until_contact", "startJog": "Robot.jog", "startServoJ": "Robot.servo_j",
-        "startServoL": "Robot.servo_l", "startServoC": UNLISTED_MOTION, "startSpeedJ": "Robot.speed_j",
+        "startServoL": "Robot.servo_l", "startServoC": "Robot.servo_c", "startSpeedJ": "Robot.speed_j",
         "startSpeedL": "Robot.speed_l", "startTorque": "Robot.torque", "stopJ": "Robot.stop_j", "stopL": "Robot.stop_l",
         "preparePath": UNLISTED_MOTION, "startPath": UNLISTED_MOTION},
     "Compliance": {

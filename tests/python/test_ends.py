@@ -243,6 +243,7 @@ PYTHON_NATIVE = [
     Row("Python", "move_until_contact", "robot.move_until_contact([0, 0, -0.1, 0, 0, 0]).wait()"),
     Row("Python", "servo_j", "s = robot.servo_j()\nloop(lambda t: s.send(turned(0.3 * t)))"),
     Row("Python", "servo_l", "s = robot.servo_l()\nloop(lambda t: s.send(lowered(0.08 * t)))", 0.04),
+    Row("Python", "servo_c", "s = robot.servo_c(0.1, 0.5)\nloop(lambda t: s.send(lowered(0.3)))"),
     Row("Python", "speed_j", "s = robot.speed_j()\nloop(lambda t: s.send([0.4, 0, 0, 0, 0, 0]))"),
     Row("Python", "speed_l", "s = robot.speed_l()\nloop(lambda t: s.send([0, 0, -0.1, 0, 0, 0]))"),
     Row("Python", "torque", "s = robot.torque()\n"

@@ -624,6 +624,16 @@ class TestMotion(VirtualCase):
             self.robot.jog_while(callback)
         self.assert_brakes()
 
+    def test_servo_c_approaches_its_target_at_its_speed(self):
+        target = self.robot.state.tcp_pose + [0, 0, 0.05, 0, 0, 0]
+        with self.robot.servo_c(speed=0.1) as stream:
+            for _ in range(300):
+                stream.send(target)
+                self.simulator.step(0.004)
+                self.assertLess(abs(float(self.simulator.truth["tcp_speed"][2])), 0.11)
+        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - target).max()), 1e-3)
+        self.assert_brakes()
+
     def test_queries_are_answered_by_the_robot(self):
         queries = self.robot.queries
         q = self.robot.state.q

@@ -153,7 +153,8 @@ class Robot:
         port = 30004 + port_offset
         followed = [] if not fields else [*fields, *(field for field in _CONFIRMING if field not in fields)]
         receiver = _native.Receiver(address, port, frequency, followed, min(priority + 5, 99) if priority else 0, clock)
-        controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock, list(fields or ()))
+        controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock,
+                                        list(fields or ()))
         self._links: tuple[_native.Receiver, _native.Controller] | None = (receiver, controller)
         if simulator is not None:
             simulator._native.follow(receiver)
@@ -443,6 +444,11 @@ class Robot:
     def servo_l(self, lookahead: float = 0.1, gain: float = 300.0) -> Stream:
         """Starts a stream of TCP poses in the base frame [m, rad], one per cycle."""
         return Stream(self._controller.servo_l(lookahead, gain), self._handle_waits, pose_numbers)
+
+    def servo_c(self, speed: float = 0.25, acceleration: float = 1.2, blend: float = 0.0) -> Stream:
+        """Starts a stream of TCP poses in the base frame [m, rad] that are approached at a configured speed [m/s] and
+        acceleration [m/s2]; blend 0 ... 2 [m]."""
+        return Stream(self._controller.servo_c(speed, acceleration, blend), self._handle_waits, pose_numbers)
 
     def speed_j(self, acceleration: float = 0.5) -> Stream:
         """Starts a stream of joint velocities [rad/s]; acceleration [rad/s2]."""
