@@ -43,7 +43,7 @@ target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE
 target_compile_features(tiller_shared PUBLIC cxx_std_20)
 target_compile_definitions(tiller_shared INTERFACE $<INSTALL_INTERFACE:${TILLER_WITHOUT_QT_KEYWORDS}>)
 tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/script robot/dashboard robot/control
-    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/live robot/divergence robot/testing
+    robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/api robot/live robot/divergence robot/testing
     ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})
 

@@ -8,6 +8,7 @@
 #include "robot/control/detail/argument_check.h"
 #include "robot/control/detail/controller_private.h"
 #include "robot/core/wait_until.h"
+#include "robot/receive/sample.h"
 
 namespace tiller::control {
 
@@ -72,6 +73,10 @@ Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
 Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
     if (const Error error = checkLimits(options.limits, "take control"); error.code != ErrorCode::None) {
         return error;
+    }
+    if (const QStringList unknown = receive::unknownOutputs(options.fields); !unknown.isEmpty()) {
+        return Error{ErrorCode::FieldUnknown, QStringLiteral("take control"),
+                     unknown.join(QStringLiteral("; "))};
     }
     loop.publishLoss(ControlLoss::Taking);
     if (auto opened = link.open(deadline); !opened) {

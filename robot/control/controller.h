@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "robot/control/control_status.h"
@@ -79,6 +80,10 @@ struct ControllerOptions {
     bool awaitProgram = true;
     /// Applied at the start of the control program.
     ForceSettings force = {};
+    /// RTDE outputs to receive in the packets of the control connection, in addition to those that the controller
+    /// needs: see CycleState::packet. takeControl() fails with FieldUnknown if one is not an RTDE output; outputs
+    /// that the robot does not have are missing in the packets.
+    std::vector<std::string> fields = {};
 };
 
 /// Owns the thread "control", SCHED_FIFO at ControllerOptions::priority if permitted. It is started by
@@ -97,7 +102,8 @@ public:
     /// if already in control. After a loss of control, only this call restores it.
     /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown, UnsafeState,
     ///          RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and LimitExceeded for
-    ///          invalid ControllerOptions::limits
+    ///          invalid ControllerOptions::limits; FieldUnknown for ControllerOptions::fields with each name that
+    ///          is not an RTDE output
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 

@@ -13,6 +13,8 @@
 
 namespace tiller::control {
 
+const receive::Sample CycleState::kNoPacket;
+
 namespace {
 
 template <class Target, class Parameters>
@@ -107,6 +109,7 @@ private:
         state.tcpSpeed = data.tcpSpeed;
         state.speedFraction = data.speedFraction;
         state.speedScaling = data.speedScaling;
+        state.packet = data.sample;
 
         const std::optional<Target> wanted = ask(state);
         endedNs_ = clock_.nowNs();

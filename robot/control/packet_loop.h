@@ -12,6 +12,7 @@
 
 #include "robot/control/motions.h"
 #include "robot/realtime/histogram.h"
+#include "robot/receive/robot_state.h"
 
 namespace tiller::control {
 
@@ -35,6 +36,15 @@ struct CycleState {
     Twist tcpSpeed;
     double speedFraction = 1;  ///< speed slider, 0 ... 1
     double speedScaling = 1;   ///< reduction by the controller's own limits, 0 ... 1
+    /// All received values of this packet: the members above, force, modes and ControllerOptions::fields. Valid
+    /// during the callback; copy the sample to keep it.
+    const receive::Sample* packet = nullptr;
+    /// Typed access to `packet`, e.g. `state.robot().tcpForce()`, `state.robot().number("actual_current", 2)`.
+    /// Values that are not received are NaN.
+    receive::RobotState robot() const { return receive::RobotState(packet != nullptr ? *packet : kNoPacket); }
+
+private:
+    static const receive::Sample kNoPacket;
 };
 
 struct CycleReport {

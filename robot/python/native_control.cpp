@@ -109,6 +109,7 @@ struct NativeStream {
 };
 using NativeJointServo = NativeStream<JointServo, JointPositions>;
 using NativePoseServo = NativeStream<PoseServo, Pose>;
+using NativeCircularServo = NativeStream<CircularServo, Pose>;
 using NativeJointSpeed = NativeStream<JointSpeed, JointVelocities>;
 using NativeToolSpeed = NativeStream<ToolSpeed, Twist>;
 using NativeJointTorque = NativeStream<JointTorque, JointTorques>;
@@ -184,6 +185,22 @@ py::dict cycleDict(const CycleState& cycle, double waited) {
     result["tcp_speed"] = py::array_t<double>(6, speed.data());
     result["speed_fraction"] = cycle.speedFraction;
     result["speed_scaling"] = cycle.speedScaling;
+    if (const receive::Sample* packet = cycle.packet; packet != nullptr) {
+        result["packet"] = py::make_tuple(
+            packet->sequence, packet->hostTimeNs, packet->connection, packet->lostBefore,
+            py::array_t<double>(static_cast<py::ssize_t>(packet->values.size()), packet->values.data()));
+    }
+    return result;
+}
+
+/// The position of each field in the values of the packets: name to (first, count).
+py::dict layoutDict(const CycleState& cycle) {
+    py::dict result;
+    if (cycle.packet != nullptr && cycle.packet->layout) {
+        for (const auto& entry : cycle.packet->layout->entries()) {
+            result[entry.name.c_str()] = py::make_tuple(entry.first, entry.count);
+        }
+    }
     return result;
 }
 
@@ -222,6 +239,7 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
     std::exception_ptr thrown;
     CycleReport report;
     std::chrono::duration<double> longestWait{0};
+    std::optional<py::dict> layout;  // accessed with the interpreter lock
     const auto ask = [&](const CycleState& cycle) -> std::optional<Six> {
         if (isParked()) {
             return std::nullopt;
@@ -232,7 +250,10 @@ py::dict packetLoop(const SharedController& controller, const std::string& name,
         longestWait = std::max(longestWait, waited);
         const InCallback callbackRuns;
         try {
-            const py::object answer = callback(cycleDict(cycle, waited.count()));
+            if (!layout) {
+                layout = layoutDict(cycle);
+            }
+            const py::object answer = callback(cycleDict(cycle, waited.count()), *layout);
             return answer.is_none() ? std::nullopt : std::optional(answer.cast<Six>());
         } catch (...) {
             thrown = std::current_exception();
@@ -349,8 +370,6 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
     return path;
 }
 
-using ControllerClass = py::class_<NativeController, SharedController>;
-
 void defineMotions(ControllerClass& cls) {
     const auto parameters = [](std::optional<double> speed, double acceleration, double silence) {
         return MoveParameters{.speed = speed,
@@ -413,6 +432,10 @@ void defineMotions(ControllerClass& cls) {
     cls.def("servo_l", [](const SharedController& self, double lookahead, double gain) {
         return std::make_unique<NativePoseServo>(
             self, taken(Motions(self->controller).startServoL({.lookahead = lookahead, .gain = gain})));
+    });
+    cls.def("servo_c", [](const SharedController& self, double speed, double acceleration, double blend) {
+        return std::make_unique<NativeCircularServo>(
+            self, taken(Motions(self->controller).startServoC({speed, acceleration, blend})));
     });
     cls.def("speed_j", [](const SharedController& self, double acceleration) {
         return std::make_unique<NativeJointSpeed>(
@@ -538,24 +561,26 @@ void defineControl(py::module_& module) {
         .def("cause", [](const NativeJog& self) { return self.motion().cause(); });
     defineStream<NativeJointServo>(module, "JointServo");
     defineStream<NativePoseServo>(module, "PoseServo");
+    defineStream<NativeCircularServo>(module, "CircularServo");
     defineStream<NativeJointSpeed>(module, "JointSpeed");
     defineStream<NativeToolSpeed>(module, "ToolSpeed");
     defineStream<NativeJointTorque>(module, "JointTorque");
 
     ControllerClass cls(module, "Controller");
     cls.def(py::init([](const std::string& host, int portOffset, bool upperRegisters, int priority,
-                        double speedCap, SharedClock clock) {
+                        double speedCap, SharedClock clock, const std::vector<std::string>& fields) {
                 ControllerOptions options;
                 options.host = host;
                 options.portOffset = portOffset;
                 options.registers = upperRegisters ? RegisterRange::Upper : RegisterRange::Lower;
                 options.priority = priority;
+                options.fields = fields;
                 auto made = sharedOwn<NativeController>(options, std::move(clock));
                 taken(made->controller.setSpeedCap(speedCap));
                 return made;
             }),
             py::arg("host"), py::arg("port_offset"), py::arg("upper_registers"), py::arg("priority"),
-            py::arg("speed_cap"), py::arg("clock"));
+            py::arg("speed_cap"), py::arg("clock"), py::arg("fields"));
     cls.def("take_control", [](const SharedController& self, const Seconds& seconds) {
         waited(seconds, [&](const Deadline& deadline) { return self->controller.takeControl(deadline); });
     });
@@ -573,6 +598,7 @@ void defineControl(py::module_& module) {
             [](NativeController& self, double cap) { taken(self.controller.setSpeedCap(cap)); });
     defineMotions(cls);
     defineQueries(cls);
+    defineSetup(cls);
 }
 
 }  // namespace tiller::python

@@ -50,6 +50,10 @@ private:
     }
 };
 
+using ControllerClass = py::class_<NativeController, std::shared_ptr<NativeController>>;
+/// Adds the settings, queries and output pulses.
+void defineSetup(ControllerClass& cls);
+
 /// Raises InvalidArgument with a list of the models for an unknown name.
 RobotModelId modelNamed(const std::string& name);
 

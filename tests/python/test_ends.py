@@ -103,6 +103,8 @@ FACE = [
     Row("ur_rtde C++", "setCustomScriptFile", "custom program"),
 ]
 
+C = [Row("C", "tiller_move_j", "move_j"), Row("C", "tiller_move_l", "move_l")]
+
 PREAMBLE = """
 import signal, sys, threading, time
 class Ended(Exception):
@@ -234,12 +236,14 @@ PYTHON_NATIVE = [
         0.248),
     Row("Python", "move_l, 1 m/s",
         "robot.speed_cap = 3.0\nendless(lambda back: robot.move_l(shifted(0 if back else 0.5), 1.0, 5.0).wait())", 0.98),
+    Row("Python", "move_l_to_joints", "move = robot.move_l_to_joints(turned(0.5), 0.1, 0.5)"),
     Row("Python", "move_path",
         "move = robot.move_path([tiller.PathMove(lowered(way), kind='l', pose=True, speed=0.1, acceleration=0.5) "
         "for way in (0.2, 0.0)])"),
     Row("Python", "move_until_contact", "robot.move_until_contact([0, 0, -0.1, 0, 0, 0]).wait()"),
     Row("Python", "servo_j", "s = robot.servo_j()\nloop(lambda t: s.send(turned(0.3 * t)))"),
     Row("Python", "servo_l", "s = robot.servo_l()\nloop(lambda t: s.send(lowered(0.08 * t)))", 0.04),
+    Row("Python", "servo_c", "s = robot.servo_c(0.1, 0.5)\nloop(lambda t: s.send(lowered(0.3)))"),
     Row("Python", "speed_j", "s = robot.speed_j()\nloop(lambda t: s.send([0.4, 0, 0, 0, 0, 0]))"),
     Row("Python", "speed_l", "s = robot.speed_l()\nloop(lambda t: s.send([0, 0, -0.1, 0, 0, 0]))"),
     Row("Python", "torque", "s = robot.torque()\n"
@@ -256,7 +260,7 @@ PYTHON_NATIVE = [
         unattended=("SIGTERM", "SIGHUP", "SIGKILL", "lost link")),
 ]
 
-ROWS = NATIVE + PYTHON_NATIVE + FACE + PYTHON_FACE
+ROWS = NATIVE + C + PYTHON_NATIVE + FACE + PYTHON_FACE
 
 #: Further ends, each tested with a move and with a script. "leave" is the request to let a move continue.
 FURTHER = [
@@ -293,6 +297,8 @@ class Mover:
         self._python = "Python" in row.api
         if row.api == "C++":
             command = [HELPERS / "tiller_moving_helper", host, "30001", "30004", row.program]
+        elif row.api == "C":
+            command = [HELPERS / "tiller_c_mover", host, row.program]
         elif row.api == "ur_rtde C++":
             command = [HELPERS / "face_mover", host, row.program]
         else:
@@ -398,7 +404,7 @@ def name_of(row):
 def table(seen, further):
     """The generated text between the markers."""
     lines = []
-    titles = {"C++": "C++", "Python": "Python (`tiller.Robot`)", "ur_rtde C++": "`ur_rtde`, C++",
+    titles = {"C++": "C++", "C": "C (`tiller_c.h`)", "Python": "Python (`tiller.Robot`)", "ur_rtde C++": "`ur_rtde`, C++",
               "ur_rtde Python": "`ur_rtde`, Python"}
     for api, title in titles.items():
         lines += [f"### {title}", "", "| call | " + " | ".join(ENDS) + " | longest |", "|---" * (len(ENDS) + 2) + "|"]

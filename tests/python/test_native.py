@@ -20,7 +20,8 @@ import numpy as np
 import tiller
 from tiller import errors
 
-PATIENCE = 60.0  # only for hanging tests
+TIMEOUT = 60.0  # only for hanging tests
+PATIENCE = TIMEOUT
 FAR = [1.5, 0, 0, 0, 0, 0]
 SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] * 6, "limits": [0.1] * 3 + [0.5] * 3}
 
@@ -538,7 +539,7 @@ class TestMotion(VirtualCase):
                              (lambda: self.robot.jog_while(lambda sample: [0] * 6, "base "), '"base", "tool", "custom"'),
                              (lambda: self.robot.packet_loop("servoj", lambda cycle: None), '"servo_j", "servo_l"'),
                              (lambda: self.robot._controller.jog("up", [0.0] * 6, [0.0] * 6, 0.0), '"base", "tool"'),
-                             (lambda: self.robot._controller.packet_loop("up", lambda cycle: None, False, 1.0), '"servo_j"'),
+                             (lambda: self.robot._controller.packet_loop("up", lambda cycle, layout: None, False, 1.0), '"servo_j"'),
                              (lambda: self.robot._controller.move_path([("L", (False, list(q)), None, 1, 1, 0)], 1.0, 0.1),
                               '"j", "l", "p", "c"'),
                              (lambda: tiller.Simulator("ur5"[::-1]), "UR5e, "),
@@ -588,7 +589,7 @@ class TestMotion(VirtualCase):
                      lambda: self.robot.forward_kinematics(pose), lambda: self.robot.inverse_kinematics(q),
                      lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle["q"], timeout=PATIENCE),
                      lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle["tcp_pose"], timeout=PATIENCE)):
-            with self.subTest(call), self.assertRaisesRegex(errors.InvalidArgument, "needed"):
+            with self.subTest(call), self.assertRaisesRegex(errors.InvalidArgument, "expected"):
                 call()
         self.simulator.step(0.5)
         self.assertTrue(stands(self.simulator))
@@ -623,6 +624,82 @@ class TestMotion(VirtualCase):
             self.robot.jog_while(callback)
         self.assert_brakes()
 
+    def test_servo_c_approaches_its_target_at_its_speed(self):
+        target = self.robot.state.tcp_pose + [0, 0, 0.05, 0, 0, 0]
+        with self.robot.servo_c(speed=0.1) as stream:
+            for _ in range(300):
+                stream.send(target)
+                self.simulator.step(0.004)
+                self.assertLess(abs(float(self.simulator.truth["tcp_speed"][2])), 0.11)
+        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - target).max()), 1e-3)
+        self.assert_brakes()
+
+    def test_queries_are_answered_by_the_robot(self):
+        queries = self.robot.queries
+        q = self.robot.state.q
+        pose = self.robot.state.tcp_pose
+        limits = queries.joint_limits
+        self.assertTrue((limits.min_position < q).all() and (q < limits.max_position).all())
+        self.assertTrue((limits.max_speed > 1).all())
+        self.assertTrue(queries.has_inverse_kinematics(pose, q, TIMEOUT))
+        self.assertFalse(queries.has_inverse_kinematics([2, 0, 0.5, 0, 0, 0], timeout=TIMEOUT))
+        self.assertTrue(queries.is_within_safety_limits(pose, TIMEOUT))
+        self.assertTrue(queries.is_within_safety_limits(q, TIMEOUT))
+        self.assertEqual(queries.joint_torques(TIMEOUT).shape, (6,))
+        self.simulator.step(1.0)
+        self.assertTrue(queries.is_steady(TIMEOUT))
+        self.assertEqual(queries.tool_contact(timeout=TIMEOUT), 0)
+        self.assertLess(float(np.abs(queries.joint_positions_history(1, TIMEOUT) - q).max()), 1e-3)
+        self.assertAlmostEqual(queries.step_time(TIMEOUT), 0.002)
+        self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], PATIENCE)
+        self.assertAlmostEqual(float(queries.tcp_offset(TIMEOUT)[2]), 0.1)
+        self.assertLess(float(np.abs(queries.flange_pose(TIMEOUT) - pose).max()), 1e-3)
+        self.assertEqual(queries.freedrive_status(TIMEOUT), 0)
+        queries.start_contact_detection(timeout=TIMEOUT)
+        self.assertFalse(queries.has_contact(TIMEOUT))
+        self.assertFalse(queries.end_contact_detection(TIMEOUT))
+        with self.assertRaises(errors.LimitExceeded):
+            queries.joint_positions_history(-1, TIMEOUT)
+
+    def test_settings_are_confirmed_by_the_robot(self):
+        tool = self.robot.tool
+        tool.set_target_payload(1.0, [0, 0, 0.05], [0.01, 0.01, 0.01, 0, 0, 0], TIMEOUT)
+        self.assertAlmostEqual(self.simulator.robot(timeout=TIMEOUT).state["payload"], 1.0)
+        tool.set_gravity([0, 0, 9.82], TIMEOUT)
+        tool.set_force_damping(0.5, TIMEOUT)
+        tool.set_force_gain_scaling(1.5, TIMEOUT)
+        for call in (lambda: tool.set_force_damping(2.0, TIMEOUT), lambda: tool.set_force_gain_scaling(3.0, TIMEOUT),
+                     lambda: tool.set_gravity([0, 0, math.nan], TIMEOUT), lambda: tool.set_watchdog(-1.0, TIMEOUT)):
+            with self.assertRaises((errors.InvalidArgument, errors.LimitExceeded)):
+                call()
+        tool.use_external_sensor(0.1, timeout=TIMEOUT)
+        tool.set_external_wrench([0, 0, 1, 0, 0, 0])
+        tool.use_own_sensor(TIMEOUT)
+        with self.assertRaisesRegex(TypeError, "mass must be a number"):
+            tool.use_external_sensor("heavy")
+        tool.trigger_protective_stop(TIMEOUT)
+        self.assertEqual(self.robot.state.safety_mode, "PROTECTIVE_STOP")
+
+    def test_the_watchdog_ends_the_program_without_kicks(self):
+        self.robot.tool.set_watchdog(10.0, TIMEOUT)
+        for _ in range(10):
+            self.robot.tool.kick_watchdog()
+            self.simulator.step(0.05)
+        self.assertTrue(self.robot.in_control)
+        self.simulator.step(0.5)
+        self.assertFalse(self.robot.in_control)
+
+    def test_pulses_are_timed_by_the_robot(self):
+        self.robot.pulses.begin(0b101, 0b001, 0.2, timeout=TIMEOUT)
+        self.assertEqual(self.simulator.truth["digital_outputs"] & 0b101, 0b001)
+        self.simulator.step(0.3)
+        self.assertEqual(self.simulator.truth["digital_outputs"] & 0b101, 0b100)
+        self.robot.pulses.begin(1, 1, 10.0, held=False, timeout=TIMEOUT)
+        self.robot.pulses.end(1, TIMEOUT)
+        self.assertEqual(self.simulator.truth["digital_outputs"] & 1, 0)
+        with self.assertRaises((errors.InvalidArgument, errors.LimitExceeded)):
+            self.robot.pulses.begin(1, 1, 4000.0, timeout=TIMEOUT)
+
     def test_packet_loops_call_back(self):
         q = self.robot.state.q
         seen = []
@@ -637,6 +714,27 @@ class TestMotion(VirtualCase):
         self.assertEqual(report.cycles, len(seen))
         self.assertGreater(report.cycles, 400)
         self.assert_brakes()
+
+    def test_packet_loops_receive_every_field_of_the_packet(self):
+        self.robot.close()
+        robot = self.simulator.robot(fields=["actual_q", "actual_current"], timeout=TIMEOUT)
+        self.addCleanup(robot.close)
+        robot.take_control(TIMEOUT)
+        packets = []
+
+        def hold(cycle):
+            packets.append(cycle["packet"])
+            self.assertEqual(list(cycle["packet"].q), list(cycle["q"]))
+            return None if cycle["cycle"] == 5 else [0.0] * 6
+
+        robot.packet_loop("speed_j", hold, timeout=TIMEOUT)
+        self.assertEqual(len({packet.time for packet in packets}), 6)
+        for packet in packets:
+            self.assertFalse(np.isnan(packet["actual_current"]).any())
+            self.assertEqual(packet.robot_mode, "RUNNING")
+            self.assertFalse(np.isnan(packet.tcp_force).any())
+        with self.assertRaises(KeyError):
+            packets[0]["joint_temperatures"]
 
     def test_an_exception_in_a_packet_loop_brakes(self):
         def callback(cycle):

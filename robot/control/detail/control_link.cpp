@@ -2,6 +2,8 @@
 #include "robot/control/detail/control_link.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,6 +23,8 @@ namespace {
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 // Data found within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
+// A value that the sample does not contain.
+constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 
 QString rangeText(RegisterRange range) {
     return range == RegisterRange::Upper ? QStringLiteral("upper (24-47)") : QStringLiteral("lower (0-23)");
@@ -56,7 +60,8 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     wanted.host = options_.host;
     wanted.port =
         static_cast<std::uint16_t>(options_.rtdePort != 0 ? options_.rtdePort : 30004 + options_.portOffset);
-    wanted.request.outputs = outputNames(options_.registers);
+    const std::vector<std::string> outputs = outputNames(options_.registers, options_.fields);
+    wanted.request.outputs = outputs;
     // Motion is possible without watchdog or external wrench.
     wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
                              {inputNames(options_.registers, kWatchdogInputs), false},
@@ -91,9 +96,39 @@ Result<void> ControlLink::open(const Deadline& deadline) {
         return explainUnknown(context, options_.registers);
     }
     layout_ = *found;
+    planSample(outputs);
     watchdogUsable_ = connection_->inputs()[kWatchdogInputs].isValid();
     wrenchUsable_ = connection_->inputs()[kWrenchInputs].isValid();
     return {};
+}
+
+// The types reported by the robot apply: if one differs from the catalogue, as many numbers are used as fit.
+void ControlLink::planSample(const std::vector<std::string>& names) {
+    sample_ = receive::Sample(std::make_shared<receive::SampleLayout>(names));
+    sample_.connection = 1;
+    const rtde::Recipe& recipe = connection_->outputs();
+    places_.assign(recipe.size(), kNoPlace);
+    for (const rtde::RecipeField& field : recipe.fields()) {
+        if (const auto* entry = sample_.layout->find(field.name); entry != nullptr) {
+            const std::size_t count = std::min(entry->count, componentCount(field.type));
+            for (std::size_t i = 0; i < count; ++i) {
+                places_[field.first + i] = entry->first + i;
+            }
+        }
+    }
+}
+
+Feedback ControlLink::decode(std::span<const double> values) {
+    Feedback data = layout_.decode(values, now());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i] != kNoPlace) {
+            sample_.values[places_[i]] = values[i];
+        }
+    }
+    ++sample_.sequence;
+    sample_.hostTimeNs = data.hostNs;
+    data.sample = &sample_;
+    return data;
 }
 
 Result<Feedback> ControlLink::firstData(const Deadline& deadline, const QString& context) {
@@ -181,7 +216,7 @@ bool ControlLink::send(const Command& command) {
 
 // The package just read into `values`, or the newest one of a backlog.
 Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
-    Feedback data = layout_.decode(values, now());
+    Feedback data = decode(values);
     data.awaited = data.hostNs - doneNs > kBusyNs;
     data.lookedNs = lookedNs;
     constexpr int kQueue = 1000;  // limits the time for a peer that sends faster than it is read
@@ -193,7 +228,7 @@ Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs,
             break;
         }
         loop_.pass(data);
-        data = layout_.decode(values, now());
+        data = decode(values);
         data.awaited = false;
         data.lookedNs = lookedNs;
     }

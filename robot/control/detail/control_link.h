@@ -18,6 +18,7 @@
 #include "robot/core/native_socket.h"
 #include "robot/core/result.h"
 #include "robot/realtime/triple_buffer.h"
+#include "robot/receive/sample.h"
 #include "robot/rtde/connection.h"
 #include "robot/script/primary_client.h"
 
@@ -69,6 +70,8 @@ public:
 private:
     Result<Feedback> firstData(const Deadline& deadline, const QString& context);
     void run(script::PrimaryClient& primary);
+    void planSample(const std::vector<std::string>& names);
+    Feedback decode(std::span<const double> values);
     Feedback newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs);
     bool send(const Command& command);
     std::int64_t now() const { return options_.clock->nowNs(); }
@@ -77,6 +80,8 @@ private:
     ControlLoop& loop_;
     std::unique_ptr<rtde::Connection> connection_;  ///< used by the control thread while it is running
     FeedbackLayout layout_;
+    receive::Sample sample_;           ///< the newest package
+    std::vector<std::size_t> places_;  ///< index in the sample of each value of a package
     std::thread thread_;
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};

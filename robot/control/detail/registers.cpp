@@ -32,7 +32,7 @@ int firstRegister(RegisterRange range) {
     return range == RegisterRange::Upper ? rtde::kFirstUpperRegister : 0;
 }
 
-std::vector<std::string> outputNames(RegisterRange range) {
+std::vector<std::string> outputNames(RegisterRange range, const std::vector<std::string>& extra) {
     std::vector<std::string> names{"timestamp",         "runtime_state",         "robot_mode",
                                    "safety_mode",       "target_speed_fraction", "actual_q",
                                    "actual_qd",         "actual_TCP_pose",       "actual_TCP_speed",
@@ -43,6 +43,11 @@ std::vector<std::string> outputNames(RegisterRange range) {
     }
     for (int i = 0; i < kDoubleOutputs; ++i) {
         names.push_back(rtde::doubleRegisterName(rtde::Direction::Output, firstRegister(range) + i));
+    }
+    for (const std::string& name : extra) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
     }
     return names;
 }

@@ -14,6 +14,10 @@
 #include "robot/control/controller.h"
 #include "robot/rtde/recipe.h"
 
+namespace tiller::receive {
+struct Sample;
+}
+
 namespace tiller::control {
 
 int firstRegister(RegisterRange range);     ///< 0 or 24
@@ -165,9 +169,12 @@ struct Feedback {
     Pose tcpOffset;
     std::optional<Eigen::Vector3d> tcpForce;  ///< base frame [N]
     Echo echo;
+    /// All values of the package; null in the packages before control. Valid until the next package is read.
+    const receive::Sample* sample = nullptr;
 };
 
-std::vector<std::string> outputNames(RegisterRange range);
+/// extra  outputs in addition to those that the controller needs; duplicates are ignored
+std::vector<std::string> outputNames(RegisterRange range, const std::vector<std::string>& extra = {});
 /// The recipes of the control connection, in this order.
 enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);

@@ -15,6 +15,7 @@ tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
 from . import doctor, errors, kinematics
 from ._native import __version__
 from ._values import Joints, Pose
+from .arm import JointLimits, Pulses, Queries, Tool
 from .doctor import examine
 from .errors import Error
 from .kinematics import Kinematics
@@ -24,6 +25,6 @@ from .robot import LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
 from .simulator import Simulator
 
-__all__ = ["Consent", "Dashboard", "Error", "ForceMode", "Jog", "Joints", "Kinematics", "LoopReport", "Move", "Outputs",
-           "PathMove", "Plan", "Pose", "Progress", "Recording", "Registers", "Robot", "Sample", "Samples", "Service",
-           "Simulator", "Stream", "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]
+__all__ = ["Consent", "Dashboard", "Error", "ForceMode", "Jog", "JointLimits", "Joints", "Kinematics", "LoopReport", "Move",
+           "Outputs", "PathMove", "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers", "Robot", "Sample",
+           "Samples", "Service", "Simulator", "Stream", "Tool", "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]

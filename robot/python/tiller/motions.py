@@ -133,7 +133,7 @@ class Move:
         return f"<tiller.Move {self._native.kind()}, {state}>"
 
 
-NativeStream = Union[_native.JointServo, _native.PoseServo, _native.JointSpeed, _native.ToolSpeed,
+NativeStream = Union[_native.JointServo, _native.PoseServo, _native.CircularServo, _native.JointSpeed, _native.ToolSpeed,
                      _native.JointTorque]
 
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Any
 
-from . import _native, services, simulator as simulators
+from . import _native, arm, services, simulator as simulators
 from ._arguments import checked
 from ._values import ZEROS, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, NotConnected, RegisterInUse
@@ -127,7 +127,8 @@ class Robot:
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
     Data are received immediately; take_control() takes control. A refused connection is not retried.
-    address: of the controller. fields: RTDE outputs to receive; None: a default selection. frequency: packets per second
+    address: of the controller. fields: RTDE outputs to receive, also in the packets of packet_loop(); None: a default
+    selection. frequency: packets per second
     [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, moves included [m/s].
     timeout: for the first packet [s]. upper_registers: use registers 24-47 instead of 0-23. priority: of the threads for
     receiving and control; 0: normal.
@@ -152,7 +153,8 @@ class Robot:
         port = 30004 + port_offset
         followed = [] if not fields else [*fields, *(field for field in _CONFIRMING if field not in fields)]
         receiver = _native.Receiver(address, port, frequency, followed, min(priority + 5, 99) if priority else 0, clock)
-        controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock)
+        controller = _native.Controller(address, port_offset, upper_registers, priority, speed_cap, clock,
+                                        list(fields or ()))
         self._links: tuple[_native.Receiver, _native.Controller] | None = (receiver, controller)
         if simulator is not None:
             simulator._native.follow(receiver)
@@ -443,6 +445,11 @@ class Robot:
         """Starts a stream of TCP poses in the base frame [m, rad], one per cycle."""
         return Stream(self._controller.servo_l(lookahead, gain), self._handle_waits, pose_numbers)
 
+    def servo_c(self, speed: float = 0.25, acceleration: float = 1.2, blend: float = 0.0) -> Stream:
+        """Starts a stream of TCP poses in the base frame [m, rad] that are approached at a configured speed [m/s] and
+        acceleration [m/s2]; blend 0 ... 2 [m]."""
+        return Stream(self._controller.servo_c(speed, acceleration, blend), self._handle_waits, pose_numbers)
+
     def speed_j(self, acceleration: float = 0.5) -> Stream:
         """Starts a stream of joint velocities [rad/s]; acceleration [rad/s2]."""
         return Stream(self._controller.speed_j(acceleration), self._handle_waits, floats)
@@ -500,8 +507,9 @@ class Robot:
         rad/s] or "torque" [Nm]. The callback receives a dict: cycle (from 0), time since the start of the loop [s],
         period [s], age (of the values at the start of the call, by the robot's time stamps [s]), fresh (False: the
         packet did not arrive and the values are those of the previous one, or age exceeds two periods), missed (periods
-        without a call since the start), q, qd, tcp_pose, tcp_speed, speed_fraction, speed_scaling. timeout: of the
-        whole loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at regular intervals.
+        without a call since the start), q, qd, tcp_pose, tcp_speed, speed_fraction, speed_scaling, and packet: a Sample
+        with every value of this packet, such as its tcp_force and the fields=[...] of the Robot. timeout: of the whole
+        loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at regular intervals.
         Each call takes about 30 us in addition to the callback, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). After a call longer than a period, the next call gets
         the newest packet. No heartbeat is sent during a call: a call of 100 ms stops the arm and raises Stopped with
@@ -512,7 +520,8 @@ class Robot:
         one_of(kind, "kind", _LOOP_TARGETS)
         check, meaning = _LOOP_TARGETS[kind]
 
-        def checked(cycle: dict[str, Any]) -> list[float] | None:
+        def checked(cycle: dict[str, Any], layout: Layout) -> list[float] | None:
+            cycle["packet"] = Sample(cycle["packet"], layout)
             cycle["q"] = cycle["q"].view(Joints)
             cycle["tcp_pose"] = cycle["tcp_pose"].view(Pose)
             target = callback(cycle)
@@ -522,6 +531,21 @@ class Robot:
             return LoopReport(**self._controller.packet_loop(kind, checked, at_once, timeout))
 
     # ---- queries and settings
+
+    @property
+    def tool(self) -> arm.Tool:
+        """Further settings: target payload, gravity, external sensor, force mode, watchdog."""
+        return arm.Tool(self._controller, self._handle_waits)
+
+    @property
+    def queries(self) -> arm.Queries:
+        """Further queries: safety limits, joint limits, torques, contact, TCP offset."""
+        return arm.Queries(self._controller, self._handle_waits)
+
+    @property
+    def pulses(self) -> arm.Pulses:
+        """Outputs that are switched for a time measured by the robot."""
+        return arm.Pulses(self._controller, self._handle_waits)
 
     def inverse_kinematics(self, pose: Floats, near: Floats | None = None, timeout: float | None = 1.0) -> Joints:
         """Joint positions [rad] for a pose of the TCP [m, rad], with the calibration of the robot. Raises NoSolution."""

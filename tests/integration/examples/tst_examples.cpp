@@ -157,6 +157,14 @@ const std::map<QString, Example>& examples() {
           [](const Cell& cell, const Outcome& o) {
               return unless(cell.truth().digitalOutputs == 1 && o.out.startsWith("outputs 1,"), o.out);
           }}},
+        {"one_robot",
+         {1, nothing,
+          [](const Cell& cell, const Outcome& o) {
+              const double turned = cell.truth().q[5] - simulator::kHomeJoints[5];
+              return unless(std::abs(turned - 0.3) < 2e-3 && cell.truth().digitalOutputs == 1 &&
+                                o.out.contains("event MotionEnded") && o.out.contains("service Dashboard"),
+                            o.out);
+          }}},
         {"several_robots",
          {2, nothing,
           [](const Cell& cell, const Outcome& o) {
@@ -179,10 +187,10 @@ class TestExamples : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void thereAreTenShortOnes() {
+    void thereAreElevenShortOnes() {
         const QDir folder(QStringLiteral(TILLER_SOURCE_DIR "/robot/examples/cpp"));
         const QStringList files = folder.entryList({"*.cpp"}, QDir::Files, QDir::Name);
-        QCOMPARE(files.size(), 10);
+        QCOMPARE(files.size(), 11);
         for (const QString& file : files) {
             QVERIFY2(examples().count(file.chopped(4)) == 1, qPrintable(file));
             QFile text(folder.filePath(file));

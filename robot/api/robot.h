@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A robot in one object: data, control, outputs, pendant services, a recording, and callbacks for events. It owns
+// the objects of the other folders and returns them, so that nothing of the library is hidden:
+//
+//   Robot robot("192.168.0.10");
+//   robot.connect(Deadline::after(5s)).value();
+//   robot.takeControl(Deadline::after(10s)).value();
+//   robot.motions().moveJ({0, -1.57, 1.57, -1.57, -1.57, 0}).value().wait(Deadline::after(30s)).value();
+//
+// Programs that need only a part can use receive::Receiver, control::Controller and io::Outputs directly.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "robot/control/arm_queries.h"
+#include "robot/control/compliance.h"
+#include "robot/control/motions.h"
+#include "robot/control/output_pulses.h"
+#include "robot/control/packet_loop.h"
+#include "robot/control/programs.h"
+#include "robot/control/tool_setup.h"
+#include "robot/core/deadline.h"
+#include "robot/core/modes.h"
+#include "robot/core/result.h"
+#include "robot/dashboard/robot_service.h"
+#include "robot/io/outputs.h"
+#include "robot/receive/receiver.h"
+#include "robot/receive/robot_state.h"
+#include "robot/recording/recorder.h"
+
+namespace tiller {
+
+/// A change of the robot or of the connection.
+struct RobotEvent {
+    enum class Kind : std::uint8_t {
+        DataLost,        ///< no packet for 100 ms
+        DataResumed,     ///< packets arrive again
+        ProtectiveStop,  ///< the safety mode became PROTECTIVE_STOP
+        SafetyMode,      ///< any other change of the safety mode: `safetyMode`
+        RobotMode,       ///< `robotMode` changed, e.g. power off
+        ProgramStarted,  ///< a program on the robot started or resumed; also the control program
+        ProgramEnded,    ///< the program on the robot ended or was paused; also the control program
+        ControlTaken,    ///< motions can be commanded
+        ControlLost,     ///< motions cannot be commanded: `loss`
+        MotionEnded,     ///< `motion` ended because of `cause`; successive motions may be reported as one
+    };
+    Kind kind = Kind::DataLost;
+    SafetyMode safetyMode = SafetyMode::Undefined;
+    RobotMode robotMode = RobotMode::NoController;
+    control::ControlLoss loss = control::ControlLoss::None;
+    control::MotionId motion = control::kNoMotion;
+    control::StopCause cause = control::StopCause::None;
+};
+
+struct RobotOptions {
+    /// RTDE outputs to receive; empty: receive::defaultFields(). The fields that confirm outputs are always added.
+    std::vector<std::string> fields = {};
+    double frequency = 0;  ///< packets per second of the received data; 0: the maximum of the controller
+    int portOffset = 0;    ///< added to 29999, 30001 and 30004
+    /// Called for each event, in the order of the events. Called by the thread "tiller-events", about one packet
+    /// after the event; a handler that takes longer delays the following events, but neither the data nor the
+    /// motions. It may call Robot::stop() and read everything, but must not end or destroy the Robot. An exception
+    /// terminates the process.
+    std::function<void(const RobotEvent&)> onEvent = {};
+    /// Options of the control connection. `limits.tcpSpeed` is the speed cap, 0.25 m/s by default; `fields` are
+    /// received in the packets of packetLoop(). Host, ports and clock are overwritten.
+    control::ControllerOptions control = {};
+    /// For tests in virtual time. Must outlive the robot.
+    const Clock* clock = &SteadyClock::shared();
+};
+
+/// The token for a Deadline that ends when the stop token is requested to stop:
+/// `move.wait(Deadline::after(30s, cancelledBy(stop)))` in a function of std::jthread. The wait ends within 20 ms.
+/// Cancelling a wait does not end the motion.
+CancelToken cancelledBy(std::stop_token stop);
+
+/// Owns the threads of its receiver and controller, and "tiller-events" if there is an event handler. Motions start
+/// only through the returned objects and end as documented there: when this object is destroyed, the arm stops.
+/// Threads  connect(), disconnect(), takeControl(), release(), record() and stopRecording(): one at a time; the
+///          rest: any. The robot must outlive all objects and handles that it returns by reference or value
+class Robot {
+public:
+    explicit Robot(const Text& host, RobotOptions options = {});
+    ~Robot();  ///< Calls disconnect().
+    Robot(const Robot&) = delete;
+    Robot& operator=(const Robot&) = delete;
+
+    /// Starts to receive data and waits for the first packet. Afterwards lost connections for data are restored
+    /// automatically.
+    /// Errors   FieldUnknown, InvalidArgument, and as receive::Receiver::waitForData(); no effect on failure
+    /// Blocks   until the deadline
+    Result<void> connect(const Deadline& deadline);
+    /// Stops the arm, releases control, ends the recording and closes all connections. No effect if not connected.
+    /// Blocks   about 1 s at most, independent of the peer; until the event handler returns
+    void disconnect();
+
+    /// As control::Controller::takeControl(), release(), stop() and status().
+    Result<void> takeControl(const Deadline& deadline) { return controller_->takeControl(deadline); }
+    void release() { controller_->release(); }  ///< Stops the arm and releases control.
+    /// Ends the active motion and force mode. Threads: any. Blocks: never
+    std::uint64_t stop() { return controller_->stop(control::StopCause::ApiCall); }
+    control::ControllerStatus status() const { return controller_->status(); }  ///< State of control.
+
+    /// The newest packet; empty before the first one. For typed access: receive::RobotState(sample).
+    receive::Sample latest() const { return receiver_->latest(); }
+    /// All packets from now on.
+    receive::Subscription subscribe() const { return receiver_->subscribe(); }
+
+    control::Motions motions() { return control::Motions(*controller_); }  ///< Moves, jogs and streams.
+    control::Compliance compliance() {
+        return control::Compliance(*controller_);
+    }                                                                            ///< Force mode, freedrive.
+    control::ToolSetup tool() { return control::ToolSetup(*controller_); }       ///< Payload, TCP, sensor.
+    control::ArmQueries queries() { return control::ArmQueries(*controller_); }  ///< Kinematics and limits.
+    control::Programs programs() { return control::Programs(*controller_); }     ///< Your own URScript.
+    control::OutputPulses pulses() { return control::OutputPulses(*controller_); }  ///< Outputs for a time.
+    /// A loop with one target per packet.
+    control::PacketLoop packetLoop(control::Pacing pacing = control::Pacing::Even) {
+        return control::PacketLoop(*controller_, pacing);
+    }
+    io::Outputs& outputs() { return *outputs_; }  ///< Outputs and the speed slider, confirmed by the robot.
+
+    /// The pendant service: power, brakes, programs, recovery. Connects when necessary, also after a lost connection,
+    /// which replaces the object.
+    /// Errors   as dashboard::openService()
+    /// Threads  one at a time. Blocks: until the deadline
+    Result<dashboard::RobotService*> service(const Deadline& deadline);
+
+    /// Records every packet from now on; a recording in progress ends first. See recording::RecorderOptions for the
+    /// format.
+    /// Errors   as recording::Recorder::start(); NotConnected
+    Result<void> record(const recording::RecorderOptions& options);
+    /// Completes the file.
+    /// Errors   DiskFull, FileNotWritable: why rows are missing. Blocks: until the file is written
+    Result<void> stopRecording();
+    recording::Recorder& recorder() { return recorder_; }  ///< Progress and notes of the recording.
+
+    /// For LockStep::follow() and for functions that need these objects. The pointers are the same until the
+    /// destructor.
+    const std::shared_ptr<receive::Receiver>& receiver() const { return receiver_; }
+    const std::shared_ptr<control::Controller>& controller() const { return controller_; }  ///< As above.
+
+private:
+    class EventThread;
+
+    RobotOptions options_;
+    Text host_;
+    std::shared_ptr<receive::Receiver> receiver_;
+    std::shared_ptr<control::Controller> controller_;
+    std::unique_ptr<io::Outputs> outputs_;
+    recording::Recorder recorder_;
+    std::unique_ptr<dashboard::RobotService> service_;
+    std::unique_ptr<EventThread> events_;
+};
+
+}  // namespace tiller

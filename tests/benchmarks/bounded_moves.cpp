@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// How often a gap in the data or in the heartbeat ends a move to a target, with and without real-time priorities, and
+// with the default and a longer heartbeat timeout.
+//
+//     bounded_moves [seconds a row, 30 by default] [busy threads, 0 by default]
+//
+// The simulated controller has a higher priority than all other threads, so that it is never the cause.
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "robot/api/robot.h"
+#include "robot/simulator/simulator.h"
+
+using namespace tiller;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Row {
+    int priority;
+    std::chrono::milliseconds heartbeatTimeout;
+};
+
+/// Moves the last joint back and forth; each move takes about a second.
+void measure(const QString& host, const Row& row, double seconds) {
+    RobotOptions options;
+    options.control.priority = row.priority;
+    options.control.dataTimeout = row.heartbeatTimeout;
+    Robot robot(host, options);
+    robot.connect(Deadline::after(20s)).value();
+    int moves = 0;
+    std::map<std::string, int> ended;
+    const receive::Sample first = robot.latest();
+    JointPositions target = receive::RobotState(first).q();
+    const Deadline end = Deadline::after(std::chrono::duration<double>(seconds));
+    while (!end.hasExpired()) {
+        if (!robot.status().inControl) {
+            robot.takeControl(Deadline::after(20s)).value();
+        }
+        target[5] += moves % 2 == 0 ? 0.5 : -0.5;
+        const auto move = robot.motions().moveJ(target, {.speed = 1.0, .silence = row.heartbeatTimeout});
+        const Result<void> reached = move ? move->wait(Deadline::after(30s)) : move.error();
+        ++moves;
+        if (!reached) {
+            ++ended[errorCodeName(reached.error().code).toStdString()];
+        }
+    }
+    const control::ControllerStatus status = robot.status();
+    std::printf("%8d  %7s  %10lld  %5d  ", row.priority, status.priorityGranted ? "yes" : "no",
+                static_cast<long long>(row.heartbeatTimeout.count()), moves);
+    for (const auto& [why, count] : ended) {
+        std::printf(" %s: %d", why.c_str(), count);
+    }
+    std::printf("%s\n", ended.empty() ? " none" : "");
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = argc > 1 ? std::atof(argv[1]) : 30;
+    const int busy = argc > 2 ? std::atoi(argv[2]) : 0;
+    simulator::SimulatorOptions options;
+    options.listenAddress = QStringLiteral("127.0.8.110");
+    options.poweredOn = true;
+    options.fastTransitions = true;
+    options.priority = 95;
+    simulator::Simulator robot(options);
+    robot.start().value();
+    std::atomic<bool> ends{false};
+    std::vector<std::thread> load;
+    for (int i = 0; i < busy; ++i) {
+        load.emplace_back([&ends] {
+            while (!ends.load(std::memory_order_relaxed)) {
+            }
+        });
+    }
+    std::printf("simulated controller: priority %s; %d busy threads\n",
+                robot.timing().priorityGranted ? "granted" : "refused", busy);
+    std::printf("%8s  %7s  %10s  %5s   ended early\n", "priority", "granted", "limit [ms]", "moves");
+    for (const Row& row : {Row{0, 100ms}, Row{85, 100ms}, Row{0, 300ms}, Row{85, 300ms}}) {
+        measure(options.listenAddress, row, seconds);
+    }
+    ends = true;
+    for (std::thread& thread : load) {
+        thread.join();
+    }
+}
