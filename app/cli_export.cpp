@@ -6,8 +6,8 @@
 #include "app/cli_command.h"
 #include "app/cli_options.h"
 #include "app/cli_progress.h"
+#include "robot/recording/formats/export_recording.h"
 #include "robot/recording/formats/open_recording.h"
-#include "robot/recording/hdf5/hdf5_export.h"
 
 namespace tiller::app {
 
@@ -19,8 +19,9 @@ const QString kExportHelp = QStringLiteral(
     "Usage: tiller-cli export FILE --out FILE [options]\n"
     "\n"
     "  FILE                 recording (.mcap, .h5 or .csv); the format is detected from the content\n"
-    "  --out FILE           FILE.csv, or FILE.h5 (also .hdf5) for h5py, MATLAB and Octave\n"
-    "  --columns A,B,...    exports only these columns; the name of a field selects all its columns\n"
+    "  --out FILE           FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap\n"
+    "  --columns A,B,...    exports only these columns and the time column; the name of a field selects all\n"
+    "                       its columns\n"
     "  --from SECONDS       start of the exported part, from the first row\n"
     "  --until SECONDS      end of the exported part, from the first row\n"
     "  --separator CHAR     column separator of a .csv file: , ; or tab (default ,)\n"
@@ -61,12 +62,11 @@ int exportRecording(const QStringList& arguments) {
         return wrongArguments(QStringLiteral("export: exactly one recording is required"));
     }
     const QString target = parser.value(outFile);
-    const QString suffix = QFileInfo(target).suffix().toLower();
-    const bool isHdf5 = suffix == QLatin1String("h5") || suffix == QLatin1String("hdf5");
-    if (!isHdf5 && suffix != QLatin1String("csv")) {
+    if (!recording::canExportTo(target)) {
         return wrongArguments(
-            target.isEmpty() ? QStringLiteral("export: --out FILE.csv or --out FILE.h5 is missing")
-                             : QStringLiteral("export: '%1' ends neither in .csv nor in .h5").arg(target));
+            target.isEmpty()
+                ? QStringLiteral("export: --out FILE.csv, --out FILE.h5 or --out FILE.mcap is missing")
+                : QStringLiteral("export: '%1' ends neither in .csv, .h5 nor .mcap").arg(target));
     }
     const QString source = parser.positionalArguments().constFirst();
     if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&
@@ -105,8 +105,7 @@ int exportRecording(const QStringList& arguments) {
         line.show(QStringLiteral("%1 %").arg(done * kPercent, 0, 'f', 0));
         return true;
     };
-    const auto report =
-        isHdf5 ? recording::exportHdf5(file, choice) : recording::exportCsv(file, choice, style);
+    const auto report = recording::exportRecording(file, choice, style);
     line.clear();
     if (!report) {
         const bool theirs = report.error().code == ErrorCode::InvalidArgument ||

@@ -3,6 +3,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace tiller::app {
 namespace {
@@ -13,6 +14,11 @@ struct CommandLineText {
 };
 
 }  // namespace
+
+bool isRecordingName(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return QStringList{"mcap", "csv", "h5", "hdf5"}.contains(suffix);
+}
 
 Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     QCommandLineParser parser;
@@ -39,6 +45,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         CommandLineText::tr(
             "Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
+    parser.addPositionalArgument("recording", CommandLineText::tr("Open these recordings in the plots."),
+                                 "[file.mcap|file.h5|file.csv ...]");
     parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 
     const auto wrong = [&](const QString& what) {
@@ -47,10 +55,14 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // The file manager passes project files as positional arguments.
+    // The file manager passes files as positional arguments.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
+    CommandLine line;
+    while (!files.isEmpty() && isRecordingName(files.constFirst())) {
+        line.recordings.append(files.takeFirst());
+    }
     if (!files.isEmpty()) {
         return wrong(CommandLineText::tr("unexpected argument \"%1\"").arg(files.constFirst()));
     }
@@ -58,7 +70,6 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("only one project can be opened; remove \"%1\"").arg(file));
     }
 
-    CommandLine line;
     line.showHelp = parser.isSet(help);
     line.showVersion = parser.isSet(version);
     line.helpText = parser.helpText();

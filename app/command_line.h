@@ -17,12 +17,16 @@ struct CommandLine {
     QString
         demoDirectory;    ///< not empty: run the scripted demonstration, write its files to this folder, exit
     QString projectFile;  ///< project to open; empty: the last project
-    QString theme;        ///< "light", "dark", or empty for the last setting
+    QStringList recordings;    ///< recordings to open
+    QString theme;             ///< "light", "dark", or empty for the last setting
     bool monitorOnly = false;  ///< block all changes on the robot, independent of the settings
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;
 };
+
+/// True for the extensions of recordings: .mcap, .csv, .h5 and .hdf5.
+bool isRecordingName(const QString& path);
 
 /// Errors  InvalidArgument, with the argument and its valid values in the context
 Result<CommandLine> parseCommandLine(const QStringList& arguments);

@@ -139,6 +139,9 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
             QCoreApplication::translate("StartProject", "The last project no longer exists: %1")
                 .arg(project.missing));
     }
+    for (const QString& recording : line.recordings) {
+        window->openRecording(recording);
+    }
     return window;
 }
 
@@ -218,6 +221,7 @@ int main(int argc, char* argv[]) {
         texts.take(app::Settings().preferences().language);
         // Use the current project, not the one from the command line.
         line->projectFile.clear();
+        line->recordings.clear();
         window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
         window->keepUnsavedWorkIn(app::unsavedWorkFolder());
         window->lookForDevices();

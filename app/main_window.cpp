@@ -5,19 +5,23 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/action_table.h"
+#include "app/command_line.h"
 #include "app/command_palette.h"
 #include "app/connect_dialog.h"
 #include "app/crash_report.h"
@@ -140,6 +144,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
                                  tr("The settings could not be saved. %1").arg(texts::errorText(error)));
     });
     setObjectName("mainWindow");
+    setAcceptDrops(true);
     setWindowTitle(tr("Tiller"));
     setWindowIcon(applicationIcon());
     setMinimumSize(kSmallestWindow);
@@ -729,10 +734,7 @@ void MainWindow::setTheme(const QString& theme) {
 void MainWindow::keepIncidentsIn(const QString& folder) {
     incidents_ = new IncidentWatch(*session_, folder, this);
     connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
-    connect(log_, &LogTab::recordingWanted, this, [this](const QString& path, std::optional<double> moment) {
-        plots_->openRecording(path, moment);
-        stage_->reveal(*plotsDock_);
-    });
+    connect(log_, &LogTab::recordingWanted, this, &MainWindow::openRecording);
     keepProject();
 }
 
@@ -757,6 +759,28 @@ void MainWindow::keepProject() {
 void MainWindow::lockMonitorOnly() {
     monitorOnlyLocked_ = true;
     applyPreferences(preferences_);
+}
+
+void MainWindow::openRecording(const QString& path, std::optional<double> moment) {
+    plots_->openRecording(path, moment);
+    stage_->reveal(*plotsDock_);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (std::any_of(urls.begin(), urls.end(),
+                    [](const QUrl& url) { return isRecordingName(url.toLocalFile()); })) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (isRecordingName(url.toLocalFile())) {
+            openRecording(url.toLocalFile());
+        }
+    }
+    event->acceptProposedAction();
 }
 
 void MainWindow::openProject(const QString& path) {

@@ -97,6 +97,9 @@ public:
     /// "light" or "dark"; saved if selected by the user.
     void setTheme(const QString& theme);
     void openProject(const QString& path);
+    /// Opens a recording in the plots, in the background.
+    /// moment  position of cursor A on the time axis of the recording [s]; empty: none
+    void openRecording(const QString& path, std::optional<double> moment = {});
     /// Monitor only for the lifetime of the window, independent of the settings.
     void lockMonitorOnly();
     /// Writes an incident file for every safety stop to this folder, with a link in the log.
@@ -130,6 +133,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void moveEvent(QMoveEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     void buildDocks();

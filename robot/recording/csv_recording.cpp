@@ -41,7 +41,11 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     for (;;) {
         std::size_t from = 0;
         if (!line.empty() && line.front() == '"') {
-            const std::size_t closed = line.find('"', 1);
+            // A doubled quote belongs to the text.
+            std::size_t closed = line.find('"', 1);
+            while (closed != std::string_view::npos && line.substr(closed).starts_with("\"\"")) {
+                closed = line.find('"', closed + 2);
+            }
             from = closed == std::string_view::npos ? 0 : closed;
         }
         const std::size_t end = line.find(separator, from);
@@ -123,6 +127,10 @@ bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
 RecordedColumn columnFrom(std::string_view heading) {
     RecordedColumn column;
     column.name = std::string(heading);
+    for (std::size_t at = column.name.find("\"\""); at != std::string::npos;
+         at = column.name.find("\"\"", at + 1)) {
+        column.name.erase(at, 1);
+    }
     if (const std::size_t open = heading.rfind('[');
         open != std::string_view::npos && open > 0 && heading.back() == ']') {
         column.name = std::string(withoutBlanks(heading.substr(0, open)));

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "robot/core/atomic_file.h"
+#include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
 
 namespace tiller::recording {
@@ -40,12 +41,36 @@ char* putNumber(char* at, double value, bool whole, char decimal) {
     return end;
 }
 
-/// A header cell, quoted if it contains the separator.
-std::string cell(const std::string& text, char separator) {
-    return text.find(separator) == std::string::npos ? text : '"' + text + '"';
+template <class Number>
+std::string shortest(Number value) {
+    if (std::isnan(value)) {
+        return {};
+    }
+    char text[kMaxNumber];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 }  // namespace
+
+std::string csvCell(std::string_view text, char separator) {
+    const char special[] = {separator, '"', '\n', '\r', '\0'};
+    std::string out(text);
+    if (text.find_first_of(special) == std::string_view::npos) {
+        return out;
+    }
+    for (std::size_t at = out.find('"'); at != std::string::npos; at = out.find('"', at + 2)) {
+        out.insert(at, 1, '"');
+    }
+    return '"' + out + '"';
+}
+
+std::string csvNumber(double value) {
+    return shortest(value);
+}
+
+std::string csvNumber(float value) {
+    return shortest(value);
+}
 
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names) {
@@ -75,6 +100,20 @@ Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
     if (!missing.isEmpty()) {
         return Error{ErrorCode::FieldUnknown, QStringLiteral("read %1").arg(recording.path()),
                      missing.join(QStringLiteral("; "))};
+    }
+    return chosen;
+}
+
+std::optional<std::size_t> timeColumn(const Recording& recording) {
+    return timeColumnOf(recording.columns());
+}
+
+Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,
+                                                 const std::vector<std::string>& names) {
+    auto chosen = chooseColumns(recording, names);
+    const auto time = timeColumn(recording);
+    if (chosen && time && std::find(chosen->begin(), chosen->end(), *time) == chosen->end()) {
+        chosen->insert(chosen->begin(), *time);
     }
     return chosen;
 }
@@ -109,7 +148,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
                      QStringLiteral("use , ; or a tab as separator and a point or a comma as decimal sign, "
                                     "but not a comma for both")};
     }
-    const auto columns = chooseColumns(recording, choice.columns);
+    const auto columns = columnsWithTime(recording, choice.columns);
     if (!columns) {
         return columns.error();
     }
@@ -125,11 +164,11 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     std::string units;
     for (const std::size_t column : columns.value()) {
         const RecordedColumn& described = recording.columns()[column];
-        heading +=
-            (heading.empty() ? "" : std::string(1, style.separator)) + cell(described.name, style.separator);
+        heading += (heading.empty() ? "" : std::string(1, style.separator)) +
+                   csvCell(described.name, style.separator);
         // An empty cell could not be distinguished from a missing number.
         const std::string unit = described.unit.empty() ? "-" : described.unit;
-        units += (units.empty() ? "" : std::string(1, style.separator)) + cell(unit, style.separator);
+        units += (units.empty() ? "" : std::string(1, style.separator)) + csvCell(unit, style.separator);
     }
     ExportReport report;
     const auto write = [&](const char* text, std::size_t size) {

@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robot/core/text.h"
@@ -16,9 +18,10 @@ namespace tiller::recording {
 /// The selected content, independent of the format.
 struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
-    std::vector<std::string> columns =
-        {};           ///< names of columns, or of fields for all their components; empty: all
-    double from = 0;  ///< [s] on the time axis
+    /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always contain the
+    /// time column of the recording, as the first column if it is not named; HDF5 files contain `time`.
+    std::vector<std::string> columns = {};
+    double from = 0;                                         ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
     /// Called with the completed fraction, 0 to 1. Returning false cancels with Cancelled
     std::function<bool(double)> progress = {};
@@ -39,6 +42,17 @@ struct ExportReport {
 /// Errors   FieldUnknown, with all missing names
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
+/// The column with the time axis of the recording: `timestamp`, or the first one named time, seconds or t.
+std::optional<std::size_t> timeColumn(const Recording& recording);
+/// As chooseColumns(), with the time column of the recording first if it is not among them.
+Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,
+                                                 const std::vector<std::string>& names);
+/// A cell of a text file, quoted as in RFC 4180 where necessary.
+std::string csvCell(std::string_view text, char separator = ',');
+/// The shortest text that reads back as the same number, independent of the locale; empty for NaN.
+std::string csvNumber(double value);
+/// As csvNumber(double).
+std::string csvNumber(float value);
 /// The selected rows.
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);
 

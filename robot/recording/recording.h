@@ -43,7 +43,7 @@ struct RecordedGap {
 struct RecordedEvent {
     double seconds = 0;  ///< on the time axis of the recording; negative: before the first row
     int level = 20;      ///< as in rcl_interfaces/Log: 10 debug, 20 info, 30 warning, 40 error, 50 fatal
-    QString source{};    ///< origin, e.g. "operator", "controller"
+    QString source{};    ///< origin, e.g. "operator", "controller"; "note" for a note of the operator
     QString text{};
 };
 

@@ -15,6 +15,9 @@
 
 namespace tiller::recording {
 
+/// `source` of a note of the operator, as opposed to a line of the log.
+inline constexpr const char* kNoteSource = "note";
+
 /// A line of the log or a note added during a recording.
 struct RecordedNote {
     std::int64_t utcNs = 0;  ///< [ns since 1970]

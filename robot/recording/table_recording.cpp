@@ -2,10 +2,10 @@
 #include "robot/recording/table_recording.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
+#include <span>
 
+#include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
 #include "robot/recording/recorder.h"
 
@@ -16,13 +16,6 @@ namespace {
 constexpr double kUsualPeriod = 0.002;  // [s]
 // Number of rows used to determine their usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
-
-std::string lowerCase(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return out;
-}
 
 /// Median of the intervals; 0 if there are none.
 double medianStep(std::span<const double> times) {
@@ -49,14 +42,7 @@ TableRecording::TableRecording(RecordedTable table) : table_(std::move(table)) {
 
 void TableRecording::findTimes() {
     const std::size_t rowCount = table_.values.empty() ? 0 : table_.values.front().size();
-    std::optional<std::size_t> axis = indexOf("timestamp");
-    for (std::size_t i = 0; i < table_.columns.size() && !axis; ++i) {
-        constexpr std::array<std::string_view, 6> kNames = {"time",     "seconds",  "t",
-                                                            "time (s)", "time [s]", "time_s"};
-        if (std::find(kNames.begin(), kNames.end(), lowerCase(table_.columns[i].name)) != kNames.end()) {
-            axis = i;
-        }
-    }
+    const std::optional<std::size_t> axis = timeColumnOf(table_.columns);
     times_.resize(rowCount);
     if (!axis) {
         for (std::size_t i = 0; i < rowCount; ++i) {

@@ -61,6 +61,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("named");
         QTest::newRow("unknown option") << QStringList{"--robt", "x"} << "robt";
         QTest::newRow("robot without address") << QStringList{"--robot"} << "robot";
+        QTest::newRow("no recording") << QStringList{"a.mcap", "b.txt"} << "b.txt";
         QTest::newRow("stray word") << QStringList{"192.168.0.10"} << "192.168.0.10";
         QTest::newRow("two projects") << QStringList{"a.tiller", "b.tiller"} << "b.tiller";
         QTest::newRow("a project twice") << QStringList{"a.tiller", "--project", "b.tiller"} << "a.tiller";
@@ -70,6 +71,13 @@ private Q_SLOTS:
         QTest::newRow("demonstration on a real robot")
             << QStringList{"--demo", "d", "--robot", "x"} << "simulated";
         QTest::newRow("theme") << QStringList{"--theme", "pink"} << "pink";
+    }
+    void recordingsAreOpened() {
+        const Result<CommandLine> line =
+            parseCommandLine({"tiller", "a.tiller", "/x/b.mcap", "c.H5", "d.csv"});
+        QVERIFY(line.ok());
+        QCOMPARE(line->projectFile, QString("a.tiller"));
+        QCOMPARE(line->recordings, (QStringList{"/x/b.mcap", "c.H5", "d.csv"}));
     }
     void wrongArgumentsAreNamed() {
         QFETCH(QStringList, arguments);

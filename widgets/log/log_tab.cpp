@@ -147,6 +147,9 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     }
     connect(search_, &QLineEdit::textChanged, this, &LogTab::showEmptyState);
     connect(&session, &RobotSession::message, this, &LogTab::append);
+    connect(&session, &RobotSession::noteAdded, this, [this](const QString& text) {
+        append(Severity::Info, tr("Note: %1").arg(text), Origin::Operator);
+    });
 }
 
 LogTab::~LogTab() = default;
@@ -200,11 +203,12 @@ void LogTab::fillReplay(const ReplayMoment& moment) {
         const Severity severity = event.level >= 40   ? Severity::Error
                                   : event.level >= 30 ? Severity::Warning
                                                       : Severity::Info;
-        const Origin origin = event.source == QLatin1String("operator")     ? Origin::Operator
-                              : event.source == QLatin1String("controller") ? Origin::Robot
-                                                                            : Origin::Tiller;
-        replayModel_->append(begin.addMSecs(std::llround(event.seconds * kMsPerSecond)), severity, event.text,
-                             origin);
+        const bool isNote = event.source == QLatin1String("note");
+        const Origin origin = isNote || event.source == QLatin1String("operator") ? Origin::Operator
+                              : event.source == QLatin1String("controller")       ? Origin::Robot
+                                                                                  : Origin::Tiller;
+        replayModel_->append(begin.addMSecs(std::llround(event.seconds * kMsPerSecond)), severity,
+                             isNote ? tr("Note: %1").arg(event.text) : event.text, origin);
     }
 }
 

@@ -6,6 +6,18 @@
 
 namespace tiller {
 
+void Curve::Column::setLeft(double value) {
+    left = value;
+    low = std::min(low, value);
+    high = std::max(high, value);
+}
+
+void Curve::Column::setRight(double value) {
+    right = value;
+    low = std::min(low, value);
+    high = std::max(high, value);
+}
+
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -53,7 +65,13 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
         if (last != none && !gap) {
             const double before = (envelope_[last].min + envelope_[last].max) / 2;
             if (last + 1 == i) {
-                columns_[last].right = columns_[i].left = (before + middle) / 2;
+                // A value of both columns if they overlap; otherwise the middle of the step between them.
+                const double bottom = std::max(envelope_[last].min, envelope_[i].min);
+                const double top = std::min(envelope_[last].max, envelope_[i].max);
+                const double edge =
+                    bottom <= top ? std::clamp((before + middle) / 2, bottom, top) : (bottom + top) / 2;
+                columns_[last].setRight(edge);
+                columns_[i].setLeft(edge);
             } else {
                 addLine(static_cast<double>(last) + 0.5, before, static_cast<double>(i) + 0.5, middle);
             }
@@ -140,9 +158,9 @@ void Curve::addLine(double x0, double y0, double x1, double y1) {
         if (column.isEmpty()) {
             column = {in, out, in, in};
         }
-        column.right = out;
-        column.low = std::min({column.low, in, out});
-        column.high = std::max({column.high, in, out});
+        column.low = std::min(column.low, in);
+        column.high = std::max(column.high, in);
+        column.setRight(out);
     }
 }
 

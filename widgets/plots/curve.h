@@ -20,9 +20,13 @@ public:
     /// Extent of the curve in one pixel column, in its own unit. NaN in `left`: no data.
     struct Column {
         double left, right;  ///< values at the left and right edge of the column
-        double low, high;    ///< minimum and maximum in between
+        /// Minimum and maximum of the samples in the column, and of the line to the adjacent samples up to the edges
+        /// of the column. They include `left` and `right`.
+        double low, high;
 
         bool isEmpty() const { return std::isnan(left); }
+        void setLeft(double value);   ///< Extends the minimum and maximum if necessary.
+        void setRight(double value);  ///< As setLeft().
         friend bool operator==(const Column& a, const Column& b) {
             return (a.isEmpty() && b.isEmpty()) ||
                    (a.left == b.left && a.right == b.right && a.low == b.low && a.high == b.high);

@@ -26,26 +26,56 @@ QList<qreal> dashesOf(std::size_t curve) {
     return curve % 2 == 0 ? QList<qreal>{length, length / 2} : QList<qreal>{length, 2.5, 1.5, 2.5};
 }
 
+/// False if an earlier solid curve has this colour.
+bool isFreeFor(const std::vector<QPen>& pens, const QColor& color) {
+    return std::none_of(pens.begin(), pens.end(), [&](const QPen& pen) {
+        return pen.style() == Qt::SolidLine && pen.color() == color;
+    });
+}
+
 }  // namespace
 
 std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& shown, const Theme& theme) {
-    const bool axes = !shown.empty() && isOneFamily(store, shown) && store.info(shown.front()).axis >= 0;
     std::vector<QPen> pens;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        QPen pen(axes ? theme.axis(store.info(shown[i]).axis) : theme.curves[i % theme.curves.size()], 1.6);
+    QList<QRgb> axesUsed;
+    std::size_t next = 0;  // in the curve colours
+    for (const int signal : shown) {
+        const int axis = store.info(signal).axis;
+        QPen pen(Qt::black, 1.6);
+        if (axis >= 0 && !axesUsed.contains(theme.axis(axis).rgb()) && isFreeFor(pens, theme.axis(axis))) {
+            pen.setColor(theme.axis(axis));
+            axesUsed.append(theme.axis(axis).rgb());
+        } else {
+            const auto colorOf = [&](std::size_t curve) { return theme.curves[curve % theme.curves.size()]; };
+            // Axis colours are also curve colours: solid curves skip those in use.
+            while (dashesOf(next).isEmpty() && axesUsed.contains(colorOf(next).rgb())) {
+                ++next;
+            }
+            pen.setColor(colorOf(next));
+            if (const QList<qreal> dashes = dashesOf(next); !dashes.isEmpty()) {
+                pen.setDashPattern(dashes);
+            }
+            ++next;
+        }
         pen.setCosmetic(true);
         pen.setJoinStyle(Qt::BevelJoin);
-        if (const QList<qreal> dashes = axes ? QList<qreal>() : dashesOf(i); !dashes.isEmpty()) {
-            pen.setDashPattern(dashes);
-        }
         pens.push_back(pen);
     }
     return pens;
 }
 
+QString curveSource(const SignalStore& store, const std::vector<int>& shown, int signal) {
+    const QString source = store.recordingOf(signal);
+    const bool isShared = std::any_of(shown.begin(), shown.end(),
+                                      [&](int other) { return store.recordingOf(other) != source; });
+    return isShared ? source : QString();
+}
+
 QString curveLabel(const SignalStore& store, const std::vector<int>& shown, int signal) {
     const SignalInfo& info = store.info(signal);
-    return isOneFamily(store, shown) ? info.label : info.longLabel;
+    const QString name = isOneFamily(store, shown) ? info.label : info.longLabel;
+    const QString source = curveSource(store, shown, signal);
+    return source.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, source);
 }
 
 }  // namespace tiller

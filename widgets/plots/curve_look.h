@@ -11,8 +11,11 @@ namespace tiller {
 class SignalStore;
 struct Theme;
 
-/// Cosmetic pens, one per signal: the axis colours if all are x, y or z of one quantity, otherwise curve colours.
+/// Cosmetic pens, one per signal, all different. The first x, y and z have the axis colours, other signals curve
+/// colours. Adding a signal does not change the pens of those before it.
 std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& shown, const Theme& theme);
+/// The recording of a signal if signals of other sources are shown as well; empty: live, or the same for all.
+QString curveSource(const SignalStore& store, const std::vector<int>& shown, int signal);
 /// The text in the legend: "Base" if all signals are joint currents, "I Base" among other signals.
 QString curveLabel(const SignalStore& store, const std::vector<int>& shown, int signal);
 

@@ -249,6 +249,10 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     // The line is centred on the extent, unless it only slants.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
+    // A steep line is high in its column: beyond the extent of the curve, at most the pen width is painted.
+    constexpr double kRounding = 1e-6;
+    const double upper = rowOf(column.high) - curve.pen().widthF() + kRounding;
+    const double lower = rowOf(column.low) + curve.pen().widthF() - kRounding;
     const auto rows = static_cast<double>(ring_.height());
     // For non-negative values truncation equals floor, without a function call.
     const auto floorRow = [rows](double y) { return static_cast<int>(std::min(std::max(y, 0.0), rows)); };
@@ -257,8 +261,8 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
         const auto whole = static_cast<int>(inside);
         return whole + (inside > whole ? 1 : 0);
     };
-    const int from = floorRow(middle - ramp / 2 - thickness);
-    const int to = ceilRow(middle + ramp / 2 + thickness + 1);
+    const int from = floorRow(std::max(middle - ramp / 2 - thickness, upper));
+    const int to = std::max(ceilRow(std::min(middle + ramp / 2 + thickness + 1, lower)), from);
     // Fully covered rows need no arithmetic; these are most rows of a noisy signal.
     const int fullFrom = std::clamp(ceilRow(middle + ramp / 2 - thickness), from, to);
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);

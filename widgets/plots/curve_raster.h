@@ -4,7 +4,8 @@
 // Renders all curves of a plot into an image that is reused from frame to frame: a ring of pixel columns. While the
 // view moves in time, only new or changed columns are painted. The columns are rasterized here, because Qt's
 // stroker takes twenty times as long for a noisy polyline with two points per column, and even longer for a dashed
-// one.
+// one. No pixel of a column is farther than the pen width from the minimum and maximum of the curve in this column
+// (rounded to whole pixels), however steep the curve is.
 
 #include <QGraphicsItem>
 #include <QImage>

@@ -23,10 +23,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "robot/core/atomic_file.h"
+#include "robot/core/clock.h"
 #include "robot/core/file_reading.h"
+#include "robot/recording/formats/export_recording.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/incident.h"
 #include "robot/station/history/history_export.h"
@@ -321,8 +324,14 @@ void PlotDock::addNote(double time, const QString& text) {
     if (text.simplified().isEmpty()) {
         return;
     }
+    if (const QString recording = replay_->recordingInFront(); !recording.isEmpty()) {
+        marks_->addOf(recording, {time, text.simplified()});
+        return;  // the moment is not in the data of the robot
+    }
     marks_->addNote(time, text);
-    Q_EMIT session_.message(Severity::Info, tr("Note: %1").arg(text.simplified()), Origin::Operator);
+    const QDateTime moment = replay_->clockAt(time);
+    const QDateTime stored = moment.isValid() ? moment : QDateTime::currentDateTimeUtc();
+    Q_EMIT session_.noteAdded(text.simplified(), stored.toMSecsSinceEpoch() * kNsPerMs);
 }
 
 void PlotDock::askForNote(double time) {
@@ -956,23 +965,40 @@ void PlotDock::changeEvent(QEvent* event) {
     }
 }
 
-Result<void> PlotDock::exportCsv(const QString& path) const {
+Result<void> PlotDock::exportValues(const QString& path, ExportRange range) const {
+    const PlotView& shown = pages_->view();
+    double from = shown.window().start();
+    double until = shown.window().end();
+    const auto a = shown.cursor(PlotView::Cursor::A);
+    const auto b = shown.cursor(PlotView::Cursor::B);
+    if (range == ExportRange::BetweenCursors && a && b) {
+        std::tie(from, until) = std::minmax(*a, *b);
+    }
     const Result<std::int64_t> rows =
-        tiller::exportCsv(*store_, shownInOrder(*store_, *pages_), pages_->view().window().start(),
-                          pages_->view().window().end(), path);
+        exportSignals(*store_, shownInOrder(*store_, *pages_), from, until, path);
     return rows ? Result<void>() : Result<void>(rows.error());
 }
 
 Result<void> PlotDock::exportPicture(const QString& path) const {
     PictureText text;
     const SessionState& state = session_.state();
-    text.title = QStringLiteral("%1 · %2").arg(
-        state.robotName.isEmpty() ? QStringLiteral("Tiller") : state.robotName, picturesTitle());
     const TimeWindow& window = pages_->view().window();
-    QStringList details{QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat),
-                        tr("controller time %1 … %2 s")
-                            .arg(format::number(window.start(), 3), format::number(window.end(), 3))};
-    if (state.simulated) {
+    QStringList details{QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)};
+    const QString recording = replay_->recordingInFront();
+    if (recording.isEmpty()) {
+        text.title = QStringLiteral("%1 · %2").arg(
+            state.robotName.isEmpty() ? QStringLiteral("Tiller") : state.robotName, picturesTitle());
+        details << tr("controller time %1 … %2 s")
+                       .arg(format::number(window.start(), 3), format::number(window.end(), 3));
+    } else {
+        // Neither the robot nor the time axis of the live data.
+        text.title = QStringLiteral("%1 · %2").arg(recording, picturesTitle());
+        const double begin = store_->timesOf(recording)->firstTime();
+        details << QStringLiteral("%1 … %2 s")
+                       .arg(format::number(window.start() - begin, 3),
+                            format::number(window.end() - begin, 3));
+    }
+    if (state.simulated && recording.isEmpty()) {
         details << tr("simulated");
     }
     if (const QString words = pages_->view().readout(); !words.isEmpty()) {
@@ -990,16 +1016,20 @@ void PlotDock::showNothingToExport() {
                                                   "robot, or scroll to a time with samples."));
 }
 
-bool PlotDock::exportTo(const QString& path) {
-    const bool csv = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
-    if (history().isEmpty()) {
+bool PlotDock::exportTo(const QString& path, ExportRange range) {
+    const bool isTable = recording::canExportTo(path);
+    if (history().isEmpty() && pages_->view().recordingsShown().isEmpty()) {
         showNothingToExport();
         return false;
     }
-    const Result<void> result = csv ? exportCsv(path) : exportPicture(path);
+    const Result<void> result = isTable ? exportValues(path, range) : exportPicture(path);
     if (result) {
-        Q_EMIT session_.message(Severity::Info, tr("Exported the visible range to %1").arg(path));
-    } else if (csv && result.error().code == ErrorCode::InvalidArgument) {
+        const bool isBetween = isTable && range == ExportRange::BetweenCursors;
+        Q_EMIT session_.message(Severity::Info,
+                                (isBetween ? tr("Exported the range between the cursors A and B to %1")
+                                           : tr("Exported the visible range to %1"))
+                                    .arg(path));
+    } else if (isTable && result.error().code == ErrorCode::InvalidArgument) {
         showNothingToExport();
     } else {
         Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
@@ -1008,15 +1038,30 @@ bool PlotDock::exportTo(const QString& path) {
 }
 
 void PlotDock::askExport() {
-    const QList<QPair<QString, QString>> kinds = {
-        {tr("Image (*.png)"), QStringLiteral(".png")},
-        {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
-        {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
-        {tr("Values (*.csv)"), QStringLiteral(".csv")},
+    struct Kind {
+        QString text;
+        QString suffix;
+        ExportRange range = ExportRange::Visible;
     };
+    std::vector<Kind> kinds = {{tr("Image (*.png)"), QStringLiteral(".png")},
+                               {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
+                               {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
+                               {tr("Values (*.csv)"), QStringLiteral(".csv")}};
+    const PlotView& shown = pages_->view();
+    const bool isRecorded = !shown.recordingsShown().isEmpty();
+    if (isRecorded) {
+        kinds.push_back({QStringLiteral("HDF5 (*.h5)"), QStringLiteral(".h5")});
+        kinds.push_back({QStringLiteral("MCAP (*.mcap)"), QStringLiteral(".mcap")});
+    }
+    if (shown.cursor(PlotView::Cursor::A) && shown.cursor(PlotView::Cursor::B)) {
+        for (const QString& suffix : isRecorded ? QStringList{".csv", ".h5", ".mcap"} : QStringList{".csv"}) {
+            kinds.push_back({tr("Values between the cursors A and B (*%1)").arg(suffix), suffix,
+                             ExportRange::BetweenCursors});
+        }
+    }
     QStringList filters;
-    for (const auto& kind : kinds) {
-        filters << kind.first;
+    for (const Kind& kind : kinds) {
+        filters << kind.text;
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
@@ -1027,10 +1072,11 @@ void PlotDock::askExport() {
     if (path.isEmpty()) {
         return;
     }
+    const Kind& kind = kinds[static_cast<std::size_t>(std::max<qsizetype>(filters.indexOf(filter), 0))];
     if (QFileInfo(path).suffix().isEmpty()) {
-        path += kinds.value(std::max<qsizetype>(filters.indexOf(filter), 0)).second;
+        path += kind.suffix;
     }
-    exportTo(path);
+    exportTo(path, kind.range);
 }
 
 void PlotDock::toggleRecording() {

@@ -60,11 +60,11 @@ public:
     void setRecordingChoice(const RecordingChoice& choice);
     const RecordingChoice& recordingChoice() const { return choice_; }
 
-    /// The displayed range as CSV, with column names as in recordings, or as an image (.png, .svg, .pdf).
-    Result<void> exportCsv(const QString& path) const;
-    Result<void> exportPicture(const QString& path) const;
-    /// Selects the format by the file extension, and shows the result to the user.
-    bool exportTo(const QString& path);
+    enum class ExportRange { Visible, BetweenCursors };
+    /// Selects the format by the file extension, and shows the result to the user: an image of the displayed range
+    /// (.png, .svg, .pdf), or the values of the signals on the page. Live signals are exported as .csv; those of a
+    /// recording with its own rows and times as .csv, .h5, .hdf5 or .mcap.
+    bool exportTo(const QString& path, ExportRange range = ExportRange::Visible);
 
     /// Opens a recording of any format on a separate page next to the live data: it ends at the end of the history,
     /// or begins at cursor A if set. An incident recording is placed at its time if the history of its robot
@@ -138,6 +138,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    Result<void> exportValues(const QString& path, ExportRange range) const;
+    Result<void> exportPicture(const QString& path) const;
     void buildHeader();
     void styleHeader();
     void take(const SampleBatch& batch);

@@ -73,6 +73,10 @@ QDateTime PlotReplay::clockAt(double time) const {
                                           std::llround((time - frame->newest) * kMsPerSecond));
 }
 
+QString PlotReplay::recordingInFront() const {
+    return recordingOn(pages_.view(), store_);
+}
+
 std::shared_ptr<const std::vector<recording::RecordedEvent>> PlotReplay::eventsOf(
     const QString& recording) const {
     std::vector<recording::RecordedEvent> events = store_.recorded(recording)->events();

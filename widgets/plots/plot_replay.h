@@ -31,6 +31,8 @@ public:
     /// Time of day for a time on the time axis: of the recording on the page in front, or of the history. Invalid
     /// if unknown.
     QDateTime clockAt(double time) const;
+    /// The recording of the page in front; empty: live signals.
+    QString recordingInFront() const;
     /// Evaluates page, cursor and pause again, and emits a signal if the time has changed.
     void follow();
     const Replay& moment() const { return moment_; }

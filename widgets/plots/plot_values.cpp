@@ -15,6 +15,7 @@
 #include "robot/station/history/signal_store.h"
 #include "robot/station/text/format.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/curve_look.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
 
@@ -129,8 +130,11 @@ void PlotValues::fill() {
             return all ? figure(member(*all), more)
                        : QString(isUnderWay ? QStringLiteral("…") : QStringLiteral("–"));
         };
-        const QString name =
+        QString name =
             info.unit.isEmpty() ? info.longLabel : QStringLiteral("%1 [%2]").arg(info.longLabel, info.unit);
+        if (const QString source = curveSource(store_, shown, shown[i]); !source.isEmpty()) {
+            name += QStringLiteral(" · ") + source;
+        }
         const QStringList cells{name,
                                 figure(va),
                                 figure(vb),
@@ -168,7 +172,9 @@ QString PlotValues::toText() const {
     for (int row = 0; row < table_->rowCount(); ++row) {
         line.clear();
         for (int column = 0; column < table_->columnCount(); ++column) {
-            line << table_->item(row, column)->text();
+            // For other programs, a number has an ASCII minus sign; names stay as they are.
+            QString cell = table_->item(row, column)->text();
+            line << (column == 0 ? cell : cell.replace(QChar(0x2212), QLatin1Char('-')));
         }
         lines << line.join(QLatin1Char('\t'));
     }

@@ -84,7 +84,8 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     setMouseTracking(true);
     setAcceptDrops(true);
     setBackgroundBrush(Qt::NoBrush);
-    setStyleSheet(QStringLiteral("background: transparent;"));
+    // Only the view: without a selector, its menus and tool tips would inherit the transparent background.
+    setStyleSheet(QStringLiteral("QGraphicsView { background: transparent; }"));
     scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
     scene_->addItem(laneItem_);
     connect(&marks_, &PlotMarks::marksChanged, viewport(), qOverload<>(&QWidget::update));
@@ -804,12 +805,16 @@ void PlotView::drawMarks(QPainter& painter) const {
     }
     const auto& all = marks_.marks();
     const QStringList recordings = recordingsShown();
+    const QSet<int> shown = signalsShown();
+    const bool isLive = recordings.isEmpty() || std::any_of(shown.begin(), shown.end(), [this](int signal) {
+                            return !store_.isRecorded(signal);
+                        });
     const auto first = std::lower_bound(all.begin(), all.end(), window_.start(),
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
         double free = 0;  // end of the previous text
         for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
-            if (!mark->recording.isEmpty() && !recordings.contains(mark->recording)) {
+            if (mark->recording.isEmpty() ? !isLive : !recordings.contains(mark->recording)) {
                 continue;
             }
             const double x = std::floor(xAt(mark->time) + column * pitch) + 0.5;

@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/detail/column_knowledge.h"
 
+#include <algorithm>
+#include <array>
+
 #include "robot/recording/recorder.h"
 #include "robot/rtde/fields.h"
 
 namespace tiller::recording {
+
+namespace {
+
+std::string inLowerCase(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return out;
+}
+
+}  // namespace
+
+std::optional<std::size_t> timeColumnOf(const std::vector<RecordedColumn>& columns) {
+    const auto find = [&](const auto& matches) -> std::optional<std::size_t> {
+        const auto found = std::find_if(columns.begin(), columns.end(), matches);
+        return found == columns.end() ? std::nullopt : std::optional<std::size_t>(found - columns.begin());
+    };
+    if (const auto stamp = find([](const RecordedColumn& each) { return each.name == "timestamp"; })) {
+        return stamp;
+    }
+    return find([](const RecordedColumn& each) {
+        constexpr std::array<std::string_view, 6> kNames = {"time",     "seconds",  "t",
+                                                            "time (s)", "time [s]", "time_s"};
+        return std::find(kNames.begin(), kNames.end(), inLowerCase(each.name)) != kNames.end();
+    });
+}
 
 std::string unitOf(std::string_view name, std::size_t component) {
     const rtde::Field* field = rtde::findOutput(name);

@@ -6,10 +6,12 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/export.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
+#include "robot/recording/recording_format.h"
 
 namespace tiller::recording {
 
@@ -131,6 +133,36 @@ Result<std::uint64_t> writeDemo(hid_t data, int number, const Recording& recordi
 
 }  // namespace
 
+namespace {
+
+/// Notes of the operator. Earlier versions of the window stored them as log lines with a translated prefix.
+std::vector<RecordedEvent> notesOf(const Recording& recording) {
+    const std::vector<RecordedEvent>& events = recording.events();
+    std::vector<RecordedEvent> notes;
+    const auto copyIf = [&](const auto& isNote) {
+        std::copy_if(events.begin(), events.end(), std::back_inserter(notes), isNote);
+        return !notes.empty();
+    };
+    if (copyIf([](const RecordedEvent& event) { return event.source == QLatin1String(kNoteSource); })) {
+        return notes;
+    }
+    const auto writer = recording.facts().find("written_by");
+    const bool isFromWindow = writer != recording.facts().end() &&
+                              (writer->second == "tiller" || writer->second.starts_with("tiller "));
+    copyIf([&](const RecordedEvent& event) {
+        static const QStringList kPrefixes{QStringLiteral("Note: "), QStringLiteral("Notiz: "),
+                                           QStringLiteral("Nota: "), QStringLiteral("Note : "),
+                                           QStringLiteral("メモ："), QStringLiteral("记录：")};
+        return event.source == QLatin1String("operator") &&
+               (!isFromWindow || std::any_of(kPrefixes.begin(), kPrefixes.end(), [&](const QString& prefix) {
+                   return event.text.startsWith(prefix);
+               }));
+    });
+    return notes;
+}
+
+}  // namespace
+
 Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeChoice::Cut cut) {
     std::vector<Episode> episodes;
     if (cut == EpisodeChoice::Cut::Whole) {
@@ -138,10 +170,7 @@ Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeCho
         return episodes;
     }
     if (cut == EpisodeChoice::Cut::Notes) {
-        for (const RecordedEvent& event : recording.events()) {
-            if (event.source != QLatin1String("operator")) {
-                continue;
-            }
+        for (const RecordedEvent& event : notesOf(recording)) {
             const auto row = recording.rowAt(event.seconds);
             if (!row) {
                 return row.error();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
+#include <string>
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
@@ -75,9 +77,24 @@ void makeNamesUsable(std::vector<Field>& fields) {
 }
 
 /// Combines adjacent components of a vector into one field.
+/// True if the columns begin with all components of a field, in order. Single components are not written under the
+/// name of the field.
+bool hasAllComponents(const Recording& recording, std::span<const std::size_t> columns,
+                      const rtde::Field& field) {
+    const std::size_t count = rtde::componentCount(field.type);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i >= columns.size() ||
+            recording.columns()[columns[i]].name != std::string(field.name) + '_' + std::to_string(i)) {
+            return false;
+        }
+    }
+    return count > 1;
+}
+
 std::vector<Field> fieldsOf(const Recording& recording, const std::vector<std::size_t>& columns) {
     std::vector<Field> fields;
-    for (const std::size_t column : columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::size_t column = columns[i];
         const RecordedColumn& described = recording.columns()[column];
         const std::string& name = described.name;
         const std::size_t bar = name.rfind('_');
@@ -85,23 +102,28 @@ std::vector<Field> fieldsOf(const Recording& recording, const std::vector<std::s
         const rtde::Field* single = rtde::findOutput(name);
         const rtde::Field* vector =
             single == nullptr && numbered ? rtde::findOutput(std::string_view(name).substr(0, bar)) : nullptr;
-        if (vector != nullptr && !fields.empty() && fields.back().name == vector->name) {
-            fields.back().columns.push_back(column);
+        if (vector != nullptr && hasAllComponents(recording, std::span(columns).subspan(i), *vector)) {
+            const std::size_t count = rtde::componentCount(vector->type);
+            Field& field = fields.emplace_back();
+            field.columns.assign(columns.begin() + static_cast<std::ptrdiff_t>(i),
+                                 columns.begin() + static_cast<std::ptrdiff_t>(i + count));
+            field.name = vector->name;
+            field.storage = storageOf(vector->type);
+            field.unit = vector->unit;
+            field.meaning = vector->meaning;
+            i += count - 1;
             continue;
         }
         Field& field = fields.emplace_back();
         field.columns = {column};
+        field.name = name;
+        field.unit = described.unit;
         if (const rtde::Field* known = single != nullptr ? single : vector) {
-            field.name = known->name;
             field.storage = storageOf(known->type);
-            field.unit = known->unit;
             field.meaning = known->meaning;
-        } else {
-            field.name = name;
-            field.unit = described.unit;
-            if (described.whole) {
-                field.storage = storageOf(rtde::DataType::UInt64);
-            }
+            field.unit = single != nullptr ? known->unit : described.unit;
+        } else if (described.whole) {
+            field.storage = storageOf(rtde::DataType::UInt64);
         }
     }
     makeNamesUsable(fields);

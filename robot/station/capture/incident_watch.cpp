@@ -39,6 +39,8 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
             [this](Severity severity, const QString& text, Origin origin) {
                 box_.note(recordedNote(severity, text, origin));
             });
+    connect(&session, &RobotSession::noteAdded, this,
+            [this](const QString& text, qint64 utcNs) { box_.note(operatorNote(text, utcNs)); });
 }
 
 // The worker is destroyed first, then the box, which completes the current incident.

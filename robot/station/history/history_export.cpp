@@ -2,13 +2,56 @@
 #include "robot/station/history/history_export.h"
 
 #include <QCoreApplication>
-#include <cmath>
+#include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "robot/core/atomic_file.h"
+#include "robot/recording/formats/export_recording.h"
 #include "robot/station/history/signal_store.h"
 
 namespace tiller {
+
+Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
+                                   double t1, const QString& path) {
+    const Error context{
+        ErrorCode::Rejected, QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path), {}};
+    const QString source = shown.empty() ? QString() : store.recordingOf(shown.front());
+    if (std::any_of(shown.begin(), shown.end(),
+                    [&](int signal) { return store.recordingOf(signal) != source; })) {
+        return Error{context.code, context.context,
+                     QCoreApplication::translate("tiller::PlotDock",
+                                                 "The page shows several recordings, or a recording and live "
+                                                 "signals. Show only one of them on the page.")};
+    }
+    const bool isCsv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+    if (source.isEmpty()) {
+        return isCsv ? exportCsv(store, shown, t0, t1, path)
+                     : Error{context.code, context.context,
+                             QCoreApplication::translate(
+                                 "tiller::PlotDock",
+                                 "Live signals can only be exported as .csv. Record them first.")};
+    }
+    const std::unique_ptr<recording::Recording> selected = store.selected(shown);
+    // A cursor on a row includes the row, although its time on the plots' axis is rounded.
+    constexpr double kRounding = 1e-6;  // [s]
+    const double begin = store.timesOf(source)->firstTime();
+    recording::ExportChoice choice;
+    choice.path = path;
+    choice.from = t0 - begin - kRounding;
+    choice.until = t1 - begin + kRounding;
+    const Result<recording::RowRange> rows = recording::chooseRows(*selected, choice);
+    if (!rows) {
+        return rows.error();
+    }
+    if (rows->count == 0) {
+        return Error{
+            ErrorCode::InvalidArgument, context.context,
+            QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range")};
+    }
+    const auto report = recording::exportRecording(*selected, choice);
+    return report ? Result<std::int64_t>(static_cast<std::int64_t>(report->rows)) : report.error();
+}
 
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path) {
@@ -31,7 +74,7 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
     QByteArray line = "timestamp";
     for (const int signal : shown) {
         line += ',';
-        line += store.info(signal).key.toUtf8();
+        line += QByteArray::fromStdString(recording::csvCell(store.info(signal).key.toStdString()));
     }
     line += '\n';
     for (std::int64_t sample = begin; sample <= end; ++sample) {
@@ -41,15 +84,16 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         if (sample == end) {
             break;
         }
-        line = QByteArray::number(history.time(sample), 'f', 4);
+        line = QByteArray::fromStdString(recording::csvNumber(history.time(sample)));
         for (const int signal : shown) {
             const std::optional<double> value = store.buffer(signal) == &history
                                                     ? store.value(signal, sample)
                                                     : store.valueAt(signal, history.time(sample));
             line += ',';
-            if (value && !std::isnan(*value)) {
+            if (value) {
                 const bool exact = store.info(signal).precision() == Precision::Exact;
-                line += QByteArray::number(*value, 'g', exact ? 17 : 7);
+                line += QByteArray::fromStdString(exact ? recording::csvNumber(*value)
+                                                        : recording::csvNumber(static_cast<float>(*value)));
             }
         }
         line += '\n';

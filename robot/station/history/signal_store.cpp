@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "robot/receive/receiver.h"
+#include "robot/recording/export.h"
+#include "robot/station/history/selected_signals.h"
 
 namespace tiller {
 
@@ -257,6 +259,30 @@ std::optional<RecordedStretch> SignalStore::stretchOf(std::span<const int> wante
     stretch.columns = table->file->columns().size();
     stretch.rows = {static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end - begin)};
     return stretch;
+}
+
+std::unique_ptr<recording::Recording> SignalStore::selected(std::span<const int> wanted) const {
+    const Table& table =
+        tables_[static_cast<std::size_t>(signals_[static_cast<std::size_t>(wanted.front())].table)];
+    const auto time = recording::timeColumn(*table.file);
+    std::vector<SelectedSignals::Column> columns;
+    for (const int signal : wanted) {
+        const RecordedSignal from = recordedSignal(signal);
+        const SignalInfo& info = this->info(signal);
+        recording::RecordedColumn column;
+        if (from.derivation.isEmpty() && from.bit < 0) {
+            if (time == from.columns.front()) {
+                continue;
+            }
+            column = table.file->columns()[from.columns.front()];
+        } else if (from.derivation.isEmpty()) {
+            column = {info.key.mid(table.name.size() + 1).toStdString(), {}, true};
+        } else {
+            column = {from.derivation.toStdString(), info.unit.toStdString()};
+        }
+        columns.push_back({column, from});
+    }
+    return std::make_unique<SelectedSignals>(*table.file, columns);
 }
 
 void SignalStore::compute(int signal) {

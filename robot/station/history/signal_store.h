@@ -102,6 +102,8 @@ public:
     /// Returns  nothing unless all signals belong to the same long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
+    /// These signals as a recording with the rows and times of their file. They must all belong to one recording.
+    std::unique_ptr<recording::Recording> selected(std::span<const int> wanted) const;
     /// Fraction of a signal computed from a long recording that is available: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
     /// The reason why the last want() failed: too many signals for the robot, or for the memory budget.

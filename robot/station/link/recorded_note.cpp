@@ -37,4 +37,8 @@ recording::RecordedNote recordedNote(Severity severity, const QString& text, Ori
     return {QDateTime::currentMSecsSinceEpoch() * kNsPerMs, levelOf(severity), Text(sourceOf(origin)), text};
 }
 
+recording::RecordedNote operatorNote(const QString& text, std::int64_t utcNs) {
+    return {utcNs, levelOf(Severity::Info), Text(recording::kNoteSource), text};
+}
+
 }  // namespace tiller

@@ -193,6 +193,9 @@ Q_SIGNALS:
     /// detail  meaning of the text and suggested action, as sentences; may be empty
     void message(tiller::Severity severity, const QString& text,
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
+    /// The operator added a note about a moment. Recordings store it at that time.
+    /// utcNs  time of the moment [ns since 1970]
+    void noteAdded(const QString& text, qint64 utcNs);
     /// The robot's service has answered a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.

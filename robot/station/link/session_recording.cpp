@@ -20,10 +20,16 @@ SessionRecording::SessionRecording(RobotSession& session, SessionBackend& backen
     : session_(session), d_(backend) {
     QObject::connect(&session, &RobotSession::message, &session,
                      [this](Severity severity, const QString& text, Origin origin) {
-                         if (d_.recorder.progress().state == recording::RecorderState::Recording) {
-                             d_.recorder.note(recordedNote(severity, text, origin));
-                         }
+                         keep(recordedNote(severity, text, origin));
                      });
+    QObject::connect(&session, &RobotSession::noteAdded, &session,
+                     [this](const QString& text, qint64 utcNs) { keep(operatorNote(text, utcNs)); });
+}
+
+void SessionRecording::keep(const recording::RecordedNote& note) {
+    if (d_.recorder.progress().state == recording::RecorderState::Recording) {
+        d_.recorder.note(note);
+    }
 }
 
 void SessionRecording::setProject(const QString& name, const QByteArray& content) {

@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <cstdint>
 
+#include "robot/recording/recording_format.h"
 #include "robot/station/link/recording_choice.h"
 
 namespace tiller {
@@ -45,6 +46,9 @@ public:
     void reportFailure();
 
 private:
+    /// Adds a line to the running recording, if any.
+    void keep(const recording::RecordedNote& note);
+
     RobotSession& session_;
     SessionBackend& d_;
     bool wasRecording_ = false;

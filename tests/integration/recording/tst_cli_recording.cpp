@@ -164,8 +164,9 @@ void TestCliRecording::exportsAPart() {
     QFile file(path("part.csv"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readLine(),
-             QByteArray("actual_q_0;actual_q_1;actual_q_2;actual_q_3;actual_q_4;actual_q_5;robot_mode\n"));
-    QCOMPARE(file.readLine(), QByteArray("rad;rad;rad;rad;rad;rad;-\n"));
+             QByteArray(
+                 "timestamp;actual_q_0;actual_q_1;actual_q_2;actual_q_3;actual_q_4;actual_q_5;robot_mode\n"));
+    QCOMPARE(file.readLine(), QByteArray("s;rad;rad;rad;rad;rad;rad;-\n"));
     QVERIFY(file.readLine().contains(','));
     QCOMPARE(run({"export", path("whole.mcap"), "--out", path("all.h5")}).code, 0);
     const auto whole = openRecording(path("whole.mcap")).value();
@@ -174,6 +175,8 @@ void TestCliRecording::exportsAPart() {
     QCOMPARE(all->rows(), whole->rows());
     QCOMPARE(run({"export", path("whole.mcap"), "--out", path("all.h5")}).code, 2);
     QCOMPARE(run({"export", path("all.h5"), "--out", path("again.csv"), "--quiet"}).code, 0);
+    QCOMPARE(run({"export", path("all.h5"), "--out", path("again.mcap"), "--quiet"}).code, 0);
+    QCOMPARE(openRecording(path("again.mcap")).value()->rows(), whole->rows());
     QCOMPARE(openRecording(path("again.csv")).value()->rows(), whole->rows());
 }
 

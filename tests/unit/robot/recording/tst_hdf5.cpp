@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "robot/recording/formats/export_recording.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/hdf5/episodes.h"
 #include "robot/recording/hdf5/hdf5_export.h"
@@ -46,7 +47,11 @@ private Q_SLOTS:
     void brokenFilesEndInWords();
     void filesOfOthers();
     void episodesByProgram();
+    void episodesByNotes();
     void noEpisodeIsAnError();
+    void textOfSomeColumnsHasTheTimeColumn();
+    void headingsAreQuoted();
+    void mcapExportIsReadBack();
 
 private:
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -232,6 +237,96 @@ void TestHdf5::noEpisodeIsAnError() {
     choice.shortest = 0;
     choice.observations = {"actual_qq"};
     QCOMPARE(writeEpisodes({recording.get()}, path("f.h5"), choice).error().code, ErrorCode::FieldUnknown);
+}
+
+void TestHdf5::episodesByNotes() {
+    MadeSamples samples;
+    std::vector<std::string> fields;
+    for (const auto& entry : samples.layout->entries()) {
+        fields.push_back(entry.name);
+    }
+    const auto file = [&](const char* name, const std::vector<RecordedNote>& notes) {
+        const auto encoder =
+            mcapFormat({.facts = {{"written_by", "tiller 1.0"}}})->encoder({samples.layout, fields, false});
+        for (std::uint64_t row = 0; row < kRows; ++row) {
+            encoder->add(samples.at(row), 0, samples.utcNs(row));
+        }
+        for (const RecordedNote& note : notes) {
+            encoder->add(note);
+        }
+        test::writeFile(path(name), encoder->take(RecordingEncoder::Close::Last).bytes);
+        return openRecording(path(name)).value();
+    };
+    const RecordedNote line{samples.utcNs(100), 20, "operator", "Recording to a.mcap"};
+    // Log lines of the operator are not notes.
+    auto recording = file("notes.mcap", {line,
+                                         {samples.utcNs(300), 20, "note", "first"},
+                                         {samples.utcNs(500), 20, "operator", "Force zeroed"},
+                                         {samples.utcNs(700), 20, "note", "second"}});
+    const auto found = findEpisodes(*recording, EpisodeChoice::Cut::Notes).value();
+    QCOMPARE(found.size(), std::size_t(2));
+    QCOMPARE(found[0].name, QStringLiteral("first"));
+    QCOMPARE(found[0].rows.first, std::uint64_t(300));
+    QCOMPARE(found[0].rows.count, std::uint64_t(400));
+    QCOMPARE(found[1].rows.first, std::uint64_t(700));
+    // A file of an earlier version.
+    recording = file("old.mcap", {line, {samples.utcNs(300), 20, "operator", "Notiz: hier"}});
+    const auto old = findEpisodes(*recording, EpisodeChoice::Cut::Notes).value();
+    QCOMPARE(old.size(), std::size_t(1));
+    QCOMPARE(old[0].rows.first, std::uint64_t(300));
+    recording = file("without.mcap", {line});
+    QVERIFY(findEpisodes(*recording, EpisodeChoice::Cut::Notes).value().empty());
+}
+
+void TestHdf5::textOfSomeColumnsHasTheTimeColumn() {
+    const auto source = made(path("time.mcap"));
+    exportCsv(*source, {.path = path("time.csv"), .columns = {"actual_q"}, .from = 1, .until = 1.1}).value();
+    const auto back = openRecording(path("time.csv")).value();
+    QCOMPARE(back->columns().size(), std::size_t(7));
+    QCOMPARE(back->columns().front().name, std::string("timestamp"));
+    const std::vector<std::size_t> first{0};
+    QCOMPARE(back->read(first, {0, back->rows()}).value(),
+             source->read(std::vector{*source->indexOf("timestamp")}, {500, back->rows()}).value());
+}
+
+void TestHdf5::headingsAreQuoted() {
+    const std::string name = "|F| = norm({a \"b\".csv/x}, {c})";
+    test::writeFile(path("from.csv"), "timestamp,\"|F| = norm({a \"\"b\"\".csv/x}, {c})\"\n1,2\n3,4\n");
+    const auto source = openRecording(path("from.csv")).value();
+    QCOMPARE(source->columns().size(), std::size_t(2));
+    QCOMPARE(source->columns().back().name, name);
+    exportCsv(*source, {.path = path("quoted.csv")}).value();
+    const auto back = openRecording(path("quoted.csv")).value();
+    QCOMPARE(back->columns().size(), std::size_t(2));
+    QCOMPARE(back->columns().back().name, name);
+    QCOMPARE(back->rows(), std::uint64_t(2));
+}
+
+void TestHdf5::mcapExportIsReadBack() {
+    const auto source = made(path("source.mcap"), 400);
+    const auto report =
+        exportRecording(*source, {.path = path("part.mcap"), .from = 0.2, .until = 1.4}).value();
+    QCOMPARE(report.rows, std::uint64_t(601));
+    const auto back = openRecording(path("part.mcap")).value();
+    QVERIFY2(back->problems().isEmpty(), qPrintable(back->problems().join('\n')));
+    QCOMPARE(back->rows(), report.rows);
+    QCOMPARE(back->facts(), source->facts());
+    QCOMPARE(back->columns().size(), source->columns().size());
+    for (const RecordedColumn& column : source->columns()) {
+        const auto there = back->indexOf(column.name);
+        QVERIFY2(there, column.name.c_str());
+        QCOMPARE(back->columns()[*there].unit, column.unit);
+        QCOMPARE(back->columns()[*there].whole, column.whole);
+        const std::vector<std::size_t> from{*source->indexOf(column.name)};
+        const auto expected = source->read(from, {100, report.rows}).value();
+        QCOMPARE(back->read(std::vector{*there}, {0, report.rows}).value(), expected);
+    }
+    QCOMPARE(back->gaps().size(), std::size_t(1));
+    QCOMPARE(back->gaps().front().row, std::uint64_t(300));
+    QCOMPARE(back->gaps().front().packets, std::uint64_t(5));
+    QCOMPARE(*back->startUtcNs(), *source->startUtcNs() + 200'000'000);
+    QCOMPARE(back->events().size(), std::size_t(1));
+    QVERIFY(std::abs(back->events().front().seconds - (source->events().front().seconds - 0.2)) < 1e-6);
 }
 
 QTEST_GUILESS_MAIN(TestHdf5)

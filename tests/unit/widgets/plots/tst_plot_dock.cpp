@@ -42,6 +42,7 @@
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/comparison_dialog.h"
 #include "widgets/plots/curve.h"
+#include "widgets/plots/curve_look.h"
 #include "widgets/plots/curve_raster.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
@@ -61,7 +62,8 @@ struct Bench {
     RobotSession session;
     PlotDock dock{session};
     test::SampleStream stream;
-    int next = 0;  ///< index of the next sample
+    int next = 0;                            ///< index of the next sample
+    std::pair<QDateTime, QDateTime> framed;  ///< before and after the newest sample was displayed
 
     Bench() {
         stream.layout = std::make_shared<const receive::SampleLayout>(
@@ -86,7 +88,9 @@ struct Bench {
             stream.set(sample, "actual_digital_input_bits", time >= 40 && time < 50 ? 8 : 0);
             stream.set(sample, "robot_mode", 7);
         }
+        framed.first = QDateTime::currentDateTimeUtc();
         stream.frame([this](const SampleBatch& batch) { Q_EMIT session.samplesReceived(batch); });
+        framed.second = QDateTime::currentDateTimeUtc();
         Q_EMIT session.stateChanged(session.state());
     }
     PlotView& view() { return dock.view(); }
@@ -841,7 +845,7 @@ private Q_SLOTS:
         // The amplitude: one radian per thousand rows.
         QVERIFY2(std::abs(top->x() - 0.5 / 6.2832) < 0.062, qPrintable(QString::number(top->x())));
         analysis->setKind(PlotAnalysis::Kind::Xy);
-        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("every 8th"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("1 of 8 shown"), 60'000);
         QVERIFY(analysis->canvas().points().size() > 49'000);
         for (const QPointF& point : analysis->canvas().points()) {
             QVERIFY(std::abs(point.y()) <= 40);
@@ -1178,12 +1182,19 @@ private Q_SLOTS:
         table->setFocus();
         QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
         QVERIFY(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t50.0\t10.0"));
+        // Other programs read numbers with an ASCII minus sign only.
+        b.view().setCursor(PlotView::Cursor::B, 30.0);
+        QTRY_COMPARE(cell("B − A"), QString("−10.0"));
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY2(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t30.0\t-10.0"),
+                 qPrintable(QApplication::clipboard()->text()));
     }
 
     void noteIsWrittenWithNAtItsTime() {
         Bench b;
         b.view().pause();
         b.view().setCursor(PlotView::Cursor::A, 45.0);
+        QSignalSpy notes(&b.session, &RobotSession::noteAdded);
         QSignalSpy messages(&b.session, &RobotSession::message);
         QTimer::singleShot(0, &b.dock, [] {
             QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
@@ -1195,7 +1206,13 @@ private Q_SLOTS:
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QCOMPARE(b.dock.marks().marks()[0].text, QString("here it slipped"));
         QCOMPARE(b.dock.marks().marks()[0].time, 45.0);
-        QVERIFY(messages.last().at(1).toString().contains("here it slipped"));
+        // Recordings store it at the time of its flag, 15 s before the newest sample, and not as a log line of now.
+        QCOMPARE(notes.size(), 1);
+        QCOMPARE(messages.size(), 0);
+        QCOMPARE(notes.last().at(0).toString(), QString("here it slipped"));
+        const qint64 stored = notes.last().at(1).toLongLong() / 1'000'000 + 15'000;
+        QVERIFY(stored >= b.framed.first.toMSecsSinceEpoch() - 1 &&
+                stored <= b.framed.second.toMSecsSinceEpoch() + 1);
         QVERIFY(b.view().grab().toImage() != before);
     }
 
@@ -1268,6 +1285,94 @@ private Q_SLOTS:
     }
 
     // ---- recordings
+    // 10 Hz, without a robot: all rows, and those between the cursors, as they are in the file.
+    void exportsTheRowsOfARecording() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("slow.csv");
+        QList<QByteArray> rows;
+        {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            for (int i = 0; i < 600; ++i) {
+                rows << QByteArray::number(5000 + i * 0.1, 'f', 1) + ',' + QByteArray::number(i * 0.25);
+            }
+            file.write("timestamp,actual_TCP_force_2\n" + rows.join('\n') + '\n');
+        }
+        RobotSession session;
+        PlotDock dock(session);
+        session.shutDown();
+        dock.resize(1500, 375);
+        dock.show();
+        dock.openRecording(path);
+        QTRY_COMPARE(dock.pages().count(), 2);
+        const auto linesOf = [](const QString& name) {
+            QFile file(name);
+            return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n')
+                                                  : QList<QByteArray>();
+        };
+        const auto valuesOf = [](const QByteArray& line) {
+            return std::pair(line.split(',').value(0).toDouble(), line.split(',').value(1).toDouble());
+        };
+        QVERIFY(dock.exportTo(folder.filePath("all.csv")));
+        const QList<QByteArray> all = linesOf(folder.filePath("all.csv"));
+        QCOMPARE(all.size(), 601);
+        QCOMPARE(all[0], QByteArray("timestamp,actual_TCP_force_2"));
+        for (int i = 0; i < 600; ++i) {
+            QCOMPARE(valuesOf(all[i + 1]), valuesOf(rows[i]));
+        }
+        const SeriesBuffer& times = *dock.store().timesOf("slow.csv");
+        dock.view().setCursor(PlotView::Cursor::A, times.time(200));
+        dock.view().setCursor(PlotView::Cursor::B, times.time(100));
+        QVERIFY(dock.exportTo(folder.filePath("part.csv"), PlotDock::ExportRange::BetweenCursors));
+        const QList<QByteArray> part = linesOf(folder.filePath("part.csv"));
+        QCOMPARE(part.size(), 102);
+        QCOMPARE(valuesOf(part[1]), valuesOf(rows[100]));
+        QCOMPARE(valuesOf(part.last()), valuesOf(rows[200]));
+        QVERIFY(dock.exportTo(folder.filePath("all.h5")));
+        QVERIFY(dock.exportTo(folder.filePath("all.mcap")));
+        QVERIFY(dock.exportTo(folder.filePath("all.png")));
+    }
+
+    void recordingsInOnePlotDiffer() {
+        Bench b;
+        QTemporaryDir folder;
+        for (const char* name : {"a.csv", "b.csv"}) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("timestamp,actual_TCP_force_2\n1,1\n2,2\n3,3\n");
+            file.close();
+            const int pages = b.dock.pages().count();
+            b.dock.openRecording(file.fileName());
+            QTRY_COMPARE(b.dock.pages().count(), pages + 1);
+        }
+        const SignalStore& store = b.dock.store();
+        const auto pens = [&](const std::vector<int>& shown) {
+            return curvePens(store, shown, Theme::current());
+        };
+        const std::vector<int> both{store.find("a.csv/actual_TCP_force_2"),
+                                    store.find("b.csv/actual_TCP_force_2")};
+        QVERIFY(pens(both)[0].color() != pens(both)[1].color());
+        QVERIFY(curveLabel(store, both, both[0]).contains("a.csv"));
+        QVERIFY(curveLabel(store, both, both[1]).contains("b.csv"));
+        QCOMPARE(curveLabel(store, {both[0]}, both[0]), store.info(both[0]).label);
+        // Whatever is added, earlier curves keep their pens, and all pens differ.
+        std::vector<int> shown;
+        std::vector<QPen> before;
+        for (const char* key : {"actual_TCP_force_2", "a.csv/actual_TCP_force_2", "actual_current_0",
+                                "b.csv/actual_TCP_force_2", "actual_TCP_force_0", "actual_current_1",
+                                "actual_TCP_force_1", "actual_current_2"}) {
+            shown.push_back(store.find(key));
+            const std::vector<QPen> now = pens(shown);
+            QVERIFY(std::equal(before.begin(), before.end(), now.begin()));
+            for (std::size_t i = 0; i + 1 < now.size(); ++i) {
+                QVERIFY2(now[i].color() != now.back().color() || now[i].style() != now.back().style() ||
+                             now[i].dashPattern() != now.back().dashPattern(),
+                         key);
+            }
+            before = now;
+        }
+    }
+
     void recordingIsOpenedNextToLiveData() {
         Bench b;
         QTemporaryDir folder;
@@ -1494,6 +1599,20 @@ private Q_SLOTS:
         QVERIFY(!b.forces().isZoomed());
         QVERIFY(b.view().window().span() > 59.9);
         QVERIFY2(!b.view().cursor(PlotView::Cursor::A), "its first click placed no cursor");
+    }
+
+    void contextMenuHasTheColoursOfTheScheme() {
+        applyTheme(*qApp, Theme::dark());
+        const auto light = qScopeGuard([] { applyTheme(*qApp, Theme::light()); });
+        Bench b;
+        QContextMenuEvent event(QContextMenuEvent::Mouse, b.at(50),
+                                b.view().viewport()->mapToGlobal(b.at(50)));
+        QApplication::sendEvent(b.view().viewport(), &event);
+        auto* menu = b.view().findChild<QMenu*>(QStringLiteral("plots.menu"));
+        QVERIFY(menu != nullptr);
+        const QColor background = menu->grab().toImage().pixelColor(4, 2);
+        delete menu;
+        QCOMPARE(background.name(), Theme::dark().raised.name());
     }
 
     void bothSchemesDrawWithoutAWarning() {

@@ -594,7 +594,7 @@ private Q_SLOTS:
         QCOMPARE(lines[0],
                  QByteArray(
                      "timestamp,actual_TCP_force_0,actual_TCP_force_1,actual_TCP_force_2,actual_current_5"));
-        QCOMPARE(lines[1], QByteArray("10.0200,,,5,"));
+        QCOMPARE(lines[1], QByteArray("10.02,,,5,"));
         QCOMPARE(lines[11].split(',')[3], QByteArray("10"));
     }
     void csvThatCannotBeWrittenSaysSoAndKeepsTheOldFile() {

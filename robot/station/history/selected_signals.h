@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Some signals of a recording as a recording with the same rows, for exports: columns of the file, single bits, and
+// computed signals.
+
+#include <vector>
+
+#include "robot/recording/recording.h"
+#include "robot/station/history/recorded_rows.h"
+
+namespace tiller {
+
+/// The first column is the time column of the file; `seconds` since the first row if the file has none.
+class SelectedSignals : public recording::Recording {
+public:
+    struct Column {
+        recording::RecordedColumn column;
+        RecordedSignal signal;
+    };
+    /// file     must outlive the object
+    /// columns  without the time column, which is added
+    SelectedSignals(const recording::Recording& file, const std::vector<Column>& columns);
+
+    const QString& path() const override { return file_.path(); }
+    QString format() const override { return file_.format(); }
+    const std::vector<recording::RecordedColumn>& columns() const override { return columns_; }
+    std::uint64_t rows() const override { return file_.rows(); }
+    const std::vector<recording::RecordedGap>& gaps() const override { return file_.gaps(); }
+    const std::vector<recording::RecordedEvent>& events() const override { return file_.events(); }
+    double period() const override { return file_.period(); }
+    std::optional<std::int64_t> startUtcNs() const override { return file_.startUtcNs(); }
+    const std::map<std::string, std::string>& facts() const override { return file_.facts(); }
+    const QStringList& problems() const override { return file_.problems(); }
+    Result<std::vector<double>> times(recording::RowRange rows) const override { return file_.times(rows); }
+    // As in Recording.
+    Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
+                                                  recording::RowRange rows) const override;
+    Result<std::uint64_t> rowAt(double seconds) const override { return file_.rowAt(seconds); }
+
+private:
+    const recording::Recording& file_;
+    std::vector<recording::RecordedColumn> columns_;
+    std::vector<RecordedSignal> signals_;  ///< one per column; without columns of the file: the time
+};
+
+}  // namespace tiller

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+//
+// Exports of recordings: every number equals the number in the file, in exactly the rows of the window.
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <tuple>
+
+#include "robot/recording/formats/open_recording.h"
+#include "robot/station/history/history_export.h"
+#include "robot/station/history/signal_store.h"
+
+using namespace tiller;
+
+namespace {
+
+using Columns = std::vector<std::vector<double>>;
+
+std::string textOf(double value) {
+    char text[32];
+    return std::isnan(value) ? std::string()
+                             : std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+/// Columns of a random recording: time, force, another number, and digital inputs.
+Columns randomRows(std::mt19937& random) {
+    std::uniform_real_distribution<double> any(-1000, 1000);
+    const double step = std::array{0.1, 0.002, 0.0005}[random() % 3];
+    double time = std::abs(any(random)) * 10;
+    Columns columns(4);
+    const std::size_t rows = 20 + random() % 1500;
+    for (std::size_t row = 0; row < rows; ++row) {
+        columns[0].push_back(time);
+        columns[1].push_back(random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : any(random));
+        columns[2].push_back(any(random) * 1e-9);
+        columns[3].push_back(static_cast<double>(random() % 256));
+        time += step * (random() % 100 == 0 ? 7 : 1);
+    }
+    return columns;
+}
+
+void write(const QString& path, const Columns& columns, const char* timeName) {
+    std::string text = std::string(timeName) + ",actual_TCP_force_2,mine,actual_digital_input_bits\n";
+    for (std::size_t row = 0; row < columns[0].size(); ++row) {
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            text += textOf(columns[column][row]) + (column + 1 < columns.size() ? ',' : '\n');
+        }
+    }
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0) {
+        qFatal("cannot write");
+    }
+}
+
+bool same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}  // namespace
+
+class TestHistoryExport : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // Random recordings, windows and formats.
+    void exportedNumbersAreThoseOfTheFile() {
+        std::mt19937 random(35);
+        QTemporaryDir folder;
+        for (int run = 0; run < 40; ++run) {
+            const char* timeName = run % 2 == 0 ? "timestamp" : "Time";
+            const Columns columns = randomRows(random);
+            const QString path = folder.filePath(QStringLiteral("run%1.csv").arg(run));
+            write(path, columns, timeName);
+            SignalStore store;
+            const QString name =
+                store
+                    .open(recording::openRecording(path).value(), 0.25 * static_cast<double>(random() % 4000))
+                    .value();
+            const QString sum = QStringLiteral("Sum [N] = max({%1/actual_TCP_force_2}, {%1/mine})").arg(name);
+            const std::vector<int> shown{store.find(name + "/mine"), store.find(name + "/actual_TCP_force_2"),
+                                         store.find(name + "/actual_digital_input_bits.3"),
+                                         *store.derive(sum)};
+            const SeriesBuffer& times = *store.timesOf(name);
+            const auto rows = columns[0].size();
+            for (const char* suffix : {".csv", ".h5", ".mcap"}) {
+                std::size_t first = random() % rows;
+                std::size_t last = random() % rows;
+                std::tie(first, last) = std::minmax({first, last});
+                // On the rows, as with cursors, or between two rows, as in a window.
+                const double margin = random() % 2 == 0 ? 0 : 2e-4;
+                const double t0 = times.time(static_cast<std::int64_t>(first)) - margin;
+                const double t1 = times.time(static_cast<std::int64_t>(last)) + margin;
+                const QString to = folder.filePath(QStringLiteral("out%1%2").arg(run).arg(suffix));
+                const auto written = exportSignals(store, shown, t0, t1, to);
+                QVERIFY2(written.ok(), written.ok() ? "" : written.error().message().c_str());
+                QCOMPARE(*written, static_cast<std::int64_t>(last - first + 1));
+                const auto back = recording::openRecording(to).value();
+                QCOMPARE(back->rows(), std::uint64_t(last - first + 1));
+                const bool isHdf5 = std::string_view(suffix) == ".h5";
+                const auto place = [&](std::size_t index, const char* column) {
+                    return isHdf5 ? back->indexOf(column) : std::optional(index);
+                };
+                QString computed = store.info(shown.back()).key;
+                const std::string computedName = computed.replace('/', '_').toStdString();
+                const auto time = place(0, *timeName == 'T' ? "Time" : timeName);
+                const auto mine = place(1, "mine");
+                const auto force = place(2, "actual_TCP_force_2");
+                const auto bit = place(3, "actual_digital_input_bits.3");
+                const auto total = place(4, computedName.c_str());
+                QStringList names;
+                for (const recording::RecordedColumn& column : back->columns()) {
+                    names << QString::fromStdString(column.name);
+                }
+                QVERIFY2(time && mine && force && bit && total, qPrintable(names.join('\n')));
+                const auto read =
+                    back->read(std::vector{*time, *mine, *force, *bit, *total}, {0, back->rows()}).value();
+                for (std::size_t i = 0; i < back->rows(); ++i) {
+                    const std::size_t row = first + i;
+                    const double input = columns[3][row];
+                    const double expected[] = {columns[0][row], columns[2][row], columns[1][row],
+                                               static_cast<double>(static_cast<int>(input) >> 3 & 1),
+                                               std::isnan(columns[1][row])
+                                                   ? columns[1][row]
+                                                   : std::max(columns[1][row], columns[2][row])};
+                    for (std::size_t column = 0; column < 5; ++column) {
+                        QVERIFY2(same(read[column][i], expected[column]),
+                                 qPrintable(QStringLiteral("run %1%2 column %3 row %4: %5, expected %6")
+                                                .arg(run)
+                                                .arg(suffix)
+                                                .arg(column)
+                                                .arg(row)
+                                                .arg(read[column][i], 0, 'g', 17)
+                                                .arg(expected[column], 0, 'g', 17)));
+                    }
+                }
+            }
+        }
+    }
+
+    void signalsOfSeveralSourcesAreRefused() {
+        QTemporaryDir folder;
+        std::mt19937 random(1);
+        write(folder.filePath("a.csv"), randomRows(random), "timestamp");
+        SignalStore store;
+        const QString name =
+            store.open(recording::openRecording(folder.filePath("a.csv")).value(), 0).value();
+        const QString to = folder.filePath("out.csv");
+        const auto mixed =
+            exportSignals(store, {store.find(name + "/mine"), store.find("actual_q_0")}, 0, 1e9, to);
+        QCOMPARE(mixed.error().code, ErrorCode::Rejected);
+        QVERIFY(!mixed.error().controllerMessage.isEmpty());
+        QVERIFY(!QFile::exists(to));
+        // A range without rows, and live signals in a format of recordings.
+        QCOMPARE(exportSignals(store, {store.find(name + "/mine")}, 1e8, 1e9, to).error().code,
+                 ErrorCode::InvalidArgument);
+        QCOMPARE(exportSignals(store, {store.find("actual_q_0")}, 0, 1, folder.filePath("x.h5")).error().code,
+                 ErrorCode::Rejected);
+    }
+
+    void formulaInTheHeaderIsOneCell() {
+        QTemporaryDir folder;
+        SignalStore store;
+        const int norm = *store.derive("|q| = norm(actual_q_0, actual_q_1)");
+        std::vector<SeriesBuffer::Row> rows{{1.0, false}, {1.002, false}};
+        store.appendLive(rows, [](std::size_t, std::size_t) { return 0.1; });
+        const QString path = folder.filePath("live.csv");
+        QCOMPARE(*exportCsv(store, {store.find("actual_q_0"), norm}, 0, 2, path), std::int64_t(2));
+        const auto back = recording::openRecording(path).value();
+        QCOMPARE(back->columns().size(), std::size_t(3));
+        QCOMPARE(back->columns()[2].name, std::string("|q| = norm(actual_q_0, actual_q_1)"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("\n1.002,0.1,"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHistoryExport)
+#include "tst_history_export.moc"
