@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation>--demo bewegt den simulierten Roboter und lässt sich nicht mit --monitor-only kombinieren</translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation>Diese Aufzeichnungen in den Diagrammen öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6535,6 +6539,10 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation>Aufzeichnung des gewählten Eintrags öffnen (nur Vorfälle)</translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7616,10 +7624,6 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>%1, bei %2 s auf der Zeitachse</translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation>Notiz: %1</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -7797,6 +7801,22 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
     <message>
         <source>Compare with the arm model…</source>
         <translation>Mit dem Modell des Arms vergleichen…</translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation>Bereich zwischen den Cursorn A und B nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation>Werte zwischen den Cursorn A und B (*%1)</translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite.</translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie zuerst auf.</translation>
     </message>
 </context>
 <context>

@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6529,6 +6533,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7609,10 +7617,6 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7789,6 +7793,22 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Compare with the arm model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

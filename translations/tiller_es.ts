@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation>--demo mueve el robot simulado y no se puede combinar con --monitor-only</translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation>Abrir estas grabaciones en los gráficos.</translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6535,6 +6539,10 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation>Abrir la grabación de la entrada seleccionada (solo incidentes)</translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7616,10 +7624,6 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>%1, a los %2 s en el eje de tiempo</translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation>Nota: %1</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Nota</translation>
     </message>
@@ -7797,6 +7801,22 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
     <message>
         <source>Compare with the arm model…</source>
         <translation>Comparar con el modelo del brazo…</translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation>El intervalo entre los cursores A y B se exportó a %1</translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation>Valores entre los cursores A y B (*%1)</translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation>La página muestra varias grabaciones, o una grabación y señales en vivo. Muestre solo una de ellas en la página.</translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <translation>Las señales en vivo solo se pueden exportar como .csv. Grábelas primero.</translation>
     </message>
 </context>
 <context>

@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation>--demo déplace le robot simulé et ne peut pas être combiné avec --monitor-only</translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation>Ouvrir ces enregistrements dans les tracés.</translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6535,6 +6539,10 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation>Ouvrir l’enregistrement de l’entrée sélectionnée (incidents uniquement)</translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Note : %1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7616,10 +7624,6 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>%1, à %2 s sur l’axe du temps</translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation>Note : %1</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -7797,6 +7801,22 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     <message>
         <source>Compare with the arm model…</source>
         <translation>Comparer au modèle du bras…</translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation>Plage entre les curseurs A et B exportée vers %1</translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation>Valeurs entre les curseurs A et B (*%1)</translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation>La page montre plusieurs enregistrements, ou un enregistrement et des signaux en direct. N&apos;en affichez qu&apos;un sur la page.</translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <translation>Les signaux en direct ne peuvent être exportés qu&apos;en .csv. Enregistrez-les d&apos;abord.</translation>
     </message>
 </context>
 <context>

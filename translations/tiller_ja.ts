@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation>--demo はシミュレートされたロボットを動かすため、--monitor-only と併用できません</translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation>これらの記録をグラフで開きます。</translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6527,6 +6531,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation>選択した項目の記録を開く（インシデントのみ）</translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>メモ：%1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7599,10 +7607,6 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1、時間軸 %2 s</translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation>メモ：%1</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>メモ</translation>
     </message>
@@ -7779,6 +7783,22 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <message>
         <source>Compare with the arm model…</source>
         <translation>アームのモデルと比較…</translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation>カーソルAとBの間の範囲を%1へエクスポートしました</translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation>カーソルAとBの間の値 (*%1)</translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation>このページには複数の記録、または記録とライブ信号が表示されています。ページには一つだけ表示してください。</translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <translation>ライブ信号は.csvとしてのみエクスポートできます。先に記録してください。</translation>
     </message>
 </context>
 <context>

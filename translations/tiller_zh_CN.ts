@@ -224,6 +224,10 @@
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
         <translation>--demo 会移动模拟机器人，不能与 --monitor-only 同时使用</translation>
     </message>
+    <message>
+        <source>Open these recordings in the plots.</source>
+        <translation>在曲线图中打开这些录制。</translation>
+    </message>
 </context>
 <context>
     <name>Comparison</name>
@@ -6527,6 +6531,10 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <source>Open the recording of the selected entry (incidents only)</source>
         <translation>打开所选条目的录制（仅限事件）</translation>
     </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>记录：%1</translation>
+    </message>
 </context>
 <context>
     <name>tiller::MoveWords</name>
@@ -7599,10 +7607,6 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1，时间轴 %2 s</translation>
     </message>
     <message>
-        <source>Note: %1</source>
-        <translation>记录：%1</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>记录</translation>
     </message>
@@ -7779,6 +7783,22 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <message>
         <source>Compare with the arm model…</source>
         <translation>与机械臂模型比较…</translation>
+    </message>
+    <message>
+        <source>Exported the range between the cursors A and B to %1</source>
+        <translation>已将光标 A 和 B 之间的范围导出到 %1</translation>
+    </message>
+    <message>
+        <source>Values between the cursors A and B (*%1)</source>
+        <translation>光标 A 和 B 之间的值 (*%1)</translation>
+    </message>
+    <message>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <translation>此页面显示了多个录制，或同时显示了录制和实时信号。请在页面上只显示其中一个。</translation>
+    </message>
+    <message>
+        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <translation>实时信号只能导出为 .csv。请先录制它们。</translation>
     </message>
 </context>
 <context>
