@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     const Summary alone = print("jogging", bench.jogged(frames));
     bench.view.setGhost(bench.ghost(0, false));
     const Summary ghost = print("jogging, with a ghost", bench.jogged(frames));
-    bench.view.setSurroundings({cell()});
+    bench.view.setSurroundings({.around = cell(), .unplaced = {}});
     const Summary all = print("jogging, with a ghost, in a cell", bench.jogged(frames));
     std::vector<double> turned;
     for (int i = 0; i < frames; ++i) {

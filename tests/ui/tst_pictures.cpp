@@ -191,7 +191,7 @@ private Q_SLOTS:
                     view.resize(960, 720);
                     view.setModel(model);
                     view.setTcpOffset(Pose(0, 0, 0.12, 0, 0, 0));
-                    view.setSurroundings({{}, 0.03});
+                    view.setSurroundings({.around = {}, .unplaced = {}, .toolRadius = 0.03});
                     view.setJoints(stance.q);
                     view.setStale(false);
                     keep(view, QStringLiteral("arm-%1-%2-%3")
