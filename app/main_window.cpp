@@ -842,8 +842,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
     // The project is complete only when a path that is being recorded has become waypoints.
     if (waypoints_->storePath()) {
-        connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
-                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        // Disabled, because the window would close while it is used.
+        setEnabled(false);
+        connect(
+            waypoints_, &WaypointsTab::pathStored, this,
+            [this] {
+                setEnabled(true);
+                close();
+            },
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         event->ignore();
         return;
     }
@@ -1220,6 +1227,10 @@ void MainWindow::showSettings(bool atRecording) {
 void MainWindow::reopenWindow(SettingsPage& page) {
     if (session_->state().recording.active) {
         page.refuseNewWindow(tr("A recording is running. Stop it first."));
+        return;
+    }
+    if (waypoints_->isStoringPath()) {
+        page.refuseNewWindow(tr("A path is being recorded. Stop it first."));
         return;
     }
     page.close();

@@ -23,9 +23,16 @@ struct tiller_robot {
         return last;
     }
 
+    /// Why the last start was refused; ErrorCode::None if it was not.
+    Error refusal() const {
+        const std::lock_guard lock(mutex);
+        return refused;
+    }
+
     Robot robot;
     mutable std::mutex mutex;
     control::Motion last;  ///< protected by `mutex`
+    Error refused;         ///< protected by `mutex`
 };
 
 namespace {
@@ -143,12 +150,12 @@ std::array<double, 6> six(const double* numbers) {
 }
 
 Result<void> remember(tiller_robot& robot, const Result<control::Motion>& started) {
-    if (!started) {
-        return started.error();
-    }
     const std::lock_guard lock(robot.mutex);
-    robot.last = *started;
-    return {};
+    robot.refused = started ? Error() : started.error();
+    if (started) {
+        robot.last = *started;
+    }
+    return robot.refused;
 }
 
 Result<void> read(const Robot& robot, const char* field, double* values, int capacity, int* count) {
@@ -262,6 +269,9 @@ int tiller_move_l(tiller_robot* robot, const double pose[6], double speed, doubl
 
 int tiller_wait(tiller_robot* robot, double timeout) {
     return guarded(robot, "wait for a motion", [&]() -> Result<void> {
+        if (const Error refused = robot->refusal(); refused.code != ErrorCode::None) {
+            return refused;  // programs often check tiller_wait() only
+        }
         const control::Motion motion = robot->motion();
         return motion.id() == control::kNoMotion ? invalid("wait for a motion", "no motion was started")
                                                  : motion.wait(deadline(timeout));

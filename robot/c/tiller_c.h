@@ -113,7 +113,7 @@ TILLER_C_API int tiller_move_j(tiller_robot* robot, const double q[6], double sp
 TILLER_C_API int tiller_move_l(tiller_robot* robot, const double pose[6], double speed, double acceleration);
 
 /* Waits until the last started motion has reached its target. TILLER_STOPPED or another error if it ended earlier;
- * TILLER_TIMEOUT: the motion continues. */
+ * the error of the start if the last one was refused; TILLER_TIMEOUT: the motion continues. */
 TILLER_C_API int tiller_wait(tiller_robot* robot, double timeout);
 
 /* 1 until the last started motion has reached its target or was stopped, else 0. */

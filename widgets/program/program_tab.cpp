@@ -236,13 +236,19 @@ void ProgramTab::follow() {
     checkTimer_.start(0);
 }
 
+// What the simulation depends on besides the script.
+bool ProgramTab::isPreviewedCell() const {
+    const project::Project now = document_.project();
+    return previewedProject_.cell == now.cell && previewedProject_.frames == now.frames &&
+           previewedProject_.tooling == now.tooling && previewedProject_.robot == now.robot;
+}
+
 void ProgramTab::check() {
     const project::Program* program = current();
     script_ =
         program != nullptr ? program::writeScript(document_.project(), program_) : program::ProgramScript();
     model_->setProblems(script_.problems);
-    const bool isStale =
-        !script_.ok() || previewed_.text != script_.text || !(previewedCell_ == document_.cell());
+    const bool isStale = !script_.ok() || previewed_.text != script_.text || !isPreviewedCell();
     if (isStale) {
         clearPreview();
         marks_.clear();
@@ -432,7 +438,7 @@ void ProgramTab::preview() {
     }
     clearPreview();
     previewed_ = script_;
-    previewedCell_ = document_.cell();
+    previewedProject_ = document_.project();
     showStatus(tr("Simulating…"));
     runner_.start(document_.project(), script_, {}, {},
                   [this, text = script_.text](const program::Preview& done) {

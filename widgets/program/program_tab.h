@@ -59,6 +59,7 @@ private:
     void addCommands();
     void follow();
     void check();
+    bool isPreviewedCell() const;
     void showSelection();
     void showSides();
     void showStatus(const QString& text);
@@ -110,7 +111,7 @@ private:
     QUuid program_;
     program::ProgramScript script_;
     program::ProgramScript previewed_;  ///< script of the preview that is shown or under way
-    project::CellGeometry previewedCell_;
+    project::Project previewedProject_;
     std::vector<Eigen::Vector3d> path_;
     std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview
     std::size_t nextMark_ = 0;

@@ -343,7 +343,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             refresh();
             return;
         }
-        project::CellPlane after = placed(*selected);
+        project::CellPlane after = *selected;  // its position may still be unknown
         after.pose = planePose(after.pose.position, normal.normalized());
         change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });

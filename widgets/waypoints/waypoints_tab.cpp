@@ -327,6 +327,10 @@ int WaypointsTab::currentRow() const {
     return current.isValid() && current.row() < model_->rowCount() ? current.row() : -1;
 }
 
+bool WaypointsTab::isStoringPath() const {
+    return paths_->recorder().isRecording() || paths_->recorder().isBusy();
+}
+
 bool WaypointsTab::storePath() {
     PathRecorder& recorder = paths_->recorder();
     recorder.stop(currentRow());

@@ -90,6 +90,8 @@ public Q_SLOTS:
     void selectRow(int row);
     /// Ends a motion of "Run route" and updates the displayed speeds after a change of the speed limit.
     void followSpeed();
+    /// A path is being recorded, or simplified to waypoints.
+    bool isStoringPath() const;
     /// Ends the recording of a path. Returns true if a path is still to be stored: pathStored() follows.
     bool storePath();
     void showNotice(const Notice& notice);

@@ -124,6 +124,12 @@ Result<void> ControlProgram::upload(std::int32_t session, const QString& section
     }
 }
 
+std::chrono::milliseconds ControlProgram::abandonedAfter() const {
+    // Delivered programs are nodes of the operator's program, which continues behind them.
+    return options_.deliver ? kNeverAbandoned
+                            : std::max({kAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
+}
+
 Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& section,
                                         const Deadline& deadline) {
     const QString context =
@@ -134,7 +140,7 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         without = refused_;
     }
     const ControlScript script = controlScript(version(), options_.registers, session, options_.limits, arm(),
-                                               section, without, options_.force);
+                                               section, without, options_.force, abandonedAfter());
     {
         const std::lock_guard lock(guard_);
         primary_->takeMessages();  // discard earlier messages

@@ -82,6 +82,7 @@ public:
 
 private:
     QString placeOf(int line, int column) const;
+    std::chrono::milliseconds abandonedAfter() const;
     Result<void> uploadOnce(std::int32_t newSession, const QString& section, const Deadline& deadline);
 
     const ControllerOptions& options_;

@@ -140,7 +140,8 @@ QString refusedName(const QString& text) {
 
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const ArmLimits& arm, const QString& section,
-                            const QStringList& refused, const ForceSettings& force) {
+                            const QStringList& refused, const ForceSettings& force,
+                            std::chrono::milliseconds abandonedAfter) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
     // Ports that accept scripts also accept single lines, so text before the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
@@ -161,6 +162,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("JOINT_SPEEDS", numbers(arm.maxSpeed));
     fill("JOINT_TORQUES", numbers(arm.maxTorque));
     fill("UPPER_ARM", fixed(std::abs(arm.dh.a[1])));
+    fill("ABANDONED", fixed(std::chrono::duration<double>(abandonedAfter).count()));
     fill("LEEWAY", fixed(kJointLeeway));
     const auto setting = [&](const char* function, const char* since, const std::optional<double>& value) {
         return value && isSince(version, QLatin1String(since))

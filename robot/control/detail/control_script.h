@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <chrono>
 #include <cstdint>
 
 #include "robot/control/controller.h"
@@ -15,6 +16,11 @@ namespace tiller::control {
 
 /// The texts of control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
+
+/// For a client with the default timeouts.
+inline constexpr std::chrono::milliseconds kAbandonedAfter{500};
+/// Longer than the program runs without a client.
+inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {
     QString text;
@@ -33,9 +39,11 @@ struct ControlScript {
 /// arm      limits of the joints, for checking servo targets and for braking after torques
 /// section  lines of a path or a function, run by ScriptCommand::Section. Names starting with tiller_ are reserved
 /// refused  functions in CALLS that this controller does not have: the program avoids them
+/// abandonedAfter  time without a client after which other clients may replace the program without a question
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const ArmLimits& arm, const QString& section = {},
-                            const QStringList& refused = {}, const ForceSettings& force = {});
+                            const QStringList& refused = {}, const ForceSettings& force = {},
+                            std::chrono::milliseconds abandonedAfter = kAbandonedAfter);
 
 /// The unknown function in a compile error of the controller if the program can avoid it; otherwise empty.
 QString refusedName(const QString& text);

@@ -156,7 +156,7 @@ struct SessionState {
     }
     /// A program of another client or of the pendant runs or is paused: taking control would end it.
     bool hasForeignProgram() const {
-        return (foreignProgramRuns() && !programAbandoned) ||
+        return (foreignProgramRuns() && !(programAbandoned && isFresh())) ||
                (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
     }
     bool hasData() const {

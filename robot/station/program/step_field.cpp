@@ -22,15 +22,16 @@ FieldInput fieldInput(const StepField& field, const QString& text) {
     if (field.type != FieldType::Number && field.type != FieldType::Whole) {
         return {text, {}};
     }
-    const QString typed = text.trimmed().replace(QChar(0x2212), QLatin1Char('-'));
+    // Both signs are decimal signs, as in every other field; digits are not grouped.
+    const QString typed =
+        text.trimmed().replace(QChar(0x2212), QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
     if (typed.isEmpty() && field.optional) {
         return {};
     }
     bool isNumber = false;
-    double number = QLocale().toDouble(typed, &isNumber);
-    if (!isNumber) {
-        number = QLocale::c().toDouble(typed, &isNumber);
-    }
+    QLocale plain = QLocale::c();
+    plain.setNumberOptions(QLocale::RejectGroupSeparator);
+    double number = plain.toDouble(typed, &isNumber);
     number /= screenFactor(field.unit);
     constexpr double kRounding = 1e-9;
     if (!isNumber || !(number >= field.minimum - kRounding && number <= field.maximum + kRounding) ||

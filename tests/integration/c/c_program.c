@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
     CHECK(tiller_read(robot, NULL, q, 6, NULL) == TILLER_INVALID_ARGUMENT);
     CHECK(tiller_read(robot, "actual_q", NULL, 6, NULL) == TILLER_INVALID_ARGUMENT);
     CHECK(tiller_move_j(robot, q, 0, 0) == TILLER_NOT_IN_CONTROL);
-    CHECK(tiller_wait(robot, 1.0) == TILLER_INVALID_ARGUMENT);
+    CHECK(tiller_wait(robot, 1.0) == TILLER_NOT_IN_CONTROL);
 
     CHECK(tiller_take_control(robot, 20.0) == TILLER_OK && tiller_in_control(robot) == 1);
     CHECK(tiller_set_speed_cap(robot, 100.0) == TILLER_LIMIT_EXCEEDED);
@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     CHECK(tiller_read(robot, "actual_TCP_pose", pose, 6, NULL) == TILLER_OK);
     pose[2] += 0.1;
     CHECK(tiller_move_l(robot, pose, 2.0, 0) == TILLER_LIMIT_EXCEEDED);
+    CHECK(tiller_wait(robot, 1.0) == TILLER_LIMIT_EXCEEDED);
     CHECK(tiller_move_l(robot, pose, 0, 0) == TILLER_OK);
     CHECK(tiller_wait(robot, 0.0) == TILLER_TIMEOUT);
     CHECK(tiller_stop(robot) == TILLER_OK && tiller_is_active(robot) == 0);

@@ -174,6 +174,9 @@ private Q_SLOTS:
         QCOMPARE(fieldInput(field, "50").value, QJsonValue(0.05));
         QCOMPARE(fieldInput(field, " 12.5 ").value, QJsonValue(0.0125));
         QCOMPARE(fieldInput(field, "2000").value, QJsonValue(2));
+        // A comma never groups digits: "1,250" must not become 1250.
+        QCOMPARE(fieldInput(field, "1,250").value, QJsonValue(0.00125));
+        QVERIFY(fieldInput(field, "1.250,5").value.isUndefined());
         QVERIFY(fieldInput(field, "").value.isUndefined() && fieldInput(field, "").refusal.isEmpty());
         for (const char* text : {"0", "2000.1", "-1", "fast", "nan", "inf", "1e9"}) {
             QVERIFY2(fieldInput(field, text).value.isUndefined(), text);
