@@ -22,6 +22,6 @@ int main(int, char** argv) {
         auto line = motions.moveL(up, {.speed = 0.1});  // [m/s], at most the cap of 0.25 m/s
         reached = line ? line->wait(Deadline::after(30s)) : line.error();
     }
-    std::cout << (reached ? "there" : reached.error().message()) << std::endl;
+    std::cout << (reached ? "target reached" : reached.error().message()) << std::endl;
     return reached ? EXIT_SUCCESS : EXIT_FAILURE;
 }

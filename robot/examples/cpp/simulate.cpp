@@ -18,5 +18,5 @@ int main() {
     std::this_thread::sleep_for(500ms);
     robot.protectiveStop();
     const Result<void> reached = move->wait(Deadline::after(30s));
-    std::cout << (reached ? "there" : reached.error().message()) << std::endl;  // "UnsafeState: ..."
+    std::cout << (reached ? "target reached" : reached.error().message()) << std::endl;  // "UnsafeState: ..."
 }

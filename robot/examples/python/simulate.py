@@ -5,7 +5,7 @@ import tiller
 with tiller.Simulator("UR10e", virtual=True) as simulator, simulator.robot() as robot:
     robot.take_control()
     move = robot.move_j(robot.state.q + [1.0, 0, 0, 0, 0, 0])
-    simulator.step(0.5)  # half a second of robot time
+    simulator.step(0.5)  # half a second of virtual time
     simulator.fault("protective-stop")
     try:
         move.wait()
