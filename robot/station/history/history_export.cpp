@@ -49,6 +49,15 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
             ErrorCode::InvalidArgument, context.context,
             QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range")};
     }
+    // The window does not respond, not even to STOP, while it exports.
+    constexpr double kMaxValues = 20e6;
+    if (static_cast<double>(rows->count) * static_cast<double>(shown.size()) > kMaxValues) {
+        return Error{
+            context.code, context.context,
+            QCoreApplication::translate("tiller::PlotDock",
+                                        "The range has too many values for an export from the window. Export "
+                                        "a shorter range, or use tiller-cli export.")};
+    }
     const auto report = recording::exportRecording(*selected, choice);
     return report ? Result<std::int64_t>(static_cast<std::int64_t>(report->rows)) : report.error();
 }
