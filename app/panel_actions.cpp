@@ -101,7 +101,7 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
                }});
     const std::pair<Severity, QString> kinds[] = {{Severity::Info, tr("Log: show all")},
                                                   {Severity::Warning, tr("Log: show warnings and errors")},
-                                                  {Severity::Error, tr("Log: show errors")}};
+                                                  {Severity::Error, tr("Log: show errors only")}};
     for (const auto& [severity, text] : kinds) {
         table.add({QStringLiteral("log.action.from.%1").arg(static_cast<int>(severity)),
                    text,

@@ -1840,8 +1840,8 @@
         <translation>Protokoll: Warnungen und Fehler zeigen</translation>
     </message>
     <message>
-        <source>Log: show errors</source>
-        <translation>Protokoll: Fehler zeigen</translation>
+        <source>Log: show errors only</source>
+        <translation>Protokoll: nur Fehler zeigen</translation>
     </message>
     <message>
         <source>Selects which log entries are shown.</source>
@@ -11311,7 +11311,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>Waypoints</source>
-        <translation>Wegpunkte</translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -11606,7 +11606,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
-        <translation>Wegpunkte, Programm, Koordinatensysteme, Werkzeuge, E/A, Protokoll</translation>
+        <translation>Punkte, Programm, Systeme, Werkzeuge, E/A, Protokoll</translation>
     </message>
     <message>
         <source>Program</source>

@@ -1840,7 +1840,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log: show errors</source>
+        <source>Log: show errors only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

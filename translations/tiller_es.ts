@@ -1840,7 +1840,7 @@
         <translation>Registro: mostrar avisos y errores</translation>
     </message>
     <message>
-        <source>Log: show errors</source>
+        <source>Log: show errors only</source>
         <translation>Registro: mostrar errores</translation>
     </message>
     <message>
@@ -11606,7 +11606,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
-        <translation>Puntos de paso, Programa, Sistemas, Herramientas, E/S, Registro</translation>
+        <translation>Puntos, Programa, Sistemas, Herramientas, E/S, Registro</translation>
     </message>
     <message>
         <source>Program</source>

@@ -1840,7 +1840,7 @@
         <translation>Journal : montrer avertissements et erreurs</translation>
     </message>
     <message>
-        <source>Log: show errors</source>
+        <source>Log: show errors only</source>
         <translation>Journal : montrer les erreurs</translation>
     </message>
     <message>
@@ -11606,7 +11606,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Waypoints, Program, Frames, Tools, I/O, Log</source>
-        <translation>Points de passage, Programme, Repères, Outils, E/S, Journal</translation>
+        <translation>Points, Programme, Repères, Outils, E/S, Journal</translation>
     </message>
     <message>
         <source>Program</source>

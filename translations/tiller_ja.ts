@@ -1840,7 +1840,7 @@
         <translation>ログ：警告とエラーを表示</translation>
     </message>
     <message>
-        <source>Log: show errors</source>
+        <source>Log: show errors only</source>
         <translation>ログ：エラーを表示</translation>
     </message>
     <message>

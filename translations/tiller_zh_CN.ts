@@ -1840,7 +1840,7 @@
         <translation>日志：显示警告和错误</translation>
     </message>
     <message>
-        <source>Log: show errors</source>
+        <source>Log: show errors only</source>
         <translation>日志：显示错误</translation>
     </message>
     <message>

@@ -87,7 +87,7 @@ private Q_SLOTS:
         row("pulse", "io.action.pulse");
         row("set tcp", "tcp.action.use");
         row("search log", "log.action.search");
-        row("log errors", "log.action.from.2");
+        row("errors only", "log.action.from.2");
         row("copy log", "log.action.copy");
         row("export log", "log.action.export");
         row("export settings", "app.exportSettings");
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(!view.window().follows());
         bench.run("resume plots", "plots.action.pause");
         QVERIFY(view.window().follows());
-        bench.run("plots show 2 min", "plots.action.span.120");
+        bench.run("plots last 2 min", "plots.action.span.120");
         QCOMPARE(view.window().span(), 120.0);
     }
 

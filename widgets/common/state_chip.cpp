@@ -102,7 +102,7 @@ void StateChip::setCaption(const QString& caption, ElidedPart elidedPart) {
 QString StateChip::leastCaption(const QString& caption) const {
     const QString dot = QStringLiteral(" · ");
     return elidedPart_ == ElidedPart::Behind || !caption.contains(dot) ? caption.section(dot, 0, 0)
-                                                                        : caption.section(dot, 1);
+                                                                       : caption.section(dot, 1);
 }
 
 QString StateChip::shownCaption() const {

@@ -186,7 +186,7 @@ private Q_SLOTS:
                                     << "--from takes";
         QTest::newRow("inside") << QStringList{"run",           file,     "--simulate", "--program",
                                                "Fill the tray", "--from", "6"}
-                                << 1 << "top level";
+                                << 1 << "top-level step";
         QTest::newRow("missing") << QStringList{"run", folder_.filePath("none.tiller"), "--simulate"} << 1
                                  << "none.tiller";
         QTest::newRow("silent robot")

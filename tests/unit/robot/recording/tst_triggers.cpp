@@ -285,7 +285,7 @@ void TestTriggers::lessFreeThanAskedEndsInOrder() {
     bench.send(20, 1);
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
-    QVERIFY(recorder.error().controllerMessage.contains("is whole"));
+    QVERIFY(recorder.error().controllerMessage.contains("stopped and completed"));
     const auto recording = openRecording(bench.path("a.mcap")).value();
     QVERIFY(recording->problems().isEmpty());
     QCOMPARE(recording->rows(), std::uint64_t(20));

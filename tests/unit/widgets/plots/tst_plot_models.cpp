@@ -319,11 +319,11 @@ private Q_SLOTS:
         QCOMPARE(laneEntry(state, "X+").label, QString("Jog X+"));
         state.safetyMode = SafetyMode::ProtectiveStop;
         QCOMPARE(laneEntry(state, "X+").label, QString("Protective stop"));
+        QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
         // With late data the arm may move.
         state.quality.ageMs = 150;
         QVERIFY(laneEntry(state, {}).kind == LaneKind::NoData);
         QCOMPARE(laneEntry(state, {}).label, QString("Late data"));
-        QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
         state = running();
         state.robotMode = RobotMode::PowerOff;
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Off);

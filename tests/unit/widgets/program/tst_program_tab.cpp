@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(before->text(), QString("50"));
         type(*before, "80");
         QCOMPARE(findStep(steps(), id)->fields["before"].toDouble(), 0.08);
-        QCOMPARE(document_->undoStack().undoText(), QString("Change “Distance before it”"));
+        QCOMPARE(document_->undoStack().undoText(), QString("Change “Approach distance”"));
         auto* speed = field<QLineEdit>("speed");
         QCOMPARE(speed->text(), QString());
         type(*speed, "30");

@@ -511,7 +511,7 @@ private Q_SLOTS:
         auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
         button->setFocus();
         QVERIFY(button->hasFocus());
-        QTest::keyClick(button, Qt::Key_Space);
+        QTest::keyClick(button, Qt::Key_Return);
         QCOMPARE(session.asked.size(), 1);
         QVERIFY(header.focusWidget() == nullptr || header.focusWidget() == button);
         state.robotMode = RobotMode::Running;
