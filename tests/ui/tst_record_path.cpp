@@ -286,7 +286,8 @@ private Q_SLOTS:
         QVERIFY((cell().truth().q.values - points.back().joints.values).cwiseAbs().maxCoeff() < 1e-3);
         QVERIFY(window().jogColumn().retracePath().size() > 10);
         int told = 0;
-        connect(&window().jogColumn(), &JogColumn::retracePathChanged, this, [&told] { ++told; });
+        const QObject context;
+        connect(&window().jogColumn(), &JogColumn::retracePathChanged, &context, [&told] { ++told; });
 
         press(key("backKey"));
         QVERIFY(key("backKey").isHolding());

@@ -123,9 +123,7 @@ struct ScriptBench {
     std::int32_t idleEpoch = 1;
     int out(int index) const { return host.intOut[static_cast<std::size_t>(first + index)]; }
     /// A negative number also means Expired: see AbandonedProgram.
-    ScriptState state() const {
-        return out(2) < 0 ? ScriptState::Expired : static_cast<ScriptState>(out(2));
-    }
+    ScriptState state() const { return out(2) < 0 ? ScriptState::Expired : static_cast<ScriptState>(out(2)); }
     bool running() const { return !program->ended(); }
     int silentFrames() const { return static_cast<int>(0.1 / host.step + 0.5); }
 
