@@ -7818,6 +7818,10 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie zuerst auf.</translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation>Der Bereich enthält zu viele Werte für einen Export aus dem Fenster. Exportieren Sie einen kürzeren Bereich, oder verwenden Sie tiller-cli export.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11619,6 +11623,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Stop it and power off</source>
         <translation>Stoppen und ausschalten</translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
+        <translation>Eine Bahn wird aufgezeichnet. Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
 </context>
 <context>

@@ -7811,6 +7811,10 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11603,6 +11607,10 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Stop it and power off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

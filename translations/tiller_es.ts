@@ -7818,6 +7818,10 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation>Las señales en vivo solo se pueden exportar como .csv. Grábelas primero.</translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation>El intervalo tiene demasiados valores para exportarlo desde la ventana. Exporte un intervalo más corto o use tiller-cli export.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11619,6 +11623,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Stop it and power off</source>
         <translation>Detenerlo y apagar</translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
+        <translation>Se está grabando una trayectoria. Deténgala primero.</translation>
     </message>
 </context>
 <context>

@@ -7818,6 +7818,10 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation>Les signaux en direct ne peuvent être exportés qu&apos;en .csv. Enregistrez-les d&apos;abord.</translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation>La plage contient trop de valeurs pour un export depuis la fenêtre. Exportez une plage plus courte ou utilisez tiller-cli export.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11619,6 +11623,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Stop it and power off</source>
         <translation>L&apos;arrêter et mettre hors tension</translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
+        <translation>Une trajectoire est en cours d&apos;enregistrement. Arrêtez-la d&apos;abord.</translation>
     </message>
 </context>
 <context>

@@ -7800,6 +7800,10 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation>ライブ信号は.csvとしてのみエクスポートできます。先に記録してください。</translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation>範囲の値が多すぎるため、ウィンドウからエクスポートできません。範囲を短くするか、tiller-cli export を使用してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11579,6 +11583,10 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Stop it and power off</source>
         <translation>停止して電源を切る</translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
+        <translation>経路を記録中です。先に停止してください。</translation>
     </message>
 </context>
 <context>

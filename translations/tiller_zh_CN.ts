@@ -7800,6 +7800,10 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <source>Live signals can only be exported as .csv. Record them first.</source>
         <translation>实时信号只能导出为 .csv。请先录制它们。</translation>
     </message>
+    <message>
+        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <translation>该范围的值过多，无法从窗口导出。请导出较短的范围，或使用 tiller-cli export。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -11579,6 +11583,10 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Stop it and power off</source>
         <translation>停止并关闭电源</translation>
+    </message>
+    <message>
+        <source>A path is being recorded. Stop it first.</source>
+        <translation>正在录制路径。请先停止录制。</translation>
     </message>
 </context>
 <context>
