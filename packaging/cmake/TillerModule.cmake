@@ -167,7 +167,7 @@ endfunction()
 #             [PARTS n])
 # Adds a Qt Test program, run by ctest under the name <last folder>/<tst_x>.
 # OFFSCREEN runs it on Qt's offscreen platform; SERIAL prevents other tests from running at the same time.
-# ctest runs four jobs per processor. A test takes four jobs, or one job with WAITS, for tests that mostly
+# ctest runs five jobs per processor. A test takes four jobs, or one job with WAITS, for tests that mostly
 # wait for real time.
 # COST is the measured run time [s]: tests with a high cost start first. The default is a tenth of the
 # timeout.
