@@ -11,7 +11,7 @@ namespace tiller::control {
 
 namespace {
 
-// ABANDONED in control.script [s].
+// Minimum of ABANDONED in control.script [s].
 constexpr double kAbandonedAfter = 0.5;
 // Duration of the proof [s]; a constant number is detected within half of it.
 constexpr double kProofTime = 0.05;

@@ -126,8 +126,9 @@ Result<void> ControlProgram::upload(std::int32_t session, const QString& section
 
 std::chrono::milliseconds ControlProgram::abandonedAfter() const {
     // Delivered programs are nodes of the operator's program, which continues behind them.
-    return options_.deliver ? kNeverAbandoned
-                            : std::max({kAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
+    return options_.deliver
+               ? kNeverAbandoned
+               : std::max({kMinAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
 }
 
 Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& section,

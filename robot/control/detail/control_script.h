@@ -18,7 +18,7 @@ namespace tiller::control {
 const char* controlScriptTemplate();
 
 /// For a client with the default timeouts.
-inline constexpr std::chrono::milliseconds kAbandonedAfter{500};
+inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
 /// Longer than the program runs without a client.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
@@ -43,7 +43,7 @@ struct ControlScript {
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const ArmLimits& arm, const QString& section = {},
                             const QStringList& refused = {}, const ForceSettings& force = {},
-                            std::chrono::milliseconds abandonedAfter = kAbandonedAfter);
+                            std::chrono::milliseconds abandonedAfter = kMinAbandonedAfter);
 
 /// The unknown function in a compile error of the controller if the program can avoid it; otherwise empty.
 QString refusedName(const QString& text);
