@@ -842,15 +842,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
     // The project is complete only when a path that is being recorded has become waypoints.
     if (waypoints_->storePath()) {
-        // Disabled, because the window would close while it is used.
-        setEnabled(false);
-        connect(
-            waypoints_, &WaypointsTab::pathStored, this,
-            [this] {
-                setEnabled(true);
-                close();
-            },
-            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        // Until then everything works, STOP above all.
+        connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         event->ignore();
         return;
     }
