@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(cell.hasEvent(Kind::DataResumed));
     }
 
-    void aStopInAnEventHandlerEndsTheMotion() {
+    void aStopInAnEventHandlerIsSent() {
         LockStep bench;
         bench.start().value();
         std::optional<Robot> robot;
