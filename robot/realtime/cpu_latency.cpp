@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDevice = "/dev/cpu_dma_latency";
 
-/// The request shared by the whole process.
+/// The request shared by all objects of the process.
 struct LatencyRequest {
     std::mutex mutex;
     int holders = 0;
@@ -75,7 +75,7 @@ QString CpuLatency::advice() {
 
 #else
 
-// Other systems control this by their power plan.
+// On other systems, the power plan controls this.
 CpuLatency::CpuLatency() : granted_(false) {}
 CpuLatency::~CpuLatency() = default;
 

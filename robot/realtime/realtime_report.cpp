@@ -18,7 +18,7 @@ namespace tiller::realtime {
 
 #if defined(_WIN32)
 
-// Written according to the Windows documentation; not run in this project's CI.
+// Implemented from the Windows documentation; not run in this project's CI.
 QString bindToCpus(const std::vector<int>& cpus) {
     DWORD_PTR mask = 0;
     for (const int cpu : cpus) {
