@@ -29,13 +29,14 @@ public:
     double period() const;  ///< [s]
     const RobotModel& model() const;
 
-    /// The payload known to the controller; the arm carries exactly this payload.
+    /// The payload configured on the controller. The arm carries exactly this payload.
     void setPayload(const Payload& payload);
-    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
-    /// The arm takes the position of the next target without lag, at any distance from the current one.
+    /// Moves the arm to the position of the next target without lag, at any distance from the current
+    /// position.
     void place(const JointPositions& q);
-    /// Runs one control period with this target.
+    /// Runs one control period with the given target.
     void step(const JointPositions& q, const JointVelocities& qd);
     /// Measured state after the last step, without contact.
     const ArmState& state() const;

@@ -4,7 +4,7 @@
 namespace tiller::simulator {
 
 namespace {
-// Sums of periods deviate from whole seconds by rounding.
+// Tolerance: sums of periods deviate from whole seconds by rounding errors.
 constexpr double kTimeTolerance = 1e-6;
 }  // namespace
 
