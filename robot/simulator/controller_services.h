@@ -9,11 +9,11 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 struct ControllerServices {
     explicit ControllerServices(const SimulatorOptions& options);
 
-    /// Accepts connections, reads requests and answers; does not advance time.
+    /// Accepts connections, reads requests and sends replies. Does not advance time.
     void service();
     /// Runs one control period.
     void tick();

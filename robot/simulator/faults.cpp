@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Arguments of a line. An invalid one is remembered and reported once, at the end.
+/// Arguments of a line. The first error is stored and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -65,7 +65,7 @@ public:
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
-    /// No error so far; more arguments may follow.
+    /// True if there is no error so far; more arguments may follow.
     bool goodSoFar() const { return complaint_.isEmpty(); }
 
 private:
@@ -78,7 +78,7 @@ struct Verb {
     const char* name;
     const char* arguments;
     const char* help;
-    /// Reads all words first and acts only if they are good().
+    /// Reads all words first, and acts only if good() returns true.
     QString (*run)(ControllerServices& controlBox, Words& words);
 };
 
@@ -250,7 +250,7 @@ QString answer(ControllerServices& controlBox, Words& words) {
     return {};
 }
 
-/// All remaining words, at least one.
+/// Reads all remaining words, at least one.
 std::vector<std::int32_t> modbusValues(Words& words) {
     std::vector<std::int32_t> values;
     do {
