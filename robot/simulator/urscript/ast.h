@@ -2,7 +2,7 @@
 #pragma once
 
 // The syntax tree between parser and code generator. Nodes are stored in the deques of a Tree and point to
-// each other; they are never freed individually, so no input can cause deep recursion at destruction.
+// each other. They are never freed individually, so no input can cause deep recursion on destruction.
 
 #include <cstdint>
 #include <deque>
@@ -50,7 +50,7 @@ enum class ExprKind : std::uint8_t {
     Member,  ///< children: object; text = name
     Call,    ///< text = callee; children = arguments, names parallel to them ("" = positional)
     Method,  ///< children: object, arguments...; text = name
-    Run,     ///< text = thread
+    Run,     ///< text = name of the thread
 };
 
 struct Expr {
@@ -117,7 +117,7 @@ struct Function {
     Block body;
     std::vector<Function*> nested;
     Function* parent = nullptr;
-    int index = 0;  ///< in Tree::functions
+    int index = 0;  ///< index in Tree::functions
 };
 
 struct Tree {

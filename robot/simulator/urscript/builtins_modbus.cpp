@@ -39,7 +39,7 @@ Status addSignal(Call& c) {
             signal.kind = Kind::Input;
             break;
         case 1:
-        case 15:  // the function code for multiple values
+        case 15:  // the function code for writing multiple values
             signal.kind = Kind::Coil;
             break;
         case 2:

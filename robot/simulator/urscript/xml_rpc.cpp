@@ -188,7 +188,7 @@ private:
         }
     }
 
-    // Parses inside <value>, up to and including its end.
+    // Parses the content of <value>, including its end tag.
     Value value(int depth) {
         if (depth > kMaxValueDepth || ++elements_ > kMaxElements) {
             fault("The XML-RPC server's reply is too large");
