@@ -41,15 +41,15 @@ struct BehaviourOptions {
     enum class Safeguard : std::uint8_t { Pauses, Runs };
     Safeguard safeguard = Safeguard::Pauses;  ///< effect of an open safeguard on the program
     enum class Reset : std::uint8_t { Resumes, Waits };
-    Reset safeguardReset = Reset::Resumes;  ///< effect of its reset on the paused program
+    Reset safeguardReset = Reset::Resumes;  ///< effect of resetting the safeguard on the paused program
     enum class ProtectiveStop : std::uint8_t { Ends, Pauses, Resumes };
-    /// Effect on a program sent over a socket. Resumes: the program continues as soon as the stop is
-    /// unlocked.
+    /// Effect of a protective stop on a program sent over a socket. Resumes: the program continues as soon as
+    /// the stop is unlocked.
     ProtectiveStop protectiveStop = ProtectiveStop::Ends;
     enum class EmergencyStop : std::uint8_t { Ends, Pauses };
-    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on any program, loaded from a file or not
+    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on the program, whether from a file or not
     enum class RemoteToLocal : std::uint8_t { Keeps, Ends };
-    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect on the running program
+    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect of the switch to Local on the program
     enum class Pause : std::uint8_t { Holds, Frees };
     /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
@@ -71,7 +71,7 @@ struct BehaviourOptions {
     /// Whether rpc_factory() needs a reachable server, or only the calls of its methods.
     RpcFactory rpcFactory = RpcFactory::Connects;
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
-    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< timing within a period, after equal waits
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< order within a period after equal waiting times
 
     enum class FirstVersions : std::uint8_t { Earliest, Latest };
     /// Availability of functions, fields and commands for which sources only give a range of versions.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Objects owned by the thread of the simulator: the robot, its services and their cycle.
+// Objects owned by the simulator thread: the robot and its services, which it runs in a cycle.
 
 #include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/services.h"

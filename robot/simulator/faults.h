@@ -25,7 +25,7 @@ struct ControllerServices;
 Result<QString> injectFault(ControllerServices& controlBox, const QString& line);
 /// Executes a line and returns the reply in the format of the fault port, newline included.
 std::string answerFaultLine(ControllerServices& controlBox, std::string_view line);
-/// Help text with one paragraph per line format.
+/// Help text with one paragraph for each type of line.
 QString faultHelp();
 
 }  // namespace tiller::simulator

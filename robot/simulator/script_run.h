@@ -30,7 +30,7 @@ struct ScriptRunOptions {
 /// The reason why a script could not be compiled or why it ended early.
 struct ScriptFault {
     int line = 0;  ///< counted from 1; 0: unknown
-    QString text;  ///< the message of the controller
+    QString text;  ///< message of the controller
 };
 
 /// Threads  one at a time. No function blocks.
@@ -45,7 +45,7 @@ public:
     /// Returns  the error; empty if there is none
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
-    /// Compiles the script, which starts with the next step.
+    /// Compiles and starts the script, which runs from the next step on.
     /// Returns  the error; empty if there is none
     std::optional<ScriptFault> start(const QString& script);
     /// Runs one control period.

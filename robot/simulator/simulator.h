@@ -56,13 +56,13 @@ struct RtdeDelivery {
     double timestamp = 0;    ///< time stamp of the package [s]
 };
 
-/// Timing accuracy of a controller in real time since start() or resetTiming().
+/// Timing accuracy in real-time mode since start() or resetTiming().
 struct TickTiming {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;        ///< periods that started too late and were caught up
     std::uint64_t lost = 0;        ///< dropped periods, for which robot time was paused
-    realtime::Histogram lateness;  ///< from the due time of a period to its actual start
-    realtime::Histogram work;      ///< duration of the work of a period
+    realtime::Histogram lateness;  ///< delay from the due time of a period to its actual start
+    realtime::Histogram work;      ///< processing time of a period
     double threadSeconds = 0;      ///< processor time of the thread [s]; 0 if the system does not report it
     double seconds = 0;            ///< elapsed time [s]
     bool priorityGranted = false;

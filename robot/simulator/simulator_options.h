@@ -56,7 +56,7 @@ struct SimulatorOptions {
     Text serialNumber = {};            ///< empty: the default for the model
     /// Pause in the received data after which the script of an External Control node is considered complete.
     std::chrono::milliseconds scriptSilence{150};
-    BehaviourOptions assumptions = {};  ///< options for behaviour of real controllers that is not documented
+    BehaviourOptions assumptions = {};  ///< options for undocumented behaviour of real controllers
 };
 
 /// Port numbers in use. A port is 0 before start(), or if this software does not have the service.
@@ -74,7 +74,7 @@ struct Ports {
     std::uint16_t gripper = 63352;      ///< Robotiq gripper
     std::uint16_t faults = 29990;       ///< fault injection, see faults.h
 
-    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
 };
 
 }  // namespace tiller::simulator

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The simulated arm: it accepts motion commands, is stepped once per control period, and provides its state.
-// Deterministic (seeded noise), no threads, no sockets, no URScript; nothing allocates in step().
+// The simulated arm. It accepts motion commands, is stepped once per control period, and provides its state.
+// It is deterministic (seeded noise) and uses no threads, sockets or URScript. step() does not allocate
+// memory.
 //
 //     Arm arm(robotModel(RobotModelId::UR5e));
 //     arm.setDriveState(DriveState::Running);
@@ -26,7 +27,7 @@
 namespace tiller::simulator::arm {
 
 struct ArmOptions {
-    double period = 0;       ///< control period [s]; 0 = 0.002, or 0.008 for CB3 models
+    double period = 0;       ///< control period [s]; 0: 0.002, or 0.008 for CB3 models
     std::uint64_t seed = 1;  ///< seed of the sensor noise
     bool ideal = false;      ///< no noise and no tracking lag: actual equals target
     /// Start position, the same as in the manufacturer's simulator. Source: recorded primary packet.
@@ -99,7 +100,7 @@ public:
     void setExternalForce(const std::optional<Wrench>& wrench);
     /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
     double unexplainedForce() const;
-    /// zero_ftsensor(): sets the current reading to zero.
+    /// zero_ftsensor(): uses the current reading as the zero point.
     void zeroForceSensor();
     /// set_pos(): places the arm at rest and discards all commands.
     void setJointPositions(const JointPositions& q);

@@ -40,7 +40,7 @@ public:
     bool isReachable(const Eigen::Isometry3d& T) const;
 
     /// Joint velocities for a TCP twist; damped near singularities.
-    /// Returns   false if the twist cannot be produced to 1 %
+    /// Returns   false if the twist cannot be produced with an accuracy of 1 %
     bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;
 
     /// Singularity margin: 0 in a singular position, 1 or more where singularities have no effect.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drives and sensors of the simulated arm without its motion generator: the caller sets one target per
-// control period, for example from a recording. Deterministic, without noise; no threads, no allocation in
-// step().
+// Drives and sensors of the simulated arm without its motion generator. The caller sets one target per
+// control period, for example from a recording. The simulation is deterministic, without noise and threads.
+// step() does not allocate memory.
 //
 //     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);
 //     arm.place(q);

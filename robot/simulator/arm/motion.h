@@ -31,7 +31,8 @@ public:
     explicit Motion(MotionGenerator& generator) : generator_(generator) {}
 
     /// Joint move. A pose is reached with the solution nearest to the current joint positions.
-    /// Returns   a handle, which is Returned at the target, or where the blend zone begins if r > 0
+    /// Returns   a handle; the progress becomes Returned at the target, or where the blend zone begins if r >
+    /// 0
     /// Errors    InvalidArgument, JointTargetOutOfRange, NoInverseKinematics, NotOperational, Busy
     /// Source    URScript movej
     MotionStart moveJ(const MoveTarget& target, const MoveParameters& parameters);
@@ -55,14 +56,14 @@ public:
     /// Source    URScript servoj
     MotionStart servoJ(const JointPositions& q, double t, double lookaheadTime = 0.1, double gain = 300);
 
-    /// Follows a pose at tool speed v. The command is Returned within r of the pose.
+    /// Follows a pose at tool speed v. The progress becomes Returned within r of the pose.
     /// Source    URScript servoc
     MotionStart servoC(const Pose& target, double a, double v, double r);
 
-    /// Joint speeds, reached with acceleration a [rad/s2] of the leading axis. The command is Returned after
-    /// t [s] of program time or, without t, when the speed is reached, in both cases after one period at the
-    /// earliest. The arm then keeps the speed for kSpeedHold and, without a further command, decelerates with
-    /// a.
+    /// Joint speeds, reached with acceleration a [rad/s2] of the leading axis. The progress becomes Returned
+    /// after t [s] of program time or, without t, when the speed is reached, in both cases after one period
+    /// at the earliest. The arm then keeps the speed for kSpeedHold and, without a further command,
+    /// decelerates with a.
     /// Source    URScript speedj
     MotionStart speedJ(const JointVelocities& qd, double a, std::optional<double> t = std::nullopt);
 
@@ -94,7 +95,7 @@ public:
     /// get_target_waypoint(): the target of the active move, or otherwise the target TCP pose.
     Pose targetWaypoint() const;
 
-    /// True while a motion command (stops included) drives the arm.
+    /// True while a motion command (including stops) drives the arm.
     bool isActive() const;
 
     static constexpr double kSpeedHold = 0.02;  ///< [s]

@@ -202,7 +202,7 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 }
 
 double MotionDrive::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // below this, program time counts as stopped
+    constexpr double kStandingTime = 1e-3;  // at a lower rate, program time counts as stopped
     // A pause freezes program time but does not affect stops. A motion that runs in real time cannot be
     // stopped in frozen program time.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;

@@ -12,7 +12,7 @@
 
 namespace tiller::simulator::arm {
 
-/// A waypoint given by joints or by a TCP pose in the base frame.
+/// A waypoint given by joint positions or by a TCP pose in the base frame.
 using MoveTarget = std::variant<JointPositions, Pose>;
 
 /// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s]. If t [s] is

@@ -22,16 +22,16 @@ struct Segment {
     Kind kind = Kind::Joint;
     bool inToolSpace = false;
     bool realTime = false;  ///< not slowed by the speed slider, not frozen by a pause
-    double r = 0;           ///< requested blend radius [m]; 0 ends at rest
+    double r = 0;           ///< requested blend radius [m]; 0: ends at rest
 
     Vector6 from = Vector6::Zero();       ///< joint space: q = from + direction * s
-    Vector6 direction = Vector6::Zero();  ///< largest component 1: s is the angle of the leading axis
+    Vector6 direction = Vector6::Zero();  ///< largest component is 1: s is the angle of the leading axis
     ToolPath path;                        ///< tool space
     SpeedProfile profile;
 
     Vector6 endQ = Vector6::Zero();
     ToolPoint endPoint;
-    std::optional<StopReason> endFault;  ///< true: the path cannot be followed beyond its end
+    std::optional<StopReason> endFault;  ///< set if the path cannot be followed beyond its end
     int endFaultJoint = -1;
 
     double time = 0;              ///< elapsed time [s], in the time base of this segment

@@ -28,8 +28,8 @@ constexpr double kRounding = 1e-9;            // relative to an acceleration, an
 // Initial values recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
-/// Acceleration as a difference of velocities, without rounding error. A constant acceleration results in
-/// constant readings, because clients evaluate the sign of its changes.
+/// Acceleration as a difference of velocities, without rounding error, so that a constant acceleration
+/// results in constant readings. Clients evaluate the sign of changes of the readings.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
@@ -273,8 +273,8 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     state.actualMoment.values = state.actualCurrent.cwiseProduct(perCurrent);
     state.jointControlOutput = state.actualCurrent;
     state.actualCurrentWindow = (0.15 * state.targetCurrent.cwiseAbs()).array() + 1.0;
-    // Part of the torque that the model does not explain, from the noise-free torques, like the filtered
-    // values of a controller.
+    // The part of the torque that the model does not explain. It is calculated from the noise-free torques,
+    // which correspond to the filtered values of a controller.
     state.externalTorque.values = needed - expected;
     const Matrix6 J = actual_.jacobian;
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();

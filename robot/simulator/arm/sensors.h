@@ -21,7 +21,7 @@ public:
     explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x1234567ull) {}
     double operator()(double standardDeviation);
     Eigen::Vector3d vector(double standardDeviation);
-    /// If off, every value is 0.
+    /// Turns the noise on or off. If the noise is off, every value is 0.
     void setOn(bool on) { scale_ = on ? 1 : 0; }
 
 private:
@@ -39,7 +39,7 @@ public:
     const Eigen::Vector3d& gravity() const { return gravity_; }
     void setPayload(const Payload& payload);
     const Payload& payload() const { return payload_; }
-    /// Sets the current force reading to zero.
+    /// Uses the current force reading as the zero point.
     void zeroForce();
     /// Places the arm at q, at rest.
     void place(const Vector6& q);

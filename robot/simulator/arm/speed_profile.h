@@ -21,8 +21,8 @@ struct ProfileRequest {
     double v = 0;  ///< cruise speed, > 0
     double a = 0;  ///< acceleration and deceleration, > 0
     double startSpeed = 0;
-    double blendInTime = 0;    ///< time for which the first acceleration is limited; it covers ...
-    double blendInLength = 0;  ///< ... at most this length
+    double blendInTime = 0;    ///< duration of the limited acceleration at the start
+    double blendInLength = 0;  ///< maximum length covered in this time
     double zone = 0;           ///< length before the end within which a blend may begin
     double zoneSpeed = 0;      ///< maximum speed at the beginning of the zone
 };

@@ -61,7 +61,7 @@ ToolPath ToolPath::arc(const ToolPoint& from, const Eigen::Vector3d& via, const 
     const double radius = offset.norm();
     const Eigen::Vector3d end = to.p - path.centre_;
     double angle = std::atan2(path.axis_.dot(path.radial_.cross(end)), path.radial_.dot(end));
-    // Via is on the path. With the normal chosen above, the angle is always positive.
+    // `via` is on the path. With the normal chosen above, the angle is always positive.
     if (angle <= 0) {
         angle += 2 * std::numbers::pi;
     }

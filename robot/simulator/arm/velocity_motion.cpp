@@ -264,7 +264,8 @@ std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarg
     Vector6 next = (velocity_ + dt * (K * error + D * servoFiltered_)) / (1 + D * dt + K * dt * dt);
     next = next.cwiseMin(limits_.speed).cwiseMax(-limits_.speed);
     for (int j = 0; j < kJointCount; ++j) {
-        // Limit the speed, so that the joint can stop at the target, plus the speed of the target.
+        // Limit the speed to the speed of the target plus a value from which the joint can stop at the
+        // target.
         const double stopping = std::sqrt(limits_.acceleration * std::abs(error[j])) +
                                 std::abs(servoFiltered_[j]) + limits_.acceleration * period_;
         next[j] = std::clamp(next[j], -stopping, stopping);

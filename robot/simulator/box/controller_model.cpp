@@ -307,7 +307,7 @@ void ControllerModel::restart(double seconds, bool safetyUnconfirmed) {
 }
 
 void ControllerModel::followBoot() {
-    // During a start, the RTDE service restarts and time begins at 0. Source: the wait in urcl.
+    // During a start, the RTDE service restarts and time begins at 0. Source: urcl, which waits for this.
     const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
     if (was && !disconnected_) {
         startTick_ = tick_;

@@ -29,7 +29,7 @@ namespace tiller::simulator {
 class ProgramRunner;
 class ScriptHost;
 
-/// Threads  the thread of the simulator
+/// Threads  the simulator thread
 class ControllerModel {
 public:
     explicit ControllerModel(const SimulatorOptions& options);
@@ -83,7 +83,7 @@ public:
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
-    /// Reading of an external sensor, received by RTDE [N, Nm].
+    /// Reading of an external sensor, received through RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
     /// The Local/Remote switch of the pendant. Leaving Remote ends the script connections.
@@ -158,11 +158,11 @@ private:
     std::uint64_t boots_ = 0;                                 ///< number of times the services have started
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
-    double emergencyTime_ = 0;  ///< time since an emergency stop began while the arm has power [s]
+    double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm has power
     bool freedriveButton_ = false;
     bool externalSensor_ = false;
     bool pausedBySafeguard_ = false;
-    bool heldBySafeguard_ = false;  ///< stops only the arm while the program continues
+    bool heldBySafeguard_ = false;  ///< only the arm is stopped, while the program continues
     Wrench externalForce_;
     bool remoteControl_ = true;
     bool shutDown_ = false;

@@ -27,7 +27,8 @@ public:
     /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;
 
-    /// Runs one control period. conveyorSpeeds  additional counts of the decoders [ticks/s]
+    /// Runs one control period.
+    /// conveyorSpeeds  additional counts of the decoders [ticks/s]
     void step(std::uint64_t digitalInputs, const std::array<double, 2>& conveyorSpeeds, double dt);
 
 private:

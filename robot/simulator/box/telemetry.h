@@ -27,7 +27,7 @@ struct Telemetry {
     std::uint64_t identity = 0;         ///< changes whenever `model` changes
     std::uint64_t boots = 0;            ///< changes each time the services restart
     SoftwareVersion software;
-    bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
+    bool bitsAsIntegers = false;  ///< for digital inputs and outputs on port 30003
 
     std::uint64_t tick = 0;
     double timestamp = 0;      ///< [s] since the controller started

@@ -138,7 +138,7 @@ void Gripper::move(double target, double speed, double dt) {
 
 void Gripper::step(double dt) {
     if (release_ != 0 && activated_ != 0 && !isReleased()) {
-        // The gripper counts as reset until it is reset and activated again.
+        // The status remains kReset until the gripper is reset and activated again.
         status_ = kReset;
         fault_ = kReleasing;
     }

@@ -90,8 +90,8 @@ void readPayloads(const XmlElement& root, Installation& to) {
     }
 }
 
-/// XML in newer software; before, a properties file with lines `name=value` and backslashes before special
-/// characters.
+/// The file is XML in newer software. In older software, it is a properties file with lines `name=value` and
+/// backslashes before special characters.
 void readVariables(const QByteArray& content, Installation& to) {
     if (isGzip(content) || content.trimmed().startsWith('<')) {
         if (const Result<std::unique_ptr<XmlElement>> tree = readPendantFile(content)) {

@@ -73,7 +73,7 @@ bool isMotion(const XmlElement& node) {
 }  // namespace
 
 struct Motion::Definer {
-    const XmlElement* node = nullptr;  ///< null: none
+    const XmlElement* node = nullptr;  ///< null if there is none
     QString function;
     bool ignoresTcp = false;  ///< positions refer to the flange
     bool usesJoints = false;  ///< joint angles define the target, regardless of the TCP
@@ -579,7 +579,7 @@ void Motion::writeUntil(const Until& until, const QString& thread, const QString
             out.line(QStringLiteral("%1 = get_forward_kin(get_actual_joint_positions_history(%2))")
                          .arg(contact, steps));
             if (until.node->has("retraction") && number(*until.node, "retraction").toDouble() != 0) {
-                // Moves back along the approach path.
+                // Move back along the approach path.
                 out.line(QStringLiteral("%1 = tiller_back(%1, %2, %3)")
                              .arg(contact, speed, number(*until.node, "retraction")));
                 usesDirections_ = true;

@@ -27,7 +27,7 @@ public:
     ProgramTranslator(const PendantSource& source, const Installation& installation);
 
     /// root  URProgram; must outlive this object
-    /// Returns  a `def` with the name
+    /// Returns  a `def` with this name
     /// Errors   FileCorrupt with line, node and reason. A program with a node that cannot be translated is
     /// refused as a whole, because a partial program would not do what its author intended
     Result<PendantProgram> translate(const XmlElement& root, const QString& name);
@@ -87,7 +87,7 @@ private:
     Motion motion_;
     std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other program files, by name
     ScriptText head_{1};       ///< values and functions at the beginning of the program
-    ScriptText functions_{1};  ///< sub programs
+    ScriptText functions_{1};  ///< subprograms
     ScriptText body_{1};
     std::vector<QString> timers_;
     std::set<const UrcapStandIn*> urcaps_;  ///< stand-ins whose setup has been written

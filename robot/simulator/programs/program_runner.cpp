@@ -224,7 +224,7 @@ void ProgramRunner::stepMain() {
         reportFailure(*main_);
         failure_ = main_->error();
         if (main_->error() && main_->error()->overrun) {
-            plant_.safety().protectiveStop();  // the controller has lost its program
+            plant_.safety().protectiveStop();  // exceeding the time limit causes a protective stop
         }
         ended_ = true;  // the last period still counts as playing
     }

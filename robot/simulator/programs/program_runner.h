@@ -53,7 +53,7 @@ public:
     bool isStopRequested() const;
     /// Ends the main program within this call.
     void stopNow();
-    /// Ends every program without a message, because the controller shuts down.
+    /// Ends all programs without a message. Called when the controller shuts down.
     void endAll();
     void pause();
     void resume();

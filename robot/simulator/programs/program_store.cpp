@@ -55,7 +55,7 @@ std::optional<QString> ProgramStore::find(const QString& name) const {
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Reads a file by a name from a client or a program.
+/// Reads a file whose name was given by a client or a program.
 std::optional<QByteArray> ProgramStore::read(const QString& name) const {
     const std::optional<QString> path = find(name);
     return path ? contentOf(*path) : std::nullopt;

@@ -93,12 +93,12 @@ struct Stmt {
     StmtKind kind = StmtKind::Expression;
     Position at;
     AssignScope scope = AssignScope::Unqualified;
-    Expr* target = nullptr;         ///< Assign
-    Expr* value = nullptr;          ///< Assign, Expression, Return (may be absent), Join, Kill
-    std::vector<Expr*> conditions;  ///< If: one per branch; While: one
-    std::vector<Block> blocks;      ///< If: one per condition, plus one for else; While: one
+    Expr* target = nullptr;         ///< for Assign
+    Expr* value = nullptr;          ///< for Assign, Expression, Return (may be absent), Join, Kill
+    std::vector<Expr*> conditions;  ///< for If: one per branch; for While: one
+    std::vector<Block> blocks;      ///< for If: one per condition, plus one for else; for While: one
     Function* definition = nullptr;
-    int number = 0;  ///< Label
+    int number = 0;  ///< for Label
     std::string_view text;
 };
 

@@ -146,8 +146,8 @@ enum BuiltinFlags : unsigned {
 };
 
 inline constexpr int kNever = 1000;
-/// Minor version of series 3 that was released together with that of series 5, e.g. 3.10 with 5.4, and 3.15
-/// with 5.10.
+/// Placeholder for the minor version of series 3 that was released together with that of series 5, e.g. 3.10
+/// with 5.4, and 3.15 with 5.10.
 inline constexpr int kInStep = -1;
 /// Minor number of the first version that has a function, for each series; 0: all versions of the series.
 struct FirstVersions {

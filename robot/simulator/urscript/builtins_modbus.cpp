@@ -108,7 +108,7 @@ Status getInvalidTime(Call& c) {
     return Status::Done;
 }
 
-/// One value, or a list of values.
+/// Reads an argument that is either one value or a list of values.
 std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
     std::vector<double> given;
     if (c.args[i].is(Value::Type::List)) {

@@ -93,7 +93,7 @@ Status targetPayloadInertia(Call& c) {
     return Status::Done;
 }
 
-// Rows of six numbers: a list of poses (as returned by get_tcp_force()), or a matrix.
+// Returns the rows of six numbers in a list of poses (as returned by get_tcp_force()) or in a matrix.
 std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     std::vector<Vector6> out;
     if (c.args[i].is(Value::Type::Matrix) && c.args[i].matrix().cols == 6) {

@@ -181,7 +181,7 @@ void Compiler::assign(const Stmt& s) {
     if (root != s.target && root->text == "digital_out" && s.target->kind == ExprKind::Index &&
         s.target->children.size() == 2 && s.scope == AssignScope::Unqualified &&
         resolve(root->text).index < 0) {
-        // `digital_out[n] = True`: output syntax of old controllers, still used by python-urx.
+        // `digital_out[n] = True` is the output syntax of old controllers, which python-urx still uses.
         expression(s.target->children[1]);
         expression(s.value);
         emit(Op::CallBuiltin, s.at, findBuiltin("set_digital_out"), 2, -1);

@@ -382,7 +382,7 @@ void Execution::execute(ScriptThread& thread) {
             }
             case Op::EnterCritical:
             case Op::ExitCritical:
-                break;  // threads switch only when they block, and then switching is required anyway
+                break;  // no-op: threads switch only when they block, which critical sections do not prevent
             case Op::Halt:
                 save();
                 settle();

@@ -142,7 +142,7 @@ Expr* ExpressionParser::primary() {
         case TokenKind::LeftParen: {
             Expr* e = expression();
             if (accept(TokenKind::Comma)) {
-                // "(x, y, z)": python-urx sends this instead of a list.
+                // python-urx sends "(x, y, z)" instead of a list.
                 std::vector<Expr*> elements = items(TokenKind::RightParen);
                 elements.insert(elements.begin(), e);
                 return newExpr(ExprKind::ListLiteral, token, std::move(elements));

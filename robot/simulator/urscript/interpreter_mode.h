@@ -60,7 +60,8 @@ public:
 
     // ---- called by the program
 
-    /// Called when the program reaches interpreter_mode(), initially and after each line.
+    /// Result of proceed(), which is called when the program reaches interpreter_mode(), initially and after
+    /// each line.
     enum class Next { Line, Nothing, End };
     Next proceed(bool clearQueueOnEnter, bool clearOnEnd);
     bool isInLine() const { return inLine_; }

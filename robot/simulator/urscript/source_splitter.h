@@ -51,8 +51,8 @@ private:
     int blocks_ = 0;                     // number of open def, if, while ...
     int brackets_ = 0;                   // number of open ( and [
     bool begun_ = false;                 // unit_ contains more than comments
-    std::optional<bool> indented_;       // for the first line inside the outermost block
-    std::vector<bool> openersIndented_;  // for each open block
+    std::optional<bool> indented_;       // whether the first line in the outermost block is indented
+    std::vector<bool> openersIndented_;  // for each open block, whether its opening line is indented
     bool misplacedEnd_ = false;          // an `end` in the first column closed an indented block
     Unit::Kind kind_ = Unit::Kind::Statements;
     std::deque<Unit> ready_;

@@ -154,7 +154,7 @@ public:
         while (xml_.readNextStartElement()) {
             enter("value");
             out.arguments.push_back(value(0));
-            xml_.skipCurrentElement();  // to the end of <param>
+            xml_.skipCurrentElement();  // skip to the end of <param>
         }
         return out;
     }

@@ -34,7 +34,7 @@ Result<std::string> request(const Address& address, std::string_view method,
 /// Errors  ScriptError: HTTP status, malformed reply, fault reported by the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
 
-// For servers.
+// For the server side.
 
 struct MethodCall {
     std::string method;

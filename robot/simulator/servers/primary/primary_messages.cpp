@@ -51,7 +51,7 @@ std::string_view bounded(std::string_view text) {
 }  // namespace
 
 Bytes version(const SoftwareVersion& software) {
-    // Robots send this value, with all bits set, instead of a time stamp (recorded).
+    // Robots send this value, with all bits set, instead of a time stamp. Source: recorded messages.
     constexpr std::uint64_t kNoTime = ~std::uint64_t{0};
     return message(kNoTime, RobotInterface, Version, [&](ByteWriter& out) {
         counted(out, "URControl");

@@ -36,7 +36,7 @@ private:
         ScriptIntake intake;
         std::uint64_t program = 0;  ///< program whose variables were received
         std::uint64_t knows = 0;    ///< received version of KinematicsInfo and ConfigurationData
-        bool hasState = false;      ///< the client was sent the state of this control period
+        bool hasState = false;      ///< the state of this control period was sent to the client
     };
 
     void sendStates(bool evenToTheSlow);

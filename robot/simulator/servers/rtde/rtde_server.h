@@ -72,7 +72,7 @@ private:
         std::optional<OutputRecipe> output;
         unsigned divider = 1;  ///< a package is sent in every n-th control period
         bool started = false;
-        std::optional<double> leaves;     ///< time to close a client beyond the maximum number [s]
+        std::optional<double> leaves;     ///< time at which this surplus client is closed [s]
         std::uint64_t startPeriod = 0;    ///< the period in which START was confirmed
         std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe ID
         struct Waiting {

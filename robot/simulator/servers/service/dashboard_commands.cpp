@@ -403,8 +403,8 @@ std::string DashboardCommands::flightReport(const std::string& type) {
     if (!wanted.empty() && wanted != "CONTROLLER" && wanted != "SOFTWARE" && wanted != "SYSTEM") {
         return "Error: unknown flight report type: " + type;
     }
-    // A controller needs up to minutes for a report. Two requests in quick succession create a report each.
-    // Source: urcl tests.
+    // A controller can take minutes to create a report. Two requests in quick succession create one report
+    // each. Source: urcl tests.
     return "Flight Report generated with id:" + std::to_string(++flightReports_);
 }
 
