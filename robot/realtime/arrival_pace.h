@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Schedules the processing of packages that are sent at regular intervals and arrive with jitter. Processing
-// is regular again, with as little delay as possible. The sender's time stamps define the period, and the
-// arrival times define the phase.
+// Schedules the processing of packages that are sent at regular intervals and arrive with jitter. The
+// processing times are regular, with as little delay as possible. The sender's time stamps define the period,
+// and the arrival times define the phase.
 
 #include <cstdint>
 
@@ -12,7 +12,7 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes
 class ArrivalPace {
 public:
-    /// period  between two packages [s]; no package is delayed by more than half a period or 1 ms
+    /// period  time between two packages [s]; packages are delayed by at most half a period, and at most 1 ms
     explicit ArrivalPace(double period);
 
     /// Adds a package with the time stamp `senderTime` [s]. Time stamps that go backwards or jump reset the

@@ -48,7 +48,7 @@ struct ProgramStopper::Private {
     bool sent = false;    ///< the request was sent on this connection
     bool second = false;  ///< open a second connection for the request
     int states = 0;       ///< robot states received since sending
-    int refusals = 0;     ///< since the request
+    int refusals = 0;     ///< number of refusals since the request
     std::int64_t askedNs = 0;
     std::int64_t sentNs = 0;
     Error outcome;  ///< result of the last request; code None: stopped, or no request
@@ -77,7 +77,7 @@ void ProgramStopper::Private::send() {
     }
     const native_socket::Transfer out = sendStopProgram(socket);
     if (out.status != Status::Ok || out.bytes != kStopProgram.size()) {
-        renew = true;  // connection broken, or its buffer full
+        renew = true;  // the connection is broken or its buffer is full
         return;
     }
     sent = true;

@@ -45,7 +45,7 @@ public:
     /// mutex, changed  members of the client that must outlive this object
     ListenerThread(std::mutex& mutex, std::condition_variable& changed) : mutex_(mutex), changed_(changed) {}
 
-    /// No effect if it is already running.
+    /// Starts the thread. No effect if it is already running.
     /// prepare  called before the start, under the mutex
     template <class Prepare, class Run>
     void begin(Prepare prepare, Run run) {
@@ -92,7 +92,7 @@ private:
     std::array<std::uint8_t, 8192> bytes_;
     std::size_t lastBytes_ = 0;
     bool understands_ = true;
-    std::optional<std::int64_t> heardNs_;  ///< time of the last received bytes; initially of the first wait
+    std::optional<std::int64_t> heardNs_;  ///< time of the last received bytes; initially, time of the first wait
 };
 
 }  // namespace tiller::script

@@ -212,7 +212,7 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
             return refuse(409, QStringLiteral("Not possible now"),
                           QStringLiteral("There is no protective stop"));
         }
-        safety.unlockProtectiveStop(false);  // no delay, because the vendor's client unlocks within one second
+        safety.unlockProtectiveStop(false);  // no delay: the vendor's client unlocks within one second
         return done([&safety] { return !safety.isProtectiveStopped(); });
     }
     if (action == QLatin1String("RESTART_SAFETY")) {
