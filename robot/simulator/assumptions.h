@@ -54,8 +54,7 @@ struct BehaviourOptions {
     /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
     enum class StopReturns : std::uint8_t { Standing, Target };
-    StopReturns stopReturns =
-        StopReturns::Standing;  ///< whether stopj and stopl wait for the arm or its target
+    StopReturns stopReturns = StopReturns::Standing;  ///< whether stopj, stopl wait for the arm or its target
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 

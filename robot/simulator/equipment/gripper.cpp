@@ -154,7 +154,8 @@ void Gripper::step(double dt) {
         if (part >= 1) {
             position_ = kFullyOpen;
             status_ = kActive;
-            fault_ = fault_ == kDelayed ? kNone : fault_;  // execute requests received in the meantime
+            fault_ =
+                fault_ == kDelayed ? kNone : fault_;  // requests received in the meantime are executed next
         }
     } else if (status_ == kActive && goTo_ != 0 && fault_ == kNone) {
         move(requested_, fingerSpeed(), dt);
