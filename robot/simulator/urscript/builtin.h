@@ -66,7 +66,7 @@ public:
     Value result = Value::none();
 
     // kept between the executions of a call
-    bool first = true;       ///< first execution
+    bool first = true;       ///< true in the first execution of the call
     std::int64_t state = 0;  ///< for use by the builtin
     std::int64_t waitedNs = 0;
 
