@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Objects owned by the simulator thread: the robot and its services, which it runs in a cycle.
+// The robot and its services, owned by the simulator thread, and their processing cycle.
 
 #include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/services.h"
@@ -21,7 +21,7 @@ struct ControllerServices {
 
     ControllerModel plant;
     Services services;
-    bool silent = false;  ///< nothing is read or sent; connections stay open
+    bool silent = false;  ///< no data are read or sent; connections stay open
 
 private:
     std::uint64_t boots_ = 0;

@@ -131,7 +131,7 @@ public:
     TickTiming timing();
     void resetTiming();  ///< Restarts the measurement.
 
-    // ---- hooks: each takes effect in the next control period; none waits -------------------------------
+    // ---- hooks: each takes effect in the next control period; no function blocks ------------------------
 
     void protectiveStop();                          ///< Same stop as after a collision.
     void emergencyStop(bool pressed);               ///< Emergency stop button of the pendant.

@@ -2,7 +2,7 @@
 #pragma once
 
 // Drives and sensors of the simulated arm without its motion generator. The caller sets one target per
-// control period, for example from a recording. The simulation is deterministic, without noise and threads.
+// control period, for example from a recording. The simulation is deterministic, without noise or threads.
 // step() does not allocate memory.
 //
 //     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);

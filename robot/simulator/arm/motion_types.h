@@ -104,7 +104,7 @@ struct FreedriveParameters {
     bool followTool = false;  ///< feature "tool": the axes rotate with the tool
 };
 
-/// Behaviour of a real arm that is unknown; see assumptions.h.
+/// Options for unknown behaviour of a real arm; see assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
     bool programStopsScaled = false;  ///< protective stops and abort() run in program time

@@ -29,7 +29,7 @@ constexpr double kRounding = 1e-9;            // relative to an acceleration, an
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
 /// Acceleration as a difference of velocities, without rounding error, so that a constant acceleration
-/// results in constant readings. Clients evaluate the sign of changes of the readings.
+/// results in constant readings. Clients evaluate the sign of differences between readings.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);

@@ -69,13 +69,13 @@ public:
     /// True if the main program came from a program file; false if it was sent over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
-    /// The main program; null if none runs.
+    /// The main program; null if no program runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
     /// The error of the last main program; empty if it did not fail.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Number of main programs started.
     std::uint64_t starts() const { return starts_; }
-    /// Interpreter mode of the main program; null if none runs.
+    /// Interpreter mode of the main program; null if no program runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
