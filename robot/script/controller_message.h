@@ -47,7 +47,7 @@ struct ControllerMessage {
     int line = 0;  ///< for RuntimeException: 1-based, 0 = unknown
     int column = 0;
 
-    /// e.g. "C209A0" for an error code, otherwise empty.
+    /// Name of an error code, e.g. "C209A0"; otherwise empty.
     QString codeName() const;
 };
 

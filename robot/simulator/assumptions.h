@@ -36,7 +36,7 @@ struct BehaviourOptions {
     Data data = Data::Even;  ///< timing of RTDE packages
 
     enum class RealtimeBits : std::uint8_t { Double, Integer };
-    RealtimeBits realtimeBits = RealtimeBits::Double;  ///< digital inputs and outputs on port 30003
+    RealtimeBits realtimeBits = RealtimeBits::Double;  ///< format of the digital I/O on port 30003
 
     enum class Safeguard : std::uint8_t { Pauses, Runs };
     Safeguard safeguard = Safeguard::Pauses;  ///< effect of an open safeguard on the program

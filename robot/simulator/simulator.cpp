@@ -119,7 +119,7 @@ public:
     TickTiming timing;  ///< this and the following members are used by the simulator thread only
     std::chrono::steady_clock::time_point timingBegan;
     double threadSecondsBefore = 0;
-    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read from any thread
+    const RtdeServer* rtde = nullptr;  ///< server in use; its counters may be read from any thread
 
     // Functions called in the simulator thread.
     void resetTiming() {

@@ -40,11 +40,11 @@ struct SimulatorOptions {
         false;  ///< refuse the same requests as a robot in Local control (the vendor's simulator does not)
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
     bool fastTransitions = false;      ///< power on and brake release within a few control periods
-    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
+    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40, some clients wait for the boot to end
     double bootTime = 0;      ///< time from the start to POWER_OFF [s]; above 0, `timestamp` starts at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibration =
-        0;  ///< deviation of the arm from its nominal model, up to this many mm and mrad, as reported
+        0;  ///< maximum deviation of the arm from its nominal model [mm and mrad]; reported to clients
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
     Text programsFolder = {};     ///< folder for `load`; empty: no program files
     Text urcapsFolder = {};       ///< additional stand-ins for URCap nodes, see README.md; empty: none

@@ -32,7 +32,7 @@ public:
     static constexpr int kMaxPhases = 420;
 
     static SpeedProfile plan(const ProfileRequest& request);
-    /// From speed v to rest in `duration`.
+    /// Decelerates from speed v to rest in `duration`.
     static SpeedProfile stop(double v, double duration);
     /// Passes through points with given speeds at path parameters s (ascending, at least two), with constant
     /// acceleration between the points. `zoneStart` is the path parameter where the blend zone begins.

@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static constexpr int kCaught = 125;  ///< consecutive occurrences per reported value
+    static constexpr int kCaught = 125;  ///< number of consecutive occurrences per reported value
     std::bitset<48> written_;
     std::array<std::optional<std::int32_t>, 48> overwritten_{};
     std::array<int, 48> periods_{};

@@ -36,7 +36,7 @@ public:
 
 private:
     static constexpr std::size_t kMaxHandles = 100;
-    static constexpr std::size_t kMaxCalls = 32;  ///< if reached, the oldest is dropped (its thread was killed)
+    static constexpr std::size_t kMaxCalls = 32;  ///< if full, the oldest is dropped (its thread was killed)
 
     struct Call {
         std::string request;

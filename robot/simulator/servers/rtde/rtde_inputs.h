@@ -19,7 +19,7 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// One input recipe of one client.
+/// An input recipe of a client.
 struct InputRecipe {
     std::vector<std::size_t> fields;  ///< indices into rtde::inputFields()
     rtde::ValueLayout layout;
