@@ -68,7 +68,8 @@ struct InputRegisters::Private {
         return {};
     }
 
-    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by an explicit
+    /// check.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == rtde::Connection::Read::Nothing;

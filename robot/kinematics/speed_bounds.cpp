@@ -41,7 +41,7 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
     const Vector6 qd = way / largest;
     double tcp = 0;
     double elbow = 0;
-    // A single joint carries both points on circles around its axis, at constant speeds.
+    // If only one joint moves, both points move on circles around its axis at constant speed.
     const bool isSingleJoint = (way.array() != 0).count() == 1;
     const int last = isSingleJoint ? 0 : kJointSamples;
     for (int i = 0; i <= last; ++i) {
