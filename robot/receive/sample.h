@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The layout
-// is fixed for the lifetime of a receiver and independent of the robot; values that a robot does not send are NaN.
+// One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The
+// layout is fixed for the lifetime of a receiver and independent of the robot. Values that a robot does not
+// send are NaN.
 
 #include <QStringList>
 #include <cmath>
@@ -62,8 +63,8 @@ public:
     SampleLayout& operator=(const SampleLayout&) = delete;
 };
 
-/// A sentence for each name that is not an RTDE output, e.g. "there is no RTDE output \"actual_qq\": did you mean
-/// \"actual_q\"?"
+/// One sentence for each name that is not an RTDE output, e.g. "there is no RTDE output \"actual_qq\": did
+/// you mean \"actual_q\"?"
 QStringList unknownOutputs(const std::vector<std::string>& names);
 
 struct Sample {

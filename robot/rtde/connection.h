@@ -2,8 +2,8 @@
 #pragma once
 
 // An RTDE connection: opens a native socket, runs the handshake within a deadline, and then transfers data
-// packages without allocating. It has no thread: one thread reads, and one thread at a time may send. The
-// destructor closes the socket immediately, whatever state the peer is in.
+// packages without allocating. The class starts no threads: one thread reads, and one thread at a time may
+// send. The destructor closes the socket immediately, regardless of the state of the peer.
 
 #include <QString>
 #include <chrono>
@@ -30,8 +30,8 @@ class Connection {
 public:
     /// Connects and performs the handshake.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout, Cancelled,
-    ///          ProtocolError, FieldUnknown (the controller has none of the outputs), RegisterInUse, Rejected;
-    ///          the context names host and port
+    ///          ProtocolError, FieldUnknown (the controller has none of the outputs), RegisterInUse,
+    ///          Rejected; the context contains host and port
     /// Threads  any. Blocks: until the deadline at most. Real-time: no
     static Result<std::unique_ptr<Connection>> open(const ConnectionOptions& options,
                                                     const Deadline& deadline);
@@ -58,8 +58,9 @@ public:
         Failed,    ///< the connection failed
         Malformed  ///< the received bytes are not RTDE; see error()
     };
-    /// Waits for the next data package and decodes it. Packages of other types are consumed; text messages are
-    /// kept in session(). With a zero time the function only checks for received packages.
+    /// Waits for the next data package and decodes it. Packages of other types are consumed; text messages
+    /// are stored in session(). With a zero time, the function only checks for packages that have already
+    /// arrived.
     /// values   at least outputs().size() numbers
     /// waker    may end the wait early; the result is then Nothing
     /// Blocks: atMost. Real-time: yes (two system calls per package)
@@ -69,7 +70,7 @@ public:
     /// wire  set to the bytes that decodeEach() reads with outputs().layout(); valid until the next call
     Read readWire(ByteView& wire, std::chrono::nanoseconds atMost,
                   const native_socket::EventFd* waker = nullptr);
-    /// Returns  true if another package has already been received, so that readPackage() will not block
+    /// Returns true if another package has already been received, so that readPackage() will not block.
     bool hasPackage() const;
 
     enum class Send {
