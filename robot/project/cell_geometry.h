@@ -21,7 +21,7 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
     Pose pose;    ///< of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
@@ -29,11 +29,11 @@ struct CellBox {
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// The XY plane of its pose is the border; the arm stays on the +Z side.
+/// A plane: the XY plane of its pose is the border, and the arm stays on the +Z side.
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;
