@@ -61,7 +61,7 @@ void IncidentWatch::restart() {
         QMetaObject::invokeMethod(
             this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
     };
-    // Starting the box may first write an incident of the previous connection, so the worker does it.
+    // Starting the box may first write an incident of the previous connection, so this is done by the worker.
     worker_.post(this, [this, options, receiver = session_.sharedReceiver()](const CancelToken&) {
         static_cast<void>(box_.start(options, *receiver));
         return std::function<void()>([this] {

@@ -118,9 +118,9 @@ public:
     /// What to do with a program of another client that runs or is paused on the robot.
     enum class ForeignProgram { Ask, Stop };
     /// Uploads the control script. Requires RUNNING, and Remote control if the controller supports it. This
-    /// ends any other program on the robot. If there is one and `program` is not Stop, takeControl() only
-    /// emits takeControlQuestion(). If there are no data from the robot, it only emits a message with the
-    /// reason.
+    /// ends any other program on the robot. Unless `program` is Stop, takeControl() only emits
+    /// takeControlQuestion() if there is such a program, and only a message with the reason if there are no
+    /// data from the robot.
     void takeControl(ForeignProgram program = ForeignProgram::Ask);
     /// Ends the control program, so that others can use the robot.
     void releaseControl();
