@@ -16,7 +16,7 @@ namespace tiller::collision {
 struct ArmProportions {
     double shoulderOffset = 0;  ///< from axis 1 to the upper arm tube, along axis 2
     double elbowOffset = 0;     ///< from axis 1 to the forearm tube, along axis 2
-    double baseHeight = 0;      ///< of the fixed part
+    double baseHeight = 0;      ///< height of the fixed part
     double baseRadius = 0;
     double shoulderRadius = 0;  ///< joints 1 and 2
     double upperRadius = 0;     ///< tube of the upper arm

@@ -214,7 +214,7 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
 void CollisionCheck::dropWhatNeverNearsABorder() {
     constexpr int kSteps = 4;              // per turn; the height is a sine function of each joint position
     constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
-    constexpr int kLastFixedLink = 2;      // the third joint changes the height
+    constexpr int kLastFixedLink = 2;      // joint 3 changes the height
     std::array<Placement, kSteps * kSteps> placements;
     for (std::size_t n = 0; n < placements.size(); ++n) {
         constexpr double kStep = 2 * std::numbers::pi / kSteps;

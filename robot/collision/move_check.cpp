@@ -18,7 +18,7 @@ constexpr double kJump = 0.5;  // joint change in one step that indicates anothe
 // Same thresholds as for slowing down a jog.
 constexpr double kNearWrist = 0.03;     // |sin q5|
 constexpr double kNearElbow = 0.05;     // |sin q3|
-constexpr double kNearShoulder = 0.02;  // of the wrist centre from axis 1 [m]
+constexpr double kNearShoulder = 0.02;  // distance of the wrist centre from axis 1 [m]
 
 MoveLimit::Singular nearSingularity(const DhParameters& dh, const JointPositions& q, double widened) {
     const kinematics::SingularityMeasure measure = kinematics::singularityMeasure(dh, q);
@@ -64,7 +64,7 @@ std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffs
         }
         int joint = 0;
         if ((next->values - before.values).cwiseAbs().maxCoeff(&joint) > kJump) {
-            // A full turn means that the joint would have exceeded its range.
+            // A full turn indicates that the joint would have exceeded its range.
             limit.kind = std::abs(next->values[joint] - before.values[joint]) > 6.0
                              ? MoveLimit::Kind::JointRange
                              : MoveLimit::Kind::Singularity;

@@ -16,7 +16,7 @@ struct Move {
     JointPositions from;
     JointPositions to;  ///< for a line: the TCP moves to the pose of these positions, in any configuration
     bool linear = false;
-    double speed = 1.05;        ///< [rad/s] of the joint with the largest rotation, or [m/s] when linear
+    double speed = 1.05;        ///< [rad/s] of the joint with the largest rotation, or [m/s] for a line
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
 };
 
@@ -39,7 +39,7 @@ struct MoveLimit {
     double share = 0;           ///< position along the path, 0 ... 1
     Pose tcp;                   ///< pose at this position, base frame
 
-    /// True if the move ends at the limitation. Near a singularity it only slows down.
+    /// True if the move ends at the limitation. Near a singularity the move only slows down.
     bool ends() const { return kind != Kind::NearSingularity; }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Obstacles in the base frame and the tool, for the collision check.
+// Obstacles in the base frame, and the tool, for the collision check.
 
 #include <QString>
 #include <vector>
@@ -13,7 +13,7 @@ namespace tiller::collision {
 /// A solid box.
 struct Obstacle {
     QString name;
-    Pose pose;  ///< of the centre; the edges are parallel to its axes [m, rad]
+    Pose pose;  ///< pose of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
 };
 

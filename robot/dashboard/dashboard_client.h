@@ -77,9 +77,9 @@ public:
     Result<ProgramState> programState(const Deadline& deadline);
     /// path  relative to the programs folder
     Result<void> loadProgram(const Text& path, const Deadline& deadline);
-    Result<void> play(const Deadline& deadline);   ///< Starts or resumes the loaded program.
-    Result<void> pause(const Deadline& deadline);  ///< Pauses the running program.
-    Result<void> stop(const Deadline& deadline);   ///< Stops the running program.
+    Result<void> play(const Deadline& deadline);  ///< Starts or resumes the loaded program.
+    Result<void> pause(const Deadline& deadline);
+    Result<void> stop(const Deadline& deadline);
 
     // Pendant
     Result<void> popup(const Text& text, const Deadline& deadline);

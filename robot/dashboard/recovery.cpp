@@ -35,7 +35,7 @@ bool isTooEarly(const DashboardClient&, const Error& error) {
     return error.controllerMessage.contains(QLatin1String("until 5s"));
 }
 bool isTooEarly(const RobotApiClient&, const Error& error) {
-    return error.controllerMessage.startsWith(QLatin1String("409"));  // "not available now"
+    return error.controllerMessage.startsWith(QLatin1String("409"));  // HTTP status for "not available now"
 }
 
 /// Whether the error is a connection failure that can occur while a controller restarts.

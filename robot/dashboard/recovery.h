@@ -27,8 +27,8 @@ struct RecoveryConsent {
 
 enum class RecoveryStep {
     Look,              ///< reads the modes; also repeated until they change
-    CloseSafetyPopup,  ///< once, before an unlock
-    WaitForUnlock,     ///< waits kUnlockAfter, during which the controller refuses to unlock
+    CloseSafetyPopup,  ///< closes the safety popup once, before an unlock
+    WaitForUnlock,     ///< waits for kUnlockAfter, while the controller refuses to unlock
     Unlock,            ///< unlock a protective stop
     RestartSafety,     ///< after a violation or fault
     PowerOn,

@@ -154,7 +154,7 @@ public:
     }
 
 private:
-    /// First version of the API that supports queries and the other load command.
+    /// First version of the API that supports queries and the changed load command.
     static inline const QVersionNumber kAsksAndLoads{3, 1, 4};
 
     template <class T>

@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 struct InputRegisters::Private {
     InputRegistersOptions options;
     Newest newest;
-    std::vector<std::string> names;  ///< one recipe per name
+    std::vector<std::string> names;  ///< register names, with one recipe each
     mutable std::mutex mutex;
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};

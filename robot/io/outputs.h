@@ -63,7 +63,7 @@ struct OutputsOptions {
     std::uint16_t port = rtde::kPort;
 };
 
-/// Threads  any; calls are serialized. There is no internal thread: call from a worker, because confirmation
+/// Threads  any; calls are serialized. There is no internal thread. Call from a worker, because confirmation
 ///          blocks.
 class Outputs {
 public:
@@ -72,7 +72,7 @@ public:
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// Opens a new connection, replacing an existing one. The set functions call it when there is no connection.
+    /// Opens a new connection, replacing an existing one. The set functions connect automatically.
     /// Errors  as rtde::Connection::open; inputs used by other clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
     /// Disconnects and ends waiting calls. Waits for a connection attempt in progress; the token of its

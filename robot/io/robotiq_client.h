@@ -86,10 +86,10 @@ public:
     /// Errors  Rejected: the reply was not an acknowledgement
     Result<void> set(const Values& values, const Deadline& deadline);
 
-    /// Reads the complete RobotiqState; empty if the gripper has no power or its cable is disconnected.
+    /// Reads the complete state. Empty if the gripper has no power or its cable is disconnected.
     Result<std::optional<RobotiqState>> look(const Deadline& deadline);
-    /// Resets the gripper and starts the activation, which opens and closes the fingers once and releases a held
-    /// object. Use look() to find out when it is complete.
+    /// Resets the gripper and starts the activation, which opens and closes the fingers once and releases a
+    /// held object. Use look() to find out when the activation is complete.
     /// Errors  Rejected: the gripper does not reset
     Result<void> beginActivation(const Deadline& deadline);
     /// Starts a motion, and returns when the gripper has accepted it. Until then, the reported state is that

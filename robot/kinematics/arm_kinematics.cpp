@@ -44,7 +44,7 @@ Matrix6 jacobianAt(const std::array<Eigen::Isometry3d, 7>& frames, const Eigen::
     return J;
 }
 
-/// The twist in the base frame that moves one pose to the other in unit time.
+/// The twist in the base frame that moves `actual` to `target` in unit time.
 Vector6 difference(const Eigen::Isometry3d& target, const Eigen::Isometry3d& actual) {
     Vector6 result;
     result << target.translation() - actual.translation(),
@@ -102,7 +102,7 @@ double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, doubl
     return std::copysign(wanted, now) - now;
 }
 
-/// Refines and wraps a closed-form candidate and adds it if it is new.
+/// Refines and wraps a closed-form candidate, and adds it unless it is a duplicate.
 void keep(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositions q, InverseSolutions& into) {
     for (int i = 0; i < kJointCount; ++i) {
         q[i] -= dh.theta[static_cast<std::size_t>(i)];
@@ -158,7 +158,7 @@ Matrix6 jacobian(const DhParameters& dh, const JointPositions& q, const Pose& tc
 
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity) {
-    // Rounding can put poses on the boundary of the workspace slightly outside.
+    // Rounding can move poses on the boundary of the workspace slightly outside.
     constexpr double kEdge = 1e-8;
     constexpr double kWristSingular = 1e-8;
 
@@ -188,8 +188,8 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
         const double theta1 = heading + shoulderSide * std::atan2(alongArm, d4);
         const double s1 = std::sin(theta1);
         const double c1 = std::cos(theta1);
-        // Components of axis 6 and of the flange's x and y along axis 2: cos theta5, and sin theta5 times cos and
-        // -sin of theta6.
+        // Components of axis 6 and of the flange's x and y axes along axis 2: cos theta5, and sin theta5
+        // multiplied by cos theta6 and by -sin theta6.
         const double cos5 = R(0, 2) * s1 - R(1, 2) * c1;
         const double alongX = R(0, 0) * s1 - R(1, 0) * c1;
         const double alongY = -R(0, 1) * s1 + R(1, 1) * c1;

@@ -30,8 +30,8 @@ struct Demonstration {
 /// Permitted deviation of the taught positions from the reduced path. Both limits apply. Between two kept
 /// positions the path is linear in joint space, as with MoveJ.
 struct PathTolerance {
-    double joints = 0.0087;  ///< of each joint [rad], 0.5 deg
-    double tcp = 0.001;      ///< of the TCP [m]
+    double joints = 0.0087;  ///< deviation of each joint [rad], 0.5 deg
+    double tcp = 0.001;      ///< deviation of the TCP [m]
 };
 
 struct KeptPlace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References use
-// the id; users see the name.
+// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References
+// use the id, and the user interface shows the name.
 
 #include <QString>
 #include <QUuid>
@@ -30,12 +30,12 @@ public:
     auto begin() const { return entities_.begin(); }
     auto end() const { return entities_.end(); }
     void append(Entity entity) { entities_.push_back(std::move(entity)); }
-    /// index  of the new entry, 0 ... size()
+    /// index  of the inserted entry, 0 ... size()
     void insert(std::size_t index, Entity entity) {
         const std::size_t at = std::min(index, entities_.size());
         entities_.insert(entities_.begin() + static_cast<std::ptrdiff_t>(at), std::move(entity));
     }
-    /// Replaces an entry at the same index.
+    /// Replaces the entry at this index.
     void replace(std::size_t index, Entity entity) { entities_.at(index) = std::move(entity); }
     void remove(std::size_t index) {  ///< Removes an entry; later entries move up.
         if (index < entities_.size()) {

@@ -34,9 +34,9 @@ struct FramePointsCheck {
         InLine,     ///< the distance of the third point from the X axis is below kMinFrameOffset
     };
     Problem problem = Problem::Incomplete;
-    double alongX = 0;                                    ///< from the origin to the point on +X [m]
-    double towardsY = 0;                                  ///< from the origin to the third point [m]
-    double offLine = 0;                                   ///< from the X axis to the third point [m]
+    double alongX = 0;                                    ///< distance from the origin to the point on +X [m]
+    double towardsY = 0;                                  ///< distance from the origin to the third point [m]
+    double offLine = 0;                                   ///< distance from the X axis to the third point [m]
     bool ok() const { return problem == Problem::None; }  ///< True if the points define a frame.
 };
 

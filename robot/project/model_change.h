@@ -26,7 +26,7 @@ enum class Keep {
 };
 
 struct ModelChange {
-    Project project;  ///< for the new arm, as stated in Project::robot
+    Project project;  ///< the converted project; Project::robot is the new model
     /// Names of waypoints that the new arm cannot reach. They keep their pose, which becomes the target, so that
     /// they remain marked as unreachable.
     QStringList unreachable;

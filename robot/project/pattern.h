@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. It remains
-// editable and creates ordinary waypoints.
+// A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. The
+// pattern remains editable and creates ordinary waypoints.
 
 #include <array>
 #include <vector>

@@ -20,7 +20,7 @@ inline constexpr int kMaxProgramSteps = 100'000;  ///< maximum number of steps i
 struct ProgramStep {
     QUuid id;
     QString kind;        ///< "moveJ"; see robot/station/program/step_kind.h
-    QJsonObject fields;  ///< by name; numbers in SI units, references as ids
+    QJsonObject fields;  ///< indexed by name; numbers in SI units, references as ids
     bool disabled = false;
     std::vector<ProgramStep> steps;  ///< steps inside a section
     friend bool operator==(const ProgramStep&, const ProgramStep&) = default;

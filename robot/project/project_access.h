@@ -31,7 +31,7 @@ public:
     struct Check {
         std::optional<LockOwner> owner;  ///< the other window that has the project open
         bool changedByOther = false;     ///< the file has content that this window has not read
-        QByteArray fingerprint;          ///< of the current file; empty if missing or unreadable
+        QByteArray fingerprint;          ///< fingerprint of the current file; empty if missing or unreadable
     };
 
     /// path  of the file, which need not exist. The constructor does not access the file.
@@ -39,9 +39,9 @@ public:
 
     // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no
 
-    /// Takes the lock if it is free, and reads the file. Later saves expect this content.
-    /// replaced  revision of the document that the content replaces: pending saves of this and older revisions are
-    ///           skipped
+    /// Takes the lock if it is free, and reads the file. Later saves require this content.
+    /// replaced  revision of the document that the content replaces. Pending saves of this and older
+    ///           revisions are skipped.
     /// Errors    as loadProject()
     Result<Project> load(std::optional<std::uint64_t> replaced = std::nullopt);
     /// Like load(), for a damaged file.

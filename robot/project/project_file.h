@@ -86,7 +86,7 @@ struct RecoveredProject {
     int lostFrames = 0;
     int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes, paths and programs
     int lostObstacles = 0;   ///< lost boxes and planes; the arm does not avoid them
-    QByteArray fingerprint;  ///< of the file's content; empty if not read from a file
+    QByteArray fingerprint;  ///< fingerprint of the content; empty if not read from a file
 };
 
 /// A project and the content it was read from.
@@ -114,7 +114,7 @@ Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< Like r
 /// The result of saving.
 struct SaveReport {
     QString keptCopy;             ///< e.g. "cell-7.tiller.damaged-1"; empty if there was no damaged file
-    QByteArray fingerprint;       ///< of the written content
+    QByteArray fingerprint;       ///< fingerprint of the written content
     bool changedByOther = false;  ///< not written: the file has content that this program has not read
 };
 

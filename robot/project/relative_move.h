@@ -16,9 +16,9 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 struct RelativeMove {
     enum class Kind {
-        Offset,  ///< by `offset` along the axes
-        Turn,    ///< by `angle` about `axis` through the origin of the frame
-        Mirror,  ///< at the plane through the origin of the frame that is normal to `axis`
+        Offset,  ///< translation by `offset` along the axes
+        Turn,    ///< rotation by `angle` about `axis` through the origin of the frame
+        Mirror,  ///< reflection in the plane through the frame's origin normal to `axis`
     };
     enum class Axes {
         Frame,  ///< axes of `frame`

@@ -56,13 +56,13 @@ struct Waypoint {
     QUuid frame;     ///< reference frame of `pose`; null: base frame
     Pose tcpOffset;  ///< flange to TCP during teaching [m, rad]
     JointPositions joints;
-    Pose pose;                               ///< of the TCP, in `frame`
+    Pose pose;                               ///< TCP pose in `frame`
     double jointSpeed = kDefaultJointSpeed;  ///< used by MoveJ [rad/s]
     double toolSpeed = kDefaultToolSpeed;    ///< used by MoveL [m/s]
     double blend = 0;                        ///< [m]; 0: stop at the point
     QString group;                           ///< group name; may be empty
     WaypointColour colour = WaypointColour::None;
-    QString note;             ///< may have several lines
+    QString note;             ///< may contain several lines
     WaypointActions actions;  ///< executed at the waypoint in this order
     PatternPlace place;       ///< position in the pattern that created it
     WaypointHistory history;

@@ -33,11 +33,11 @@ public:
     int indexOf(const QUuid& id) const;
     int indexOfName(const QString& name) const;  ///< Returns -1 if there is no such name.
 
-    /// index  of the new waypoint, 0 ... size()
+    /// index  of the inserted waypoint, 0 ... size()
     void insert(int index, Waypoint waypoint);
     void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
     Waypoint take(int index);                    ///< Removes and returns a waypoint; later ones move up.
-    void replace(int index, Waypoint waypoint);  ///< Replaces a waypoint at the same index.
+    void replace(int index, Waypoint waypoint);  ///< Replaces the waypoint at this index.
     void move(int from, int to);
     void clear() { waypoints_.clear(); }
 

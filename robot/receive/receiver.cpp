@@ -94,7 +94,7 @@ struct Subscription::Stream {
     realtime::BroadcastRing ring;
     std::atomic<bool> ended{true};  ///< the receiver is not running, so no more data arrive
     mutable realtime::WakeUp wakeUp;
-    mutable std::mutex factsMutex;  ///< never locked while data flow
+    mutable std::mutex factsMutex;  ///< never locked while data are received
     Error lastError;
 
     /// The error returned by a failed wait.
@@ -175,7 +175,7 @@ struct Receiver::Worker {
     std::atomic<bool> receiving{false};  ///< the newest sample belongs to the current connection
     std::atomic<bool> resetWanted{false};
     realtime::Seqlock<realtime::Histogram> intervalsShown;
-    mutable std::mutex factsMutex;  // never locked while data flow
+    mutable std::mutex factsMutex;  // never locked while data are received
     SoftwareVersion version;
     double period = 0;
     std::vector<std::string> absent;
@@ -190,7 +190,7 @@ struct Receiver::Worker {
     realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
-    bool hasPrevious = false;  ///< in the current connection
+    bool hasPrevious = false;  ///< a previous package exists in the current connection
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
 

@@ -44,7 +44,7 @@ public:
     /// Number of values in a sample.
     std::size_t size() const { return size_; }
     const Entry* find(
-        std::string_view name) const;  ///< Returns  null if the layout does not contain the field
+        std::string_view name) const;  ///< Returns null if the layout does not contain the field.
     /// Index of a component by its name in recordings, e.g. "actual_q_0", "robot_mode".
     std::optional<std::size_t> indexOfComponent(std::string_view component) const;
     /// Names in the order of the values, e.g. "actual_q_0".

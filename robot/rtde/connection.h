@@ -39,7 +39,7 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    const SoftwareVersion& version() const;     ///< Software version of the controller.
+    const SoftwareVersion& version() const;
     ProtocolVersion protocol() const;           ///< V2, or V1 with old software.
     const Recipe& outputs() const;              ///< The output recipe as accepted by the controller.
     const std::vector<Recipe>& inputs() const;  ///< The input recipes as accepted by the controller.
@@ -49,7 +49,7 @@ public:
     double period() const;
     /// Address for messages, e.g. "192.168.0.10:30004".
     const QString& peer() const;
-    native_socket::Descriptor descriptor() const;  ///< Descriptor of the socket.
+    native_socket::Descriptor descriptor() const;
 
     enum class Read {
         Package,   ///< the values were filled

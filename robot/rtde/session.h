@@ -60,7 +60,7 @@ public:
     void handle(const PackageView& package, Bytes& out);
     /// Requests data packages. Allowed in Ready and Running; ignored otherwise.
     void start(Bytes& out);
-    void pause(Bytes& out);  ///< Requests a pause.
+    void pause(Bytes& out);
 
     State state() const { return state_; }
     bool isFailed() const { return state_ == State::Failed; }
@@ -70,9 +70,9 @@ public:
     /// The pending reply, for messages, e.g. "the reply to RTDE_GET_URCONTROL_VERSION".
     QString awaited() const;
 
-    ProtocolVersion protocol() const { return protocol_; }       ///< The negotiated protocol version.
-    const SoftwareVersion& version() const { return version_; }  ///< Software version of the controller.
-    const Recipe& outputs() const { return outputs_; }           ///< Recipe of the data packages.
+    ProtocolVersion protocol() const { return protocol_; }
+    const SoftwareVersion& version() const { return version_; }
+    const Recipe& outputs() const { return outputs_; }  ///< Recipe of the data packages.
     /// One recipe per InputRequest, in the same order; a refused recipe is invalid.
     const std::vector<Recipe>& inputs() const { return inputs_; }
     /// Names used by other clients, per input recipe.

@@ -20,9 +20,9 @@ namespace tiller {
 struct StopRecord {
     struct Point {
         double time = 0;                      ///< the controller's time stamp [s]
-        double force = 0;                     ///< at the TCP [N]
-        double speed = 0;                     ///< of the TCP [m/s]
-        Vector6 current = Vector6::Zero();    ///< of the joints [A]
+        double force = 0;                     ///< force at the TCP [N]
+        double speed = 0;                     ///< TCP speed [m/s]
+        Vector6 current = Vector6::Zero();    ///< joint currents [A]
         Vector6 deviation = Vector6::Zero();  ///< measured minus target current [A]
     };
 

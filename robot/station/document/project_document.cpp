@@ -608,7 +608,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
 
 std::vector<project::Waypoint> ProjectDocument::takeRaw(const QVector<int>& rows) {
     std::vector<project::Waypoint> taken;
-    // Adjacent rows are removed together, starting with the last run.
+    // Adjacent rows are removed as one range, starting with the last range.
     for (auto to = static_cast<int>(rows.size()); to > 0;) {
         int from = to - 1;
         while (from > 0 && rows[from - 1] == rows[from] - 1) {

@@ -142,7 +142,7 @@ private:
     Obstacle obstacle_ = Obstacle::None;
     std::optional<project::LockOwner> owner_;
     std::optional<QByteArray> announced_;  ///< content by another program that was reported
-    std::uint64_t revision_ = 0;           ///< of the document; detects late completions of saves
+    std::uint64_t revision_ = 0;           ///< document revision; detects late completions of saves
     Access access_;                        ///< null if there is no file
     std::shared_ptr<project::CopyKeeper> keeper_;
     SerialExecutor worker_;  ///< runs automatic saves

@@ -11,7 +11,7 @@
 
 namespace tiller::waypoint_exchange {
 
-/// UTF-8, comma separated, quoted where needed (RFC 4180), one heading line.
+/// Writes UTF-8, comma separated, quoted if necessary (RFC 4180), with one heading line.
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
 /// Accepts commas, semicolons or tabs as separators, whichever is most frequent in the first line.
 /// Errors   InvalidArgument with line and column; a file with an error is rejected as a whole
@@ -26,7 +26,7 @@ struct Imported {
     std::vector<project::Waypoint> waypoints;  ///< with new ids
     std::vector<project::Frame> frames;        ///< frames used by the waypoints and missing in the project
 };
-/// If the project has a frame of the same name, that frame is used.
+/// If the project has a frame with the same name, that frame is used.
 /// Errors   as project::parseProject
 Result<Imported> fromJson(const QByteArray& bytes, const project::FrameList& frames);
 

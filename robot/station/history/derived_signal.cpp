@@ -81,7 +81,7 @@ private:
     static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
 };
 
-/// An expression over the values of one sample.
+/// An expression that is evaluated for the values of one sample.
 class Expression : public DerivedSignal {
 public:
     /// Returns the error message, or an empty string.
@@ -222,7 +222,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // A single "=" would make the parser assign to the signal.
+    // The parser would interpret a single "=" as an assignment to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {

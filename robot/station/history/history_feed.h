@@ -40,13 +40,13 @@ public:
     /// Interruptions that ended since the last call.
     std::vector<Silence> takeDataGaps() { return std::exchange(silences_, {}); }
 
-    /// Rows lost because the window was too slow for the ring buffer.
+    /// Number of rows lost because the window did not read the ring buffer in time.
     std::uint64_t overrun() const { return overrun_; }
     /// Number of gaps in the history so far, from any cause.
     std::uint64_t gaps() const { return gaps_; }
 
 private:
-    /// Signals added to a history from each batch.
+    /// Converts the samples of each batch to rows of one history.
     struct Intake {
         std::shared_ptr<const receive::SampleLayout> layout;  ///< layout for which `places` is valid
         std::vector<std::size_t> places;                      ///< index of each column in a sample

@@ -43,7 +43,7 @@ public:
         Turn,   ///< reads the next part of the missing data
     };
     /// Reads the data needed to draw these samples with this number of pixel columns.
-    /// Returns  true when another call would improve the resolution
+    /// Returns  true if another call would improve the resolution
     bool sharpen(std::int64_t begin, std::int64_t end, int pixelColumns, Effort effort);
 
     void fill(std::int64_t block) override;
@@ -70,7 +70,7 @@ private:
     /// The coarsest resolution of any column in this block [rows].
     std::int64_t resolutionOf(std::int64_t block) const;
     /// Reads extents of `rowsEach` rows for the blocks first ... last, `mostExtents` extents at most.
-    /// Returns  true when something was read
+    /// Returns  true if something was read
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);
     Result<void> readExtents(std::span<const Column> columns, recording::RowRange range,
                              std::int64_t rowsEach);

@@ -16,7 +16,7 @@ class SignalStore;
 struct Threshold {
     QString key;        ///< key of the signal
     double limit = 0;   ///< in the unit of the signal
-    bool above = true;  ///< alarms above the limit; false: below
+    bool above = true;  ///< true: alarm above the limit; false: below
 
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };

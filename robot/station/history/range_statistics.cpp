@@ -148,7 +148,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         std::int64_t first = std::numeric_limits<std::int64_t>::max();
         std::int64_t end = 0;
     };
-    std::map<QString, Missing> files;  // by recording name
+    std::map<QString, Missing> files;  // grouped by recording name
     std::int64_t asked = 0;
     std::int64_t missing = 0;
     bool isMemoryMissing = false;

@@ -19,7 +19,7 @@ namespace tiller {
 struct ReplayMoment {
     QString source;          ///< name of the recording; empty: the history
     double time = 0;         ///< on the plots' time axis [s]
-    QDateTime wallTime;      ///< invalid: unknown
+    QDateTime wallTime;      ///< invalid if unknown
     receive::Sample sample;  ///< empty: no data at that time
     double seconds = 0;      ///< since the first row of the recording; 0 for the history
     /// The log of the recording; null for the history, which uses the log of the window.

@@ -168,7 +168,7 @@ private:
         std::shared_ptr<DerivedSignal> derivation;
         std::vector<int> inputs;        ///< signal numbers
         std::vector<int> inputColumns;  ///< columns in the same table
-        double computedPart = 1;        ///< for a long recording
+        double computedPart = 1;        ///< available fraction, for a long recording
         bool isComputing = false;
     };
 

@@ -16,7 +16,7 @@ QString moveSpeedText(const MoveRequest& request, const SessionState& state);
 
 /// Maximum speed of a hold-to-run motion, as selected next to the jog buttons.
 struct HeldSpeed {
-    double tcp = std::numeric_limits<double>::infinity();       ///< of TCP and elbow [m/s]
+    double tcp = std::numeric_limits<double>::infinity();       ///< maximum speed of TCP and elbow [m/s]
     double rotation = std::numeric_limits<double>::infinity();  ///< [rad/s]
     double joint = std::numeric_limits<double>::infinity();     ///< [rad/s]
 };

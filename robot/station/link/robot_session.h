@@ -203,9 +203,11 @@ Q_SIGNALS:
     void noteAdded(const QString& text, qint64 utcNs);
     /// The robot's service has replied to a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
-    /// takeControl() would end a program of another client. Repeat it with ForeignProgram::Stop if the operator agrees.
+    /// takeControl() would end a program of another client. Call it again with ForeignProgram::Stop if the
+    /// operator agrees.
     void takeControlQuestion();
-    /// RobotServices::perform(PowerOff) would end a program of another client. Repeat it confirmed if the operator agrees.
+    /// RobotServices::perform(PowerOff) would end a program of another client. Call it again with `confirmed`
+    /// if the operator agrees.
     void powerOffQuestion();
     /// A complete message of the controller. It is also emitted as message().
     void controllerMessage(const tiller::script::ControllerMessage& message);

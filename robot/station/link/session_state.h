@@ -139,7 +139,7 @@ struct SessionState {
     RecordingState recording;
 
     double robotTime = 0;        ///< the controller's time stamp [s]
-    std::uint64_t sequence = 0;  ///< of the displayed sample; 0: no sample yet
+    std::uint64_t sequence = 0;  ///< number of the displayed sample; 0: no sample yet
 
     /// The robot's model with its calibrated kinematics.
     RobotModel arm() const {

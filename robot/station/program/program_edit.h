@@ -55,7 +55,7 @@ project::Program withNested(const project::Program& program, const QSet<QUuid>& 
 project::Program withUnnested(const project::Program& program, const QSet<QUuid>& ids);
 /// Inserts copies of the steps after the last of them, at the same level.
 project::Program withDuplicates(const project::Program& program, const QSet<QUuid>& ids);
-/// Disables the steps, or enables them again.
+/// Disables or enables the steps.
 project::Program withDisabled(project::Program program, const QSet<QUuid>& ids, bool disabled);
 /// Sets a field of a step. An undefined value removes the field.
 project::Program withField(project::Program program, const QUuid& step, const QString& key,

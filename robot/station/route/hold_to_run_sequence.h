@@ -26,7 +26,7 @@ public:
     virtual ~SequenceStep() = default;
     /// stops  MotionPort::stops when the button was pressed
     virtual Result<void> begin(std::uint64_t stops) = 0;
-    /// Keeps the step alive; call at least every 100 ms.
+    /// Keeps the step active. Call at least every 100 ms.
     virtual Result<State> hold() = 0;
     /// Ends the step early. No part of the step continues afterwards.
     virtual void end(control::StopCause cause) = 0;

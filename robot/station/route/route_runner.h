@@ -53,7 +53,7 @@ public:
     /// The action being executed, or null.
     const project::WaypointAction* acting() const;
 
-    /// The motion for a button.
+    /// The hold-to-run motion for the button of this direction.
     HoldMotion motion(Way way);
     /// Reason why the route does not allow this direction, as a sentence; empty if it does. Does not depend
     /// on the robot.

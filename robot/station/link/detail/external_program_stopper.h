@@ -21,7 +21,7 @@
 
 namespace tiller {
 
-/// Threads  GUI; the destructor any
+/// Threads  GUI; any thread for the destructor
 class ExternalProgramStopper {
 public:
     /// context  receives the replies in its thread; must outlive this object
