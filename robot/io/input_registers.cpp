@@ -114,7 +114,7 @@ struct InputRegisters::Private {
         }
         const auto settled = [&] {
             const auto reported = newest(name);
-            return !reported || *reported == value;  // not received, or confirmed
+            return !reported || *reported == value;  // field not received, or value confirmed
         };
         if (waitUntil(deadline, settled)) {
             return {};

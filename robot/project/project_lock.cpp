@@ -110,8 +110,8 @@ std::optional<LockOwner> ProjectLock::acquire() {
 }
 
 Result<void> ProjectLock::takeOver() {
-    // After the other owner's lock file has been renamed, its handle refers to a file that is not the lock
-    // any more.
+    // After the other owner's lock file has been renamed, its handle refers to a file that is no longer the
+    // lock.
     const QString aside = lockPath_ + QLatin1Char('.') + QUuid::createUuid().toString(QUuid::Id128);
     MoveFileExW(reinterpret_cast<const wchar_t*>(lockPath_.utf16()),
                 reinterpret_cast<const wchar_t*>(aside.utf16()), MOVEFILE_REPLACE_EXISTING);

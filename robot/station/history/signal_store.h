@@ -94,7 +94,7 @@ public:
                  HistoryFile::Effort effort);
     /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Closes all recordings. They must not be displayed any more.
+    /// Closes all recordings. They must no longer be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
     /// Describes how a worker can read samples of these signals from the file of a long recording.

@@ -18,7 +18,7 @@ struct GripperPort {
     /// Robotiq only: reason why the gripper cannot be moved now, as a sentence; empty if it can.
     std::function<QString()> obstacle = {};
     /// Robotiq only: opens or closes the gripper completely, with the speed and force set in its panel.
-    /// token  if cancelled, the command is not sent any more; a command already sent needs stop()
+    /// token  if cancelled, the command is not sent; a command already sent needs stop()
     std::function<void(bool close, const CancelToken& token)> move = {};
     /// Robotiq only: stops the fingers. A held object remains gripped.
     std::function<void()> stop = {};

@@ -14,7 +14,7 @@ namespace tiller {
 /// state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
-/// The cause to report when the arm cannot be moved any more.
+/// The cause to report when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 
 /// Reason why this robot accepts no commands for power, recovery and programs over the network; empty if it

@@ -27,8 +27,8 @@ public:
     };
 
     void choose(const GripperChoice& choice);
-    /// Updates the state from the robot. A command that is not confirmed within two seconds is not pending
-    /// any more.
+    /// Updates the state from the robot. A command that is not confirmed within two seconds is no longer
+    /// pending.
     void follow(const SessionState& state, std::int64_t nowNs);
     /// Returns the outputs for closing or opening, and marks the command as pending until the robot reports
     /// them.

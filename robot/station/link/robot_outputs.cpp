@@ -163,7 +163,7 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
 }
 
 void RobotOutputs::writeDigitalOutput(int output, bool on) {
-    // An output that is set manually is not tracked as a pulse any more.
+    // An output that is set manually is no longer tracked as a pulse.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));

@@ -32,8 +32,8 @@ struct OutputOrder {
         std::function<std::uint32_t()> holds;
     };
 
-    /// If cancelled, the command is not sent any more. A command already sent is not undone, except that a
-    /// pulse ends.
+    /// If cancelled, a queued command is not sent. A command already sent is not undone, except that a pulse
+    /// ends.
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
     /// Called with the result in the GUI thread: Cancelled if the command was not sent. May be empty, because

@@ -57,7 +57,7 @@ public:
     /// one.
     /// position, speed, force  0 ... 255
     /// what   for the log, e.g. "Gripper: close"
-    /// token  if cancelled, the command is not sent any more
+    /// token  if cancelled, the command is not sent
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
     /// Stops the fingers and discards queued commands. Reconnects if the connection was lost.
     void stop(const QString& what);

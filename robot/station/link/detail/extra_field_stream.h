@@ -19,7 +19,7 @@ namespace tiller {
 /// Threads  GUI; the thread of the receiver has normal priority
 class ExtraFieldStream {
 public:
-    /// cleanup  joins the threads of receivers that are not needed any more
+    /// cleanup  joins the threads of receivers that are no longer needed
     ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
 
     /// Receives exactly these fields of this robot from now on; may be empty.
