@@ -47,7 +47,7 @@ public:
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
     void close();              ///< No effect without a connection.
-    bool isConnected() const;  ///< State after the last call.
+    bool isConnected() const;  ///< Connection state after the last call.
     /// Checks whether the server has closed the connection since the last reply, and closes the socket in
     /// this case.
     /// Returns  isConnected()

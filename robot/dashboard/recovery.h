@@ -2,7 +2,7 @@
 #pragma once
 
 // Guided recovery from a stop to a running robot. Checks the state, and performs and reports one step after
-// the other. Decisions that require a person must be given in advance as explicit consents. Without them, no
+// the other. Decisions that require a person are made in advance as explicit consents. Without them, no
 // protective stop is unlocked and the safety system is not restarted, because the manufacturer forbids
 // automatic reset.
 

@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Recipes of the connection. Fields that another client may use separately form a separate group.
+/// Groups of fields. Each group has a separate recipe, because another client may use any of them.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kGroups };
 
 struct GroupFacts {

@@ -77,7 +77,7 @@ public:
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused (no URCap), Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
     void close();              ///< No effect without a connection.
-    bool isConnected() const;  ///< State after the last call.
+    bool isConnected() const;  ///< Connection state after the last call.
 
     /// Reads a variable. Empty if the URCap has no value, because the gripper has no power or the variable
     /// does not exist.

@@ -36,7 +36,7 @@ public:
     /// index  of the inserted waypoint, 0 ... size()
     void insert(int index, Waypoint waypoint);
     void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
-    Waypoint take(int index);                    ///< Removes and returns a waypoint; later ones move up.
+    Waypoint take(int index);                    ///< Removes and returns a waypoint; later waypoints move up.
     void replace(int index, Waypoint waypoint);  ///< Replaces the waypoint at this index.
     void move(int from, int to);
     void clear() { waypoints_.clear(); }

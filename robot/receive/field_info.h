@@ -40,7 +40,7 @@ struct FieldInfo {
     bool isAvailableOn(const SoftwareVersion& version) const;
 };
 
-/// All fields, registers last. The span stays valid for the whole program.
+/// All fields, registers last. The span remains valid until the program ends.
 /// Threads  any
 std::span<const FieldInfo> fieldInfos();
 /// Returns null if there is no such output field.

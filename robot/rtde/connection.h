@@ -88,7 +88,7 @@ public:
     /// Errors   Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError
     /// Blocks: until the deadline
     Result<void> start(const Deadline& deadline);
-    /// Stops the data packages until start(). Errors as start().
+    /// Stops the data packages until start(). Errors as for start().
     Result<void> pause(const Deadline& deadline);
 
     /// Closes the socket. Later reads and sends fail. Blocks: never

@@ -48,8 +48,8 @@ struct Field {
     bool isListedOn(const SoftwareVersion& version) const;
 };
 
-/// All outputs: first the single fields, then the registers in ascending order. The span stays valid for the
-/// whole program.
+/// All outputs: first the single fields, then the registers in ascending order. The span remains valid until
+/// the program ends.
 /// Threads  any
 std::span<const Field> outputFields();
 std::span<const Field> inputFields();  ///< All inputs, in the same order.

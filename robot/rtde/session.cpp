@@ -317,7 +317,7 @@ void Session::fail(ErrorCode code, const QString& context, const QString& messag
 void Session::keepText(const PackageView& package) {
     auto text = readControllerText(package.payload, protocol_);
     if (!text && protocol_ == ProtocolVersion::V2) {
-        // The text was sent before version 2 was agreed.
+        // The message was sent before version 2 was agreed.
         text = readControllerText(package.payload, ProtocolVersion::V1);
     }
     if (!text) {

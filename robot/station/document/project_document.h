@@ -51,7 +51,7 @@ public:
     /// True if the positions of the project were taught with a different model than robot(), which would move
     /// to different positions.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// Sets the robot model of a project without a model or without waypoints. This is not an edit; it is
+    /// Sets the robot model of a project without a model or without waypoints. This is not an edit, and is
     /// saved together with the next edit. An undo that restores waypoints also restores their model.
     void adoptRobot(RobotModelId connected);
     /// Replaces the project by the result of project::changeModel(), as one undo step.

@@ -220,7 +220,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
     return point;
 }
 
-/// Columns of a text without a heading line, depending on the number of fields in its first line.
+/// Columns of text without a heading line, depending on the number of fields in its first line.
 std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype fields) {
     std::array<int, ColumnCount> places{};
     if (fields >= Tcp) {

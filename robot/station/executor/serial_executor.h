@@ -11,9 +11,8 @@
 
 namespace tiller {
 
-/// Thread: one, normal priority. Started by the constructor, ended by the destructor, which cancels the
+/// Thread: one, normal priority. Started by the constructor and ended by the destructor, which cancels the
 /// current job through its token and drops the waiting ones. Jobs are passed to the thread; completions are
-/// returned from it.
 /// returned from it.
 class SerialExecutor {
 public:

@@ -15,7 +15,7 @@ QString amountText(divergence::Quantity quantity, double amount);
 QString deviationMark(const divergence::Difference& parting);
 /// Example: "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°".
 QString deviationText(const divergence::Difference& parting);
-/// Result of the whole comparison. Not empty if there is no deviation.
+/// Result of the whole comparison, including the result that there is no deviation.
 QString reportText(const divergence::Report& report);
 /// The suggested checks, and one line per quantity with its largest deviation and the time at which it first
 /// exceeds the limit.

@@ -21,7 +21,7 @@ struct Threshold {
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };
 
-/// A text at a point in time.
+/// A text label at a point in time.
 struct PlotMark {
     double time = 0;  ///< on the plots' time axis [s]
     QString text;

@@ -200,7 +200,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         QMetaObject::invokeMethod(this, &RangeStatisticsCache::known, Qt::QueuedConnection);
     }
     if (!files.empty()) {
-        // Files are read one after the other.
+        // Only one file is read at a time.
         const auto& [recording, next] = *files.begin();
         if (!reading_ || !reading_->covers(next.of, next.first, next.end)) {
             read(recording, next.of, next.first, next.end);

@@ -16,8 +16,8 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Bit numbers of the outputs. `closeOutput` on closes the gripper. With two outputs, the other one is
-    /// off at the same time.
+    /// Bit numbers of the outputs. Switching `closeOutput` on closes the gripper. With two outputs, one of
+    /// them is always off.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 
@@ -32,7 +32,7 @@ struct GripperChoice {
     }
     /// Text for the settings, e.g. "robotiq|2F-85", "outputs|16|17"; empty if there is no gripper.
     QString toText() const;
-    /// Returns no gripper if the text is invalid.
+    /// Returns a choice without gripper if the text is invalid.
     static GripperChoice fromText(const QString& text);
     friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
 };

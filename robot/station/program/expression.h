@@ -24,11 +24,11 @@ bool hasWholeBlocks(const QString& script);
 /// why  receives the translated reason
 bool isVariableName(const QString& name, QString* why = nullptr);
 
-/// Quotes a text as a URScript string. Line breaks become spaces.
+/// Converts a string to a quoted URScript string. Line breaks become spaces.
 QString scriptString(const QString& text);
-/// Converts a text for a URScript comment: one line of ASCII.
+/// Converts a string for a URScript comment: one line of ASCII.
 QString scriptComment(const QString& text);
-/// Converts any text to ASCII letters, digits and '_', not beginning with a digit.
+/// Converts any string to ASCII letters, digits and '_', not beginning with a digit.
 QString scriptName(const QString& text);
 
 }  // namespace tiller::program

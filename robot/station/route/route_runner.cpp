@@ -412,7 +412,7 @@ HoldBounds RouteRunner::bounds(Way way) const {
     bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(linear, angular);
     // A loop has no maximum duration.
     if (way != Way::Through || !route_.isLoop()) {
-        // The remaining moves may take up to twice as long as the examined ones.
+        // The remaining moves may take up to twice as long as the examined moves.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
             acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));
