@@ -16,8 +16,8 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Bit numbers of the outputs. Switching `closeOutput` on closes the gripper. With two outputs, one of
-    /// them is always off.
+    /// Bit numbers of the outputs. Switching `closeOutput` on closes the gripper. With two outputs,
+    /// `openOutput` is then switched off, and vice versa.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 
