@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The incident recorder of the window. It runs while a robot is connected, receives the messages of the log,
-// and reports the file of an incident.
+// The incident recorder of the window. It runs while a robot is connected, receives the log messages, and
+// reports the file of an incident.
 
 #include <QObject>
 #include <QString>

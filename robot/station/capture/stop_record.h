@@ -2,7 +2,7 @@
 #pragma once
 
 // Stores the last five seconds before a stop by the safety system, at the full data rate of the robot, and
-// the related messages of the controller.
+// the related messages from the controller.
 
 #include <QObject>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Marks on the time axis of the plots: notes of the operator, and thresholds with the times at which a signal
+// Marks on the time axis of the plots: operator notes, and thresholds with the times at which a signal
 // crossed them.
 
 #include <QObject>

@@ -81,7 +81,7 @@ private:
     using Blocks = std::vector<std::optional<Moments>>;  ///< indexed by block number
     struct Range {
         std::int64_t begin, end;  ///< sample numbers
-        /// Range of the blocks that are completely within this range.
+        /// Blocks that are completely within this range: first index, and index after the last.
         std::int64_t firstBlock() const;
         std::int64_t endBlock() const;
     };

@@ -35,8 +35,8 @@ struct HoldBounds {
 };
 
 /// The motion of one held button: its start, refresh and end, and its limits. Created from MotionPort, which
-/// provides jogs, moves and freedrive independent of buttons. HoldGuard monitors the button independent of
-/// the robot.
+/// provides jogs, moves and freedrive independently of buttons. HoldGuard monitors the button independently
+/// of the robot.
 struct HoldMotion {
     using Id = std::uint64_t;
     /// Starts the motion, or returns the reason why it is refused.

@@ -10,7 +10,7 @@ namespace tiller {
 
 /// Returns the entry with the current time stamp.
 recording::RecordedNote recordedNote(Severity severity, const QString& text, Origin origin);
-/// A note of the operator about the time `utcNs` [ns since 1970].
+/// A note by the operator about the time `utcNs` [ns since 1970].
 recording::RecordedNote operatorNote(const QString& text, std::int64_t utcNs);
 
 }  // namespace tiller

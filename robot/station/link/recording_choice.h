@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recording settings of the operator: folder, file name, recorded signals, and the number of packets per row.
+// Recording settings chosen by the operator: folder, file name, recorded signals, and the number of packets
+// per row.
 
 #include <QDateTime>
 #include <QString>

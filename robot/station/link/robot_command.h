@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Requests of the operator to the controller other than motion: power, safety, programs. A command is sent
+// Commands from the operator to the controller other than motion: power, safety, programs. A command is sent
 // once. Its result is shown in SessionState and by a message.
 
 #include <QString>

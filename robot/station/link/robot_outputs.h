@@ -23,7 +23,7 @@ struct SessionBackend;
 
 /// For a command whose result the caller needs, or that the caller may cancel while it is queued.
 struct OutputOrder {
-    /// A temporary change. The robot measures the time and then restores the outputs, independent of this
+    /// A temporary change. The robot measures the time and then restores the outputs, independently of this
     /// program. Requires control.
     struct Pulse {
         double seconds = 0;

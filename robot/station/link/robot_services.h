@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Requests of the session to the controller: power, recovery and programs, and stopping external programs.
+// Requests from the session to the controller: power, recovery and programs, and stopping external programs.
 // Also queries the values that RTDE does not report: control mode, operational mode and loaded program.
 // Results are reported by messages and shown in the next state.
 

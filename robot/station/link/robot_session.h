@@ -209,7 +209,7 @@ Q_SIGNALS:
     /// RobotServices::perform(PowerOff) would end a program of another client. Call it again with `confirmed`
     /// if the operator agrees.
     void powerOffQuestion();
-    /// A complete message of the controller. It is also emitted as message().
+    /// A complete message from the controller. It is also emitted as message().
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:

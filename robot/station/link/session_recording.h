@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records the data of the robot in a file, with one row per packet or per n-th packet. All calls return
-// immediately. Results are shown in SessionState::recording and by messages.
+// Records the robot data in a file, with one row per packet or per n-th packet. All calls return immediately.
+// Results are shown in SessionState::recording and by messages.
 
 #include <QByteArray>
 #include <QCoreApplication>

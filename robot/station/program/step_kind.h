@@ -22,8 +22,7 @@ struct StepKind {
     StepGroup group = StepGroup::Structure;
     QString (*name)() = nullptr;  ///< translated
     std::vector<StepField> (*fields)() = nullptr;
-    /// Writes the script of the step and reports problems, except for problems of its fields, which are
-    /// checked before.
+    /// Writes the script of the step and reports problems. Its fields are checked beforehand.
     void (*write)(StepWriter& writer) = nullptr;
     bool isSection = false;  ///< contains other steps
     bool moves = false;      ///< moves the arm, so it must not run in parallel

@@ -18,7 +18,7 @@
 
 namespace tiller {
 
-/// Functions of the robot that actions need, except for motion.
+/// Robot functions that actions need, other than motion.
 struct ActionPort {
     /// Like RobotOutputs::setDigitalOutputs().
     std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what,

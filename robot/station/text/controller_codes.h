@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the numbered messages of the controller, with their meaning and the suggested action.
+// Texts for the numbered messages from the controller, with their meaning and the suggested action.
 
 #include <QString>
 

@@ -15,8 +15,8 @@ namespace {
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
 
-/// Moving according to the data of the robot, with or without control. 0.1 deg/s is above the noise of an arm
-/// at standstill.
+/// Whether the arm moves according to the robot data, with or without control. 0.1 deg/s is above the noise
+/// of an arm at standstill.
 bool moves(const JointVelocities& qd, const Twist& tcpSpeed) {
     constexpr double kStandstill = 0.0017;
     return qd.values.cwiseAbs().maxCoeff() > kStandstill || tcpSpeed.linear.norm() >= control::kStillTcpSpeed;

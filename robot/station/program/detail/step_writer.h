@@ -2,7 +2,7 @@
 #pragma once
 
 // Interface through which step kinds write their script. Provides the field values of the step, the lines of
-// the script, and the state that sections set for the steps in them. Fields are checked before, so the values
+// the script, and the state that sections set for the steps in them. Fields are checked beforehand, so the values
 // exist and are valid.
 
 #include <functional>

@@ -59,7 +59,7 @@ struct Finding {
     Kind kind = Kind::RuntimeError;
     int step = 0;     ///< step number; 0: no step
     double time = 0;  ///< since the start [s]
-    QString text;     ///< translated text, or the message of the controller
+    QString text;     ///< translated text, or the message from the controller
 };
 
 struct Preview {
@@ -83,8 +83,8 @@ QString findingText(const project::Project& project, const ProgramScript& script
 /// Positions of the TCP along the path, at least `spacing` [m] apart, in the base frame [m].
 std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
 
-/// Start position of a preview: the joints of the first waypoint of the program. If there is none, the
-/// project's home position, otherwise the start position of the simulated controller.
+/// Start position of a preview: the joints of the first waypoint of the program, otherwise the project's home
+/// position, otherwise the start position of the simulated controller.
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);
 
 /// script  without errors, see ProgramScript::ok()
