@@ -42,7 +42,7 @@ struct KeptPlace {
 /// Removes standstill at the beginning and the end.
 Demonstration withoutPauses(const Demonstration& shown);
 
-/// The reduced path: smoothed over some hundredths of a second, with as few positions as possible while all
+/// The reduced path: smoothed over a few hundredths of a second, with as few positions as possible while all
 /// taught positions remain within the tolerance. First and last position are those of the demonstration.
 /// tcpOffset  during teaching
 /// Threads    any. Real-time: no (one or two milliseconds per thousand samples)

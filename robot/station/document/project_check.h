@@ -3,7 +3,7 @@
 
 // Checks a whole project without a robot: whether the arm reaches each waypoint and keeps the safety distance
 // at the waypoints, on the paths between them, and along recorded paths. Uses the nominal kinematics of the
-// robot model, from which a real calibrated arm deviates by some millimetres.
+// robot model, from which a real calibrated arm deviates by a few millimetres.
 
 #include <QUuid>
 #include <vector>
@@ -40,7 +40,7 @@ struct ProjectFinding {
 /// recorded paths. Paths between waypoints are those of Run route: in the order of the list, each with the
 /// move type, speed and TCP of its waypoint. Paths to and from an unreachable waypoint are not checked.
 /// robot    the model that all positions of the project are for
-/// Threads  any. Blocks: never. Takes some milliseconds per waypoint
+/// Threads  any. Blocks: never. Takes a few milliseconds per waypoint
 std::vector<ProjectFinding> checkProject(const project::Project& project, const RobotModel& robot);
 
 }  // namespace tiller

@@ -9,10 +9,10 @@
 namespace tiller {
 namespace {
 
-/// Tolerance at the start of the trail within which the start counts as reached [rad].
+/// Distance from the start of the trail below which the start counts as reached [rad].
 constexpr double kThere = 0.001;
-/// Time before arrival at which a position counts as reached, because the reported positions are delayed by
-/// some hundredths of a second [s].
+/// A position counts as reached this time before the arm arrives, because the reported positions are delayed
+/// by a few hundredths of a second [s].
 constexpr double kAhead = 0.08;
 /// Deceleration at the end of the trail [rad/s per rad].
 constexpr double kApproach = 4.0;

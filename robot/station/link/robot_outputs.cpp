@@ -21,7 +21,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
-/// Maximum excess duration of a pulse. After this time, the robot has failed to end the pulse.
+/// If a pulse exceeds the requested duration by more than this, the robot has failed to end it.
 constexpr milliseconds kPulseGrace{300};
 
 QString holderOf(const Result<void>& can) {

@@ -17,7 +17,7 @@ using dashboard::ServiceKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReplyTime{3000};
-/// The Robot API may not reply before the command has been completed.
+/// The Robot API might reply only after the command has been completed.
 constexpr milliseconds kDoneTime{10'000};
 /// A change to Local must be detected within one second, so the state is queried every half second.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;

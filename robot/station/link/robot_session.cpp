@@ -164,7 +164,7 @@ void RobotSession::disconnectFromRobot() {
     ++d_->generation;
     d_->controlling.cancelAll();
     d_->worker.cancelAll();
-    // Joining the threads of the link takes some tenths of a second, so this is done by the worker.
+    // Joining the threads of the link takes a few tenths of a second, so this is done by the worker.
     d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
         link->controller->release();
         link->outputs->disconnect();

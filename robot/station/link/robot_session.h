@@ -147,7 +147,7 @@ public:
     /// Errors  include those of permits(), because every bounded motion of every button is started here
     Result<MotionId> beginMove(const MoveRequest& request);
     /// Starts several moves, blended by the controller. The moves are first sent to the controller, which
-    /// takes some tenths of a second. During this time the motion counts as active: it can be held, ended and
+    /// takes a few tenths of a second. During this time the motion counts as active: it can be held, ended and
     /// stopped, but the arm does not move yet. motionProgress() reports why a path could not start.
     /// stops   as MoveRequest::stops
     /// Errors  include those of permits()

@@ -49,7 +49,7 @@ struct ScriptOptions {
 
 /// Generates the script of a program of the project. If the program cannot run or does not exist, returns an
 /// empty text and the problems.
-/// Threads  any. Blocks: never (some milliseconds for a thousand steps)
+/// Threads  any. Blocks: never (a few milliseconds for a thousand steps)
 ProgramScript writeScript(const project::Project& project, const QUuid& program,
                           const ScriptOptions& options = {});
 

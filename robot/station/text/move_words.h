@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the reason why a move ends early, and the names of the arm's links.
+// Texts that explain why a move ends early, and the names of the arm's links.
 
 #include <QString>
 

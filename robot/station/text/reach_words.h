@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the reason why the arm cannot reach a waypoint, as a short label and as a sentence.
+// Texts that explain why the arm cannot reach a waypoint, as a short label and as a sentence.
 
 #include <QString>
 

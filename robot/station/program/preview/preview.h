@@ -88,7 +88,7 @@ std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);
 
 /// script  without errors, see ProgramScript::ok()
-/// Threads  any. Blocks: some seconds per ten minutes of program time
+/// Threads  any. Blocks: a few seconds per ten minutes of program time
 Preview previewProgram(const project::Project& project, const ProgramScript& script,
                        const ScriptOptions& scriptOptions = {}, const PreviewOptions& options = {});
 

@@ -21,8 +21,8 @@ public:
     PreviewRunner& operator=(const PreviewRunner&) = delete;
 
     /// Cancels the running preview and starts this one.
-    /// done     called in the thread of the preview, unless the preview is cancelled before
-    /// Threads  one. Blocks: some milliseconds while a running preview ends
+    /// done     called in the thread of the preview, unless the preview is cancelled first
+    /// Threads  one. Blocks: a few milliseconds while a running preview ends
     void start(project::Project project, ProgramScript script, ScriptOptions scriptOptions,
                PreviewOptions options, std::function<void(const Preview&)> done);
     void cancel();  ///< Ends the running preview; `done` is not called afterwards.
