@@ -44,7 +44,7 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
 double lineLength(const Pose& from, const Pose& to);
 
 /// Duration of a move over `distance` with a trapezoidal speed profile [s]; 0 if speed or acceleration is 0.
-/// The units of all three parameters are based on either m or rad.
+/// All three parameters use the same base unit, m or rad.
 double moveDuration(double distance, double speed, double acceleration);
 
 }  // namespace tiller::kinematics

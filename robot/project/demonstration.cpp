@@ -115,8 +115,8 @@ std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& 
     const Ruler ruler(dh, tcpOffset);
     const std::vector<JointPositions> smooth = smoothed(shown, ruler, tolerance);
     // The segment between two kept positions is split at the sample with the largest deviation until all
-    // deviations are within the tolerance. There are no samples between neighbouring samples, and each is
-    // close to its smoothed position.
+    // deviations are within the tolerance. Adjacent samples need no further split, because each is close to
+    // its smoothed position.
     std::vector<bool> kept(shown.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> ways{{0, shown.size() - 1}};

@@ -18,8 +18,8 @@ struct FramePoints {
     std::optional<Eigen::Vector3d> towardsY;
 };
 
-/// Minimum distance of both points from the origin, and of the third point from the X axis [m]. With these
-/// distances, an error of 1 mm rotates an axis by less than 3 and 6 deg.
+/// Minimum distance of both points from the origin, and of the third point from the X axis [m]. At these
+/// distances, an error of 1 mm rotates an axis by less than 3 deg and 6 deg, respectively.
 inline constexpr double kMinFrameArm = 0.020;
 inline constexpr double kMinFrameOffset = 0.010;
 

@@ -257,7 +257,7 @@ struct Receiver::Worker {
     }
 
     /// Computes the record index of each number in the package. The types reported by the robot are
-    /// authoritative. If a type differs from the catalogue, as many numbers are used as fit.
+    /// authoritative. If a type differs from the catalogue, only the numbers that fit are used.
     void plan(const rtde::Recipe& recipe) {
         places.assign(recipe.size(), kNowhere);
         std::vector<bool> isSent(layout->size());

@@ -43,7 +43,7 @@ private:
     QString projectName_;
     QByteArray project_;
     recording::BlackBox box_;
-    SerialExecutor worker_;  ///< last member, because its jobs use the box
+    SerialExecutor worker_;  ///< last member, because its jobs use the black box
 };
 
 }  // namespace tiller

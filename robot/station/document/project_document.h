@@ -48,8 +48,8 @@ public:
     void setRobot(const RobotModel& connected);
     /// Call when no robot is connected.
     void clearRobot();
-    /// True if the positions of the project were taught with a different model than robot(), which would move
-    /// to different positions.
+    /// True if the positions of the project were taught with a model other than robot(), so that equal joint
+    /// positions result in different poses.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
     /// Sets the robot model of a project without a model or without waypoints. This is not an edit, and is
     /// saved together with the next edit. An undo that restores waypoints also restores their model.

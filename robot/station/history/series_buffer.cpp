@@ -211,7 +211,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         grid.width == width && grid.columns() == columns && std::abs(shift - std::round(shift)) < 1e-6 &&
         std::abs(shift) < static_cast<double>(count) && grid.end <= end_ && grid.revision == revision_;
     const auto by = sameRaster ? static_cast<std::ptrdiff_t>(std::lround(shift)) : 0;
-    // An edge remains valid if there were samples on both sides of it and still are.
+    // An edge remains valid if it had samples on both sides and still has them.
     const auto keeps = [&](std::int64_t edge) {
         return edge > first() && edge > grid.first && edge < grid.end;
     };

@@ -60,7 +60,7 @@ public:
     void pulseDigitalOutput(int output, double seconds);
     /// Reason why outputs cannot be pulsed now, as a sentence; empty if they can.
     QString pulseObstacle() const;
-    /// output  0 or 1; level  0 ... 1 of 4 to 20 mA or 0 to 10 V
+    /// output  0 or 1; level  0 ... 1, for 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
     const OutputHolders& holders() const;

@@ -261,7 +261,7 @@ void RobotiqLink::post(const Command& command) {
         const CancelToken either(
             [token, own = command.token] { return token.isCancelled() || own.isCancelled(); });
         const Deadline deadline = Deadline::after(kCommandTime, either);
-        // Do not connect for a command, because the state at the time of the command may have changed.
+        // Do not reconnect to send a command, because the state may have changed since the command was given.
         const Result<void> result = command.token.isCancelled()
                                         ? Error{ErrorCode::Cancelled, command.what, {}}
                                         : command.call(*client, deadline);
