@@ -51,7 +51,7 @@ struct Finding {
         ScriptError,     ///< the controller cannot compile the script
         RuntimeError,    ///< runtime error that ended the program
         ProtectiveStop,  ///< the arm stopped: reach, joint limits, speed, force
-        Collision,       ///< the arm violated the safety distance to itself or the cell
+        Collision,       ///< the arm violated the safety distance from itself or the cell
         StepFailed,      ///< a step failed and no On error section handled it
         TimeLimit,       ///< the program had not ended after `timeLimit`
         Cancelled,
