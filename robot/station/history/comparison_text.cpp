@@ -15,7 +15,7 @@ namespace {
 
 using divergence::Quantity;
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ComparisonText {
     Q_DECLARE_TR_FUNCTIONS(Comparison)
 };

@@ -10,12 +10,12 @@
 namespace tiller {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct RecoveryGuideText {
     Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
 };
 
-/// After the safety system is back to normal: the usual steps to power on.
+/// The usual steps to power on, after the safety system has returned to normal.
 RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;

@@ -22,7 +22,8 @@ FieldInput fieldInput(const StepField& field, const QString& text) {
     if (field.type != FieldType::Number && field.type != FieldType::Whole) {
         return {text, {}};
     }
-    // Both signs are decimal signs, as in every other field; digits are not grouped.
+    // Comma and point are both accepted as decimal separators, as in all other fields. Digits are not
+    // grouped.
     const QString typed =
         text.trimmed().replace(QChar(0x2212), QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
     if (typed.isEmpty() && field.optional) {

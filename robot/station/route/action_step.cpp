@@ -12,9 +12,9 @@ namespace {
 
 using ActionKind = project::WaypointAction::Kind;
 
-/// Robot data older than this are not used [ms].
+/// Robot data that are older than this are not used [ms].
 constexpr double kOldest = 100;
-/// A gripper that takes longer than this has failed [s].
+/// Maximum duration of a gripper motion; a longer motion has failed [s].
 constexpr double kMaxGripTime = 15;
 /// Maximum time until the robot reports a new output level [s].
 constexpr double kMaxConfirmation = 3;

@@ -17,7 +17,7 @@ public:
         const char* meaning;
         const char* action;
     };
-    // Only codes with a publicly documented meaning. Source: the manufacturer's error code directory
+    // Contains only codes with a publicly documented meaning. Source: the manufacturer's error code directory
     static constexpr auto kRows = std::to_array<Row>({
         {150, QT_TR_NOOP("Near a joint limit"), QT_TR_NOOP("A joint came close to the end of its range."),
          QT_TR_NOOP("Jog the joint back, and plan the move away from the limit.")},

@@ -14,7 +14,7 @@ struct Row {
     const char* advice;
 };
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ModeWordsText {
     Q_DECLARE_TR_FUNCTIONS(ModeWords)
 };
@@ -179,7 +179,7 @@ ModeWords runtimeWords(RuntimeState state) {
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {
     if (status == SafetyMode::Undefined) {
-        return mode;  // not available in software before 3.10 and 5.4
+        return mode;  // `status` is not available in software before 3.10 and 5.4
     }
     return allowsMotion(status) && !allowsMotion(mode) ? mode : status;
 }

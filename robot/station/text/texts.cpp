@@ -8,7 +8,7 @@
 namespace tiller::texts {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct TextsText {
     Q_DECLARE_TR_FUNCTIONS(Texts)
 };

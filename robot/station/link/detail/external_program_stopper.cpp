@@ -54,7 +54,7 @@ bool ExternalProgramStopper::isMeant(StopCause cause, const SessionState& state)
     }
     const bool button = cause == StopCause::StopButton;
     if (state.control == ControlState::Taking) {
-        return true;  // a program that ours is replacing, or ours being uploaded
+        return true;  // stops the program being replaced, and the control script being uploaded
     }
     if (state.control == ControlState::InControl) {
         return false;
@@ -89,7 +89,8 @@ void ExternalProgramStopper::request(StopCause cause, const receive::Receiver& r
 
 void ExternalProgramStopper::askService() {
     const auto stop = [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
-        // The job may have waited for a connection: it must not stop a program started since.
+        // The job may have waited for a connection. It must not stop a program that was started in the
+        // meantime.
         return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
     };
     service_.post(
@@ -148,7 +149,7 @@ ExternalProgramStopper::Outcome ExternalProgramStopper::follow(const SessionStat
     if (!request_) {
         return Outcome::None;
     }
-    // While control is being taken, our own program may still start.
+    // While control is being taken, Tiller's own program may still start.
     if (state.control != ControlState::Taking && isStopped(state)) {
         withdraw();
         return Outcome::Stopped;

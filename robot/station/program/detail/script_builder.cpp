@@ -287,7 +287,7 @@ void StepWriter::Private::writeStep() {
     if (good) {
         place.kind->write(writer);
     } else {
-        writer.steps();  // their problems are shown as well
+        writer.steps();  // report the problems of these steps as well
     }
     if (place.kind->isSection) {
         lastMove = {};
@@ -322,7 +322,7 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
                 "A program can start only at a top-level step, and not between parts such as If and Else."));
         return;
     }
-    // Writes the remaining steps as a separate list, which lives until the call returns.
+    // Write the remaining steps as a separate list, which exists until the call returns.
     const Steps rest(first, owner.steps.end());
     writeSteps(rest);
 }
@@ -333,7 +333,8 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         report({}, ProgramText::tr("The project has no such program."));
         return result;
     }
-    result.name = QStringLiteral("program_") + scriptName(program->name);  // not the name of a function
+    result.name =
+        QStringLiteral("program_") + scriptName(program->name);  // must not be the name of a function
     if (options.model && project.robot && *options.model != *project.robot) {
         report({}, ProgramText::tr("The project was taught with a %1, and the robot is a %2.")
                        .arg(QLatin1String(robotModel(*project.robot).name), QLatin1String(model.name)));
