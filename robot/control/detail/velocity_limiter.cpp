@@ -43,8 +43,8 @@ struct SingularityZone {
 };
 constexpr SingularityZone kWristZone{0.17, 0.03};  // |sin q5|: 10 deg, 1.7 deg
 constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
-constexpr SingularityZone kShoulderZone{
-    0.10, 0.02};  // [m], between the wrist and the cylinder around the base axis
+constexpr SingularityZone kShoulderZone{0.10,
+                                        0.02};  // [m], from the wrist to the cylinder around the base axis
 
 /// Below this fraction of SingularityZone::end, no linear motion is possible, not even away from the
 /// singularity. The joint speeds would have to change faster than a robot can follow, which would cause a
@@ -324,7 +324,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     for (int joint = 0; joint < kJointCount && !cartesian; ++joint) {
         holdTo(limiter, std::abs(qd[joint]), jointCap, LimiterKind::JointSpeed, joint);
     }
-    const double wanted = limiter.scale;  // the part allowed by the caps; any further reduction is due to the kinematics
+    const double wanted = limiter.scale;  // the part allowed by the caps; the kinematics may reduce it more
     for (int joint = 0; joint < kJointCount; ++joint) {
         const auto i = static_cast<std::size_t>(joint);
         const double speed = std::abs(qd[joint]);
