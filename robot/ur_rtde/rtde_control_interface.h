@@ -228,9 +228,9 @@ public:
     bool readContactDetection();
     bool stopContactDetection();
 
-    // ---- settings
+    // [kg], [m]; without cog, it is unchanged
     bool setPayload(double mass,
-                    const std::vector<double>& cog = {});  ///< [kg], [m]; without cog, the centre of gravity is unchanged
+                    const std::vector<double>& cog = {});  ///< [kg], [m]; without cog, it is unchanged
     bool setTcp(const std::vector<double>& tcp_offset);
     bool setGravity(const std::vector<double>& direction);  ///< [m/s2] in the base frame
     bool setWatchdog(double min_frequency = 10.0);
