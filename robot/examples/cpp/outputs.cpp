@@ -14,7 +14,7 @@ int main(int, char** argv) {
     (void)receiver.waitForData(Deadline::after(5s)).value();
 
     io::Outputs outputs({.host = argv[1]}, io::OutputFeedback::fromReceiver(receiver));
-    outputs.setDigitalOutput(0, true, Deadline::after(3s)).value();  // returns after confirmation by the robot
+    outputs.setDigitalOutput(0, true, Deadline::after(3s)).value();  // returns once confirmed by the robot
     outputs.setAnalogOutput(0, io::AnalogDomain::Voltage, 0.5, Deadline::after(3s)).value();  // 5 V
     const receive::Sample sample = receiver.latest();
     const receive::RobotState state(sample);
