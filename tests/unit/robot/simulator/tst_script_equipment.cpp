@@ -235,7 +235,7 @@ private Q_SLOTS:
         QCOMPARE(robot.bodies(9).size(), 1);
         QCOMPARE(robot.bodies(9)[0].mid(4), QByteArray("\0\0\0\1How many?", 13));
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Playing);
-        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // type does not match the request
+        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // wrong type for the request
         QVERIFY(robot.plant.scriptHost().answerRequest(std::int32_t{7}));
         robot.steps(2);
         QVERIFY(robot.plant.scriptHost().answerRequest(std::string("me")));

@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.abandonProgram());
         bench.session.stop(StopCause::StopButton);
-        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 1000));  // the program ends only after 5 s
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 1000));  // it ends only after 5 s
     }
 
     // All key presses belong to the same stop. Pressing again does not postpone the stop through the other
