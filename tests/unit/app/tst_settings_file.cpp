@@ -226,7 +226,7 @@ private Q_SLOTS:
         QCOMPARE(again.theme(), QString("dark"));
         QCOMPARE(again.rememberedRobots().size(), 1);
         QCOMPARE(again.rememberedRobots().first().host, QString("192.168.0.10"));
-        QCOMPARE(again.ioNames(), (QMap<QString, QString>{{"DI 7", "door"}}));  // this setting is not selected
+        QCOMPARE(again.ioNames(), (QMap<QString, QString>{{"DI 7", "door"}}));  // not selected
         QCOMPARE(again.recentProjects(), QStringList{folder.filePath("cell.tiller")});
 
         const Result<SettingsBundle> before = readSettingsFile(*backup);

@@ -242,7 +242,7 @@ private Q_SLOTS:
         b.down(0, Qt::Key_1);
         b.down(0, Qt::Key_Plus);
         QVERIFY(b.moves());
-        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, identified by the character it produces with this layout
+        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, identified by its current character
         QVERIFY(!b.moves());
         QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
     }

@@ -1230,7 +1230,7 @@ private Q_SLOTS:
         QVERIFY(messages.last().at(1).toString().contains("Fz above 65.0 N"));
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
-        // The note is saved with the plots, and their menu removes it.
+        // Alarm limits are saved with the plots and removed through the plot menu.
         PlotDock another(b.session);
         another.arrange(b.dock.arrangement());
         QCOMPARE(another.marks().thresholds(), b.dock.marks().thresholds());
