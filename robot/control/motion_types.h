@@ -21,7 +21,7 @@ using tiller::operator<<;  // required for the enumerations below
 /// computer for motions without a target.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
 /// Maximum time from the newest packet of this computer to standstill of the arm, whether that packet
-/// contained a stop or the packets have ceased. The deceleration increases with the speed of the arm. The
+/// contained a stop or packets stopped arriving. The deceleration increases with the speed of the arm. The
 /// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s.
 /// Stopping takes longer if the drives or the load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};

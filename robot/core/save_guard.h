@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// Held for milliseconds by one thread. On file systems without locks the guard always succeeds, and only the
-/// comparison before the write protects the file.
+/// One thread holds the guard for milliseconds. On file systems without locks the guard always succeeds, and
+/// only the comparison before the write protects the file.
 class SaveGuard {
 public:
     /// Waits until no other process or thread holds the guard for the folder of `path`.

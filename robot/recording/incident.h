@@ -16,7 +16,7 @@ inline constexpr const char* kIncidentTimeFact = "incident_timestamp";  ///< con
 
 /// Time of the stop or alarm that caused an incident file, on the time axis of the recording [s]. Uses the
 /// row with the stored controller time or, if there is no such row, the arrival time. Empty: not an incident
-/// file, or no time stored. =>
+/// file, or no time stored.
 /// Errors  those of Recording
 Result<std::optional<double>> incidentMoment(const Recording& recording);
 

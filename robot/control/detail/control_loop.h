@@ -144,7 +144,7 @@ public:
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const;
-    /// Returns true once after the program was paused. The paused program cannot be used any more, and its
+    /// Returns true once after the program was paused. The paused program cannot be used again, and its
     /// effects, such as force mode, might continue.
     /// Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }

@@ -25,7 +25,7 @@ const MessageType& logType();         ///< One line of the log.
 const MessageType& summaryType();     ///< Minimum, maximum and mean of many rows.
 
 /// All write functions clear `out` first.
-/// utcNs    time stamp in the header
+/// utcNs    timestamp in the header
 /// Returns  false if the sample does not contain the required fields
 bool writeJointState(const receive::Sample& sample, std::int64_t utcNs, std::string& out);
 bool writeWrench(const receive::Sample& sample, std::int64_t utcNs,

@@ -359,7 +359,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
               current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
-        // No caller waits for the motion any more, so it must not continue.
+        // No caller is waiting for the motion, so it must not continue.
         end();
         throw;
     }
@@ -484,7 +484,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         }
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
-        // No caller waits for the motion any more, so it must not continue.
+        // No caller is waiting for the motion, so it must not continue.
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
         robot.clear(command.id);

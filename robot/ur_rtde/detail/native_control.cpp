@@ -295,7 +295,7 @@ NativeControl::Outcome NativeControl::begin(const Result<control::Motion>& motio
     return outcome(ended);
 }
 
-// No caller waits for the motion any more, so it must not continue.
+// No caller is waiting for the motion, so it must not continue.
 void NativeControl::interrupted() {
     constexpr double kBrake = 4.0;
     (void)motions_.stopJ(kBrake);

@@ -422,7 +422,7 @@ private Q_SLOTS:
         bench.hold(command, 2, 2000, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.host.motions.size(), before);
         QCOMPARE(bench.state(), ScriptState::Expired);
-        // Another press is another epoch.
+        // Another press starts another epoch.
         bench.hold(command, 3, 2, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
     }

@@ -246,7 +246,7 @@ void TestOutputs::inputsTheRobotLacksAreNamed() {
     Bench bench(robot);
     QVERIFY(bench.outputs.connect(patience()).ok());
     QCOMPARE(bench.outputs.setDigitalOutput(16, true, patience()).error().code, ErrorCode::FieldUnknown);
-    // All or nothing: a request that includes a tool output leaves the other outputs unchanged.
+    // A request that includes a tool output is refused as a whole and leaves the other outputs unchanged.
     QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, patience()).error().code,
              ErrorCode::FieldUnknown);
     QCOMPARE(bench.peer.inputPackages(), 0);

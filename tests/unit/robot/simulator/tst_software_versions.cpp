@@ -111,8 +111,8 @@ private Q_SLOTS:
         verify(field->since.cb3, 3, {3, 15, 8, 0});
         verify(field->since.eSeries, 5, {5, 25, 0, 0});
         QVERIFY(has({10, 15, 0, 0}));
-        // If no source gives the first version, the latest possible one is that of the tables that list the
-        // feature.
+        // If no source states the first version, it is assumed to be the one of the tables that list the
+        // feature (the latest possible version).
         QVERIFY(has({5, 25, 0, 0}, true) == has({5, 25, 0, 0}));
         QCOMPARE(has({5, 22, 0, 0}, true), has({5, 22, 0, 0}) && field->since.confirmed);
         QCOMPARE(has({3, 15, 0, 0}, true), has({3, 15, 0, 0}) && field->since.confirmed);

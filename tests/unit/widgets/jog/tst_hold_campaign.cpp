@@ -119,7 +119,7 @@ private:
     }
     void goesUp(quint32 what) {
         down_.erase(what);
-        look();  // all inputs pressed until now hold a motion that began meanwhile
+        look();  // a motion that began since then is held by all inputs pressed until now
         if (holders_.erase(what) > 0 && holders_.empty()) {
             letGoNs_ = h.clock.nowNs();
         }

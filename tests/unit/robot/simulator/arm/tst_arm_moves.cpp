@@ -277,7 +277,7 @@ void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
 }
 
 void TestArmMoves::lineNearASingularityIsSlowed() {
-    // Past the base, axis 1 has to turn fast, so the tool has to move slowly.
+    // Past the base, axis 1 must rotate fast, so the tool must move slowly.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.3, -0.18, 0.4, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     QVERIFY(!arm->protectiveStop());

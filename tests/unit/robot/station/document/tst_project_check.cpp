@@ -20,7 +20,7 @@ const RobotModel& arm() {
     return robotModel(RobotModelId::UR5e);
 }
 
-/// The tool points down. The base joint has this angle.
+/// The tool points down, and the base joint is at this angle.
 JointPositions turned(double degrees) {
     JointPositions q;
     q.values << toRadians(degrees), -M_PI / 2, M_PI / 2, -M_PI / 2, -M_PI / 2, 0;

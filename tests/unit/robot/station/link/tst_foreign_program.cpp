@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().programAbandoned);
     }
 
-    // The value in its register remains.
+    // The value in the program's register remains.
     void theProgramAfterAnAbandonedOneIsNotReplacedWithoutAQuestion() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
