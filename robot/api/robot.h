@@ -124,7 +124,7 @@ public:
     control::ToolSetup tool() { return control::ToolSetup(*controller_); }       ///< Payload, TCP, sensor.
     control::ArmQueries queries() { return control::ArmQueries(*controller_); }  ///< Kinematics and limits.
     control::Programs programs() { return control::Programs(*controller_); }     ///< Your own URScript.
-    control::OutputPulses pulses() { return control::OutputPulses(*controller_); }  ///< Outputs for a time.
+    control::OutputPulses pulses() { return control::OutputPulses(*controller_); }  ///< Timed output pulses.
     /// A control loop with one target per packet.
     control::PacketLoop packetLoop(control::Pacing pacing = control::Pacing::Even) {
         return control::PacketLoop(*controller_, pacing);

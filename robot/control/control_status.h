@@ -69,14 +69,14 @@ struct ControllerStatus {
     bool inControl = false;  ///< false if the data are older than ControllerOptions::dataTimeout
     ControlLoss loss = ControlLoss::NotTaken;
     bool fresh =
-        false;  ///< the newest data are within dataTimeout; if false, all following values are outdated
+        false;  ///< the data are not older than dataTimeout; if false, all following values are outdated
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
 
     MotionId motion = kNoMotion;  ///< the active motion
     bool moving = false;          ///< measured from the received data
     bool executing = false;       ///< control.script has confirmed the execution of `motion`
-    Limiter limiter;              ///< of the active motion; if a limit ended the last motion, of that motion
+    Limiter limiter;              ///< limit of the active motion; after a motion ended at a limit, this limit
     MotionId lastMotion = kNoMotion;        ///< the last motion that ended
     StopCause lastCause = StopCause::None;  ///< why it ended
     StopMeasurement lastStop;

@@ -53,7 +53,7 @@ struct ControllerOptions {
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
     int priority = 85;  ///< SCHED_FIFO priority; 0: unchanged
-    /// CPUs of the control thread, counted from 0; empty: chosen by the system. At a real-time priority use
+    /// CPUs of the control thread, counted from 0; empty: chosen by the system. At a real-time priority, use
     /// only the CPU of the receiver thread, because waking up on another CPU takes longer.
     std::vector<int> cpus = {};
     MotionLimits limits = {};

@@ -59,8 +59,8 @@ struct JogTarget {
     Twist twist = {};         ///< Cartesian: along and about the axes of `frame` [m/s, rad/s]
     JointVelocities qd = {};  ///< Joint [rad/s]
     Pose T_base_frame = {};   ///< only for JogFrame::Custom; only the rotation is used
-    /// If above 0, the jog ends with StopCause::Contact when the force at the TCP has changed by more than
-    /// this value since the start of the jog [N].
+    /// If above 0 [N], the jog ends with StopCause::Contact when the force at the TCP has changed by more
+    /// than this value since the start of the jog.
     double contactForce = 0;
     /// Maximum speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller also applies.
     /// Joint jogs need this limit because the TCP speed for a given joint speed depends on the posture.

@@ -47,9 +47,9 @@ struct MoveParameters {
     /// moveJ, moveJToPose [rad/s2], default 1.4. moveL, moveLToJoints [m/s2], default 1.2. > 0.
     std::optional<double> acceleration = {};
     Holding holding = Holding::Free;
-    /// Maximum time without a heartbeat of this computer for a Free move (e.g. while the machine is busy or a
-    /// cable is replugged); then the robot ends the move. The arm moves unattended during this time: 100 ms
-    /// ... 4 s. A Held move always ends after 100 ms.
+    /// Maximum time for which a Free move continues without a heartbeat of this computer, e.g. while the
+    /// machine is busy or a cable is replugged: 100 ms ... 4 s. The arm moves unattended during this time;
+    /// then the robot ends the move. A Held move always ends after 100 ms.
     std::chrono::milliseconds silence = kHoldTime;
 };
 
@@ -124,7 +124,7 @@ public:
                                     const ContactParameters& parameters = {});
 
     /// Moves at a velocity until it is refreshed with another one or ended. A target above the limits is
-    /// reduced and never refused. Held: call Jog::refresh() at least every 100 ms, otherwise the arm stops.
+    /// reduced rather than refused. Held: call Jog::refresh() at least every 100 ms, otherwise the arm stops.
     /// Errors   also FieldUnknown (contactForce on a robot that does not report forces)
     Result<Jog> startJog(const JogTarget& target, Holding holding = Holding::Held);
 

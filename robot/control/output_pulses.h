@@ -30,7 +30,7 @@ public:
     /// Sets the outputs selected by `mask` to the bits of `values`, and inverts them at the end of the
     /// duration. Restarts outputs that are already pulsing.
     /// duration  above 0, at most kMaxPulse; the robot rounds it to the control period
-    /// holding   Held: the pulse ends with the heartbeat of this computer
+    /// holding   Held: the pulse also ends when the heartbeat of this computer is missing
     Result<void> begin(std::uint32_t mask, std::uint32_t values, std::chrono::milliseconds duration,
                        Holding holding, const Deadline& deadline);
     /// Ends the pulses of the outputs in the mask. Outputs that are not pulsing are unchanged.

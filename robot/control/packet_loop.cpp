@@ -55,7 +55,8 @@ public:
     }
 
     /// Sleep time for a thread that waits for the end of the loop, at least 1 ms. The waiting thread wakes up
-    /// just after a cycle. At another time, possibly at real-time priority, it would delay the next cycle.
+    /// just after a cycle. At another time, this thread (possibly with real-time priority) would delay the
+    /// next cycle.
     /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
@@ -168,7 +169,7 @@ private:
     }
 
     // Results for an ended motion are not sent: see ControlLoop::seal(). After a long callback there is no
-    // active wait, so that other threads on this CPU can run, e.g. to stop the arm.
+    // busy wait, so that other threads on this CPU can run, e.g. to stop the arm.
     std::int64_t begin(bool fresh, std::int64_t evenNs, double period) {
         if (isEven_ && fresh) {
             const bool isLong = static_cast<double>(callNs_) > period * 1e9 / 4;
@@ -206,7 +207,7 @@ private:
     MotionId motion_;
     const Clock& clock_;
     bool isEven_;
-    std::int64_t awakeNs_;  ///< active wait before a cycle
+    std::int64_t awakeNs_;  ///< busy wait before a cycle
     Target last_;
     double targetAt_ = 0;  ///< on the robot's clock [s]
     double beganAt_ = 0;
@@ -222,7 +223,7 @@ private:
 };
 
 // A thread that the system wakes up late should not sleep until its packet arrives, because other threads on
-// the CPU may delay it by milliseconds. Without a real-time priority, the scheduler would penalize an active
+// the CPU may delay it by milliseconds. Without a real-time priority, the scheduler would penalize a busy
 // wait.
 std::int64_t awakeNs(const Controller::Private& d) {
     constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay added by ArrivalPace

@@ -66,7 +66,7 @@ struct CycleReport {
 enum class Pacing {
     /// At regular intervals. The delay relative to the usual arrival is the delay that only one packet in a
     /// thousand exceeds (at most 0.5 ms and a quarter of a period) plus a small margin. At a real-time
-    /// priority the thread waits actively, otherwise only for the last 0.1 ms. If a packet has not arrived by
+    /// priority the whole wait is a busy wait, otherwise only the last 0.1 ms. If a packet has not arrived by
     /// then, its cycle runs without it (CycleState::fresh), up to five times in a row. The timing is known
     /// 300 packets after takeControl() (0.6 s at 500 Hz); until then, cycles start on arrival. If the
     /// previous callback is still running when a packet arrives, the delay is reduced.

@@ -5,11 +5,11 @@
 // target wins. The arm continues with the last target until another one replaces it, and stops at the end of
 // the stream.
 //
-// Torques accelerate: a constant torque makes the arm faster and faster, and neither the speed slider nor the
-// speed cap of TCP and elbow slows it down. Therefore the control program monitors the cap: if the measured
-// speed exceeds it, the stream ends (StopCause::LimitReached; ControllerStatus::limiter reports TCP or
-// elbow). The speed may increase slightly for a few more milliseconds. Only the controller monitors joint
-// speeds and joint ranges, and it reacts with a protective stop.
+// A constant torque keeps accelerating the arm, and neither the speed slider nor the speed cap of TCP and
+// elbow slows it down. Therefore the control program monitors the cap. If the measured speed exceeds the cap,
+// the stream ends (StopCause::LimitReached; ControllerStatus::limiter reports TCP or elbow). The speed may
+// increase slightly for a few more milliseconds. Only the controller monitors joint speeds and joint ranges,
+// and it reacts with a protective stop.
 //
 // At the end of a torque stream, the control program decelerates in two steps. First it applies torques
 // against the motion, based on the inertia and within the joint limits. All joint speeds then decrease with a

@@ -80,8 +80,8 @@ struct Outcome {
 
 struct Report {
     RobotModelId model = RobotModelId::UR5e;
-    /// Gravity vector in the base frame [m/s2], derived from the controller's torques. If this is not
-    /// possible: as for an upright arm.
+    /// Gravity vector in the base frame [m/s2], derived from the controller's torques, or that of an upright
+    /// arm if this is not possible.
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);
     std::uint64_t rows = 0;     ///< number of rows read
     std::uint64_t leftOut = 0;  ///< rows excluded: arm without power, guided by hand, or after a gap

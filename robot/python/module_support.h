@@ -29,8 +29,8 @@ void finishModule(py::module_& module);
 /// Accepted names of the argument for the robot address.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
 
-/// An interface that stores its address and process. OwnHolder, or a holder with the same rule, owns it: a
-/// forked child does not destroy it.
+/// An interface that stores its address and process. It is held by OwnHolder or an equivalent holder, so that
+/// a forked child does not destroy it.
 template <class Interface>
 struct Shown : Interface, ProcessOwned {
     template <class... Arguments>

@@ -2,7 +2,7 @@
 // Part of tiller._native: control of the arm, motions, streams, jogs and packet loops.
 //
 // As in C++, a motion continues when its handle is deleted. Streams and jogs end, because they can no longer
-// be refreshed. All of them end with the controller, which is kept alive by every handle, and when the
+// be refreshed. All of them end when the controller is destroyed (every handle keeps it alive) or when the
 // heartbeat of this process is missing.
 #include <algorithm>
 #include <chrono>

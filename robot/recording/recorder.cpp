@@ -292,7 +292,7 @@ struct Recorder::Worker {
                 }
             }
             if (result && file && now >= syncDue && !last) {
-                // Errors of written data may be reported only here or when closing.
+                // Write errors may be reported only here or when closing.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }

@@ -9,7 +9,7 @@
 //
 // Arguments are checked before sending: std::invalid_argument for a wrong number of values or NaN,
 // std::range_error for a value out of range. Both contain the name of the argument. Ranges of joints and
-// their speeds are those of the connected robot. Whether a pose is reachable is checked before a move starts.
+// their speeds are those of the connected robot. The reachability of a pose is checked before a move starts.
 //
 // Motions end at their target or with a stop, and also without a heartbeat. A thread of this process sends
 // the heartbeat 500 times per second. If the process ends for any reason, is killed or suspended, or the
@@ -228,7 +228,7 @@ public:
     bool readContactDetection();
     bool stopContactDetection();
 
-    // [kg], [m]; without cog, it is unchanged
+    // ---- settings
     bool setPayload(double mass,
                     const std::vector<double>& cog = {});  ///< [kg], [m]; without cog, it is unchanged
     bool setTcp(const std::vector<double>& tcp_offset);

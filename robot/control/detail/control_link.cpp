@@ -102,7 +102,8 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     return {};
 }
 
-// Uses the types reported by the robot. If a type differs from the catalogue, as many values are used as fit.
+// Uses the types reported by the robot. If a type differs from the catalogue, only the values that fit are
+// used.
 void ControlLink::planSample(const std::vector<std::string>& names) {
     sample_ = receive::Sample(std::make_shared<receive::SampleLayout>(names));
     sample_.connection = 1;

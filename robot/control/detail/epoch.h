@@ -24,8 +24,8 @@ public:
     /// Starts an empty epoch, which ends the active motion.
     /// Returns  this epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
-    /// Starts this epoch as an empty one, to continue after another client. No effect if the epoch is in the
-    /// past.
+    /// Starts this epoch as an empty one. Used to continue after another client. No effect if the epoch is in
+    /// the past.
     void skipTo(std::uint64_t epoch);
     /// As stop(), but only if this motion is active.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);

@@ -36,7 +36,7 @@ constexpr double kSlidingDeepInside = 1e-4;
 // Smaller scales count as a blocked motion.
 constexpr double kSmallestScale = 0.02;
 
-// Measures at which the slow-down starts and at which motion towards the singularity ends.
+// Singularity measures at which the slow-down begins and at which motion towards the singularity ends.
 struct SingularityZone {
     double begin;
     double end;

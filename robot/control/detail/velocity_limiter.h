@@ -30,7 +30,7 @@ struct ArmLimits {
 /// Limits the speed so that joints stop before their limits, and the arm stops before singularities and at
 /// the safety distance from itself and its environment. Motion away from them is not limited. Also limits the
 /// speeds of TCP, elbow, rotation and joints.
-/// Threads  one. Real-time: yes (no allocation; some ten microseconds)
+/// Threads  one. Real-time: yes (no allocation; a few tens of microseconds)
 class VelocityLimiter {
 public:
     VelocityLimiter(const ArmLimits& arm, const MotionLimits& limits) : arm_(arm), limits_(limits) {}

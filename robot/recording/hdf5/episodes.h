@@ -33,7 +33,7 @@ struct EpisodeChoice {
     double shortest = 0.5;  ///< minimum duration [s]; shorter episodes are skipped
     /// Fields used as observations. A field that no recording contains is an error.
     std::vector<std::string> observations = {"actual_q", "actual_qd", "actual_TCP_pose", "actual_TCP_force"};
-    /// Commanded value used as the action. For a measured field, the value of the next row is also possible.
+    /// Value used as the action: a commanded value, or the next row's value of a measured field.
     std::string action = "target_q";
 };
 

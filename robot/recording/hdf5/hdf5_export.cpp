@@ -56,7 +56,7 @@ struct Field {
     bool hasMissing = false;
 };
 
-/// Names come from a file, so they may be duplicate, empty, or special in HDF5.
+/// Names come from a file, so they may be duplicates, empty, or special in HDF5.
 void makeNamesUsable(std::vector<Field>& fields) {
     std::set<std::string> used{"time", "gaps"};  // names of data sets written in addition to the fields
     for (Field& field : fields) {

@@ -26,7 +26,7 @@ struct Incident {
         reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or the reason for an alarm
     std::int64_t utcNs = 0;    ///< time of the stop [ns since 1970]
     double secondsBefore = 0;  ///< time from the first row of the file to the stop
-    Error error = {};          ///< error of a failed file; otherwise code None
+    Error error = {};          ///< error if writing failed; otherwise code None
 };
 
 struct BlackBoxOptions {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recordings as MCAP files with the profile ros2. They contain every package as one flat message with all
-// fields, joint state, wrench and transform messages for ROS tools, the log, and summaries of many rows, so
-// that hours of data open immediately. Each chunk is compressed and completed within half a second, which
-// limits the data loss in a crash.
+// Recordings as MCAP files with the profile ros2. Each package is stored as one flat message with all fields.
+// The file also contains joint state, wrench and transform messages for ROS tools, the log, and summaries of
+// many rows, so that hours of data open immediately. Each chunk is compressed and completed within half a
+// second, which limits the data loss in a crash.
 
 #include <chrono>
 #include <map>

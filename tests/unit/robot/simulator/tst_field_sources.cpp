@@ -46,7 +46,7 @@ private Q_SLOTS:
             least = std::min(least, now);
             most = std::max(most, now);
         }
-        // A client considers a connection lost if the period time of the controller is 0.4 ms or less.
+        // A client considers the connection lost if the controller's period time is 0.4 ms or less.
         QVERIFY(least > 0.4 && most < 1 && most > least);
     }
 

@@ -1284,8 +1284,8 @@ private Q_SLOTS:
         QVERIFY(b.rowOf("Twice [N]").isValid());
     }
 
-    // ---- recordings at 10 Hz, without a robot: all rows, and the rows between the cursors, with the values
-    // in the file
+    // ---- recordings
+    // 10 Hz, without a robot: all rows, and the rows between the cursors, with the values in the file.
     void exportsTheRowsOfARecording() {
         QTemporaryDir folder;
         const QString path = folder.filePath("slow.csv");
@@ -1497,7 +1497,7 @@ private Q_SLOTS:
         const PlotLayout kept = PlotLayout::fromJson(b.dock.arrangement()).value();
         QVERIFY(near(kept.modelLimits.jointPosition, 0.5 * 3.14159265 / 180, 1e-6));
 
-        // After cancelling, no result is shown.
+        // After cancelling, no result is shown, not even the previous one.
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QVERIFY(b.dock.marks().marks().empty());
