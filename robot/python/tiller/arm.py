@@ -37,8 +37,9 @@ class _Part:
 
 @checked
 class Tool(_Part):
-    """Settings for the tool, the force sensor, force mode and the watchdog. Each call returns when the robot has confirmed
-    it; timeout [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, LimitExceeded, VersionUnsupported."""
+    """Settings for the tool, the force sensor, force mode and the watchdog. Each call returns when the robot has
+    confirmed it; timeout [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, LimitExceeded,
+    VersionUnsupported."""
 
     def set_target_payload(self, mass: float, centre_of_gravity: Floats, inertia: Floats,
                            timeout: float | None = TIMEOUT) -> None:
