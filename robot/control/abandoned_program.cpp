@@ -14,7 +14,7 @@ namespace {
 // Lower limit of ABANDONED in control.script [s].
 constexpr double kAbandonedAfter = 0.5;
 // Time for which the value must increase with the robot's time [s]. A constant value is detected within half
-// of it.
+// of this time.
 constexpr double kProofTime = 0.05;
 // The value is written up to two control periods of a CB3 late, and a script may run slightly slower than the
 // clock.

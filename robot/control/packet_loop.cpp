@@ -223,8 +223,8 @@ private:
 };
 
 // A thread that the system wakes up late should not sleep until its packet arrives, because other threads on
-// the CPU may delay it by milliseconds. Without a real-time priority, the scheduler would penalize a busy
-// wait.
+// the CPU may delay the thread by milliseconds. Without a real-time priority, the scheduler would penalize a
+// busy wait.
 std::int64_t awakeNs(const Controller::Private& d) {
     constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay added by ArrivalPace
     return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;

@@ -31,7 +31,8 @@ private:
     }
 };
 
-/// A controller and its clock. Motions keep it alive. Destroying it stops the arm, except in a forked child.
+/// A controller and its clock. Motions keep the controller alive. Destroying the controller stops the arm,
+/// except in a forked child.
 struct NativeController : ProcessOwned {
     NativeController(control::ControllerOptions options, SharedClock c)
         : clock(std::move(c)), controller(with(std::move(options), clock)) {}

@@ -201,7 +201,7 @@ private:
         if (!line.empty() && line.back() == '\r') {
             line.remove_suffix(1);
         }
-        // Text files contain none of these bytes. Only the first line is checked.
+        // Text files contain no control characters. Only the first line is checked.
         if (rows_ == 0 && hasControlCharacters(line)) {
             isBinary_ = true;
             return;

@@ -66,7 +66,7 @@ public:
 
     // Controller
     void quit();                     ///< closes the connection
-    void shutdown();                 ///< switches off the robot and its controller
+    void shutdown();                 ///< switches off the robot and the controller
     std::string polyscopeVersion();  ///< e.g. "5.22.1.1214193"
     std::string getRobotModel();
     std::string getSerialNumber();

@@ -53,7 +53,8 @@ public:
     void disconnect();
     bool isConnected() const;
 
-    /// Resets and activates the gripper, which opens and closes it once. Returns when the gripper is ready.
+    /// Resets and activates the gripper. Activation opens and closes the gripper once. Returns when the
+    /// gripper is ready.
     void activate(bool auto_calibrate = false);
     /// Closes and opens the empty gripper to determine its end positions.
     void autoCalibrate(float Speed = -1.0);

@@ -69,7 +69,7 @@ class RTDEControlInterface {
 public:
     enum Flags : uint16_t {
         FLAG_UPLOAD_SCRIPT = 0x01,          ///< upload the control program
-        FLAG_USE_EXT_UR_CAP = 0x02,         ///< serve it to the ExternalControl URCap instead
+        FLAG_USE_EXT_UR_CAP = 0x02,         ///< serve the control program to the ExternalControl URCap
         FLAG_VERBOSE = 0x04,                ///< print progress on standard output
         FLAG_UPPER_RANGE_REGISTERS = 0x08,  ///< use registers from number 24 on
         FLAG_NO_WAIT = 0x10,                ///< do not wait for the program to start
@@ -229,8 +229,7 @@ public:
     bool stopContactDetection();
 
     // ---- settings
-    bool setPayload(double mass,
-                    const std::vector<double>& cog = {});  ///< [kg], [m]; without cog, it is unchanged
+    bool setPayload(double mass, const std::vector<double>& cog = {});  ///< [kg], [m]; empty cog: unchanged
     bool setTcp(const std::vector<double>& tcp_offset);
     bool setGravity(const std::vector<double>& direction);  ///< [m/s2] in the base frame
     bool setWatchdog(double min_frequency = 10.0);

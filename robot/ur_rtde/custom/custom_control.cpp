@@ -291,8 +291,8 @@ bool CustomControl::reupload() {
     if (!endProgram(*current) || !upload(*current, {})) {
         return false;
     }
-    // No program runs during a protective or emergency stop, so handing it over is sufficient. A stop that
-    // was just unlocked may still be reported in the next packages.
+    // No program runs during a protective or emergency stop, so handing over the program is sufficient. A
+    // stop that was just unlocked may still be reported in the next packages.
     const std::uint64_t settled = current->state().sequence + 50;
     bool stopped = false;
     const auto isStopped = [&](const RegisterState& state) {
@@ -478,7 +478,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         }
         const RegisterState now = robot.state();
         if (!done && !mayBeStopped && now.answer == 1 && !now.isPlaying() && !now.hasEnded()) {
-            sendStop(robot, command);  // paused before the program read it: it would run later
+            sendStop(robot, command);  // the paused program has not read the command and would run it later
         } else {
             robot.clear(command.id);
         }
@@ -520,7 +520,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         if (ready && wait) {
             return performInTurn(command, false).has_value();
         }
-        // A program that is paused or does not respond stops when it resumes.
+        // A program that is paused or does not respond executes the stop when it resumes.
         return sendStop(robot, command) && ready;
     } catch (const Interrupted&) {
         if (current && !tried) {
@@ -559,7 +559,7 @@ bool CustomControl::protectiveStop() {
         current && current->wait(
                        isStopped, [](const RegisterState&) { return false; }, milliseconds(1000));
     if (current && !stopped) {
-        current->clear(CommandId::ProtectiveStop);  // it must not take effect later
+        current->clear(CommandId::ProtectiveStop);  // the command must not take effect later
     }
     return stopped;
 }

@@ -332,7 +332,7 @@ bool NativeControl::stop(const RecipeCommand& command, bool wait) {
     if (!stopping) {
         return failed(stopping.error()).has_value();
     }
-    // A paused program stops when it resumes.
+    // A paused program executes the stop when it resumes.
     return isReady() && (!wait || outcome(stopping->wait(ever())).has_value());
 }
 
@@ -694,7 +694,7 @@ bool NativeControl::reupload() {
         pendant_.stop();  // the program does not respond
         again = programs_.reupload(within(kProgramTime));
     }
-    // No program runs during a protective or emergency stop. The connection is kept for the time after it.
+    // No program runs during a protective or emergency stop. The connection is kept for use afterwards.
     const bool stopped = controller_.isConnected() && !allowsMotion(controller_.status().safetyMode);
     return stopped || outcome(again).has_value();
 }

@@ -59,8 +59,8 @@ struct ProgramBench {
                            "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                            "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\nend\nend\n"));
     }
-    /// Starts a control program without a client, as left by a killed process, until the session has
-    /// recognized it.
+    /// Starts a control program without a client, as left by a killed process, and waits until the session
+    /// has recognized it.
     bool abandonProgram() {
         return send(control::Programs::controlProgram(cell.robot.options().software,
                                                       control::RegisterRange::Upper)) &&

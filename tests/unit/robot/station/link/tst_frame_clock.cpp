@@ -15,7 +15,7 @@ namespace {
 
 /// Records the signals that a part of the window receives from a session.
 struct Listener {
-    std::vector<std::uint64_t> sequences;  ///< numbers of all samples, in order of arrival
+    std::vector<std::uint64_t> sequences;  ///< sequence numbers of all samples, in order of arrival
     std::uint64_t lost = 0;
     int links = 0;
     int batches = 0;
