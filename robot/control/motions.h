@@ -123,8 +123,9 @@ public:
     Result<Motion> moveUntilContact(const Twist& twist, const Deadline& start,
                                     const ContactParameters& parameters = {});
 
-    /// Moves at a velocity until it is refreshed with another one or ended. A target above the limits is
-    /// reduced rather than refused. Held: call Jog::refresh() at least every 100 ms, otherwise the arm stops.
+    /// Moves at a velocity until the jog is refreshed with another velocity or ended. A target above the
+    /// limits is reduced rather than refused. Held: call Jog::refresh() at least every 100 ms, otherwise the
+    /// arm stops.
     /// Errors   also FieldUnknown (contactForce on a robot that does not report forces)
     Result<Jog> startJog(const JogTarget& target, Holding holding = Holding::Held);
 

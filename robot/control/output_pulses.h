@@ -3,7 +3,7 @@
 
 // Sets digital outputs for a time measured by the robot. The outputs are switched back even if this process
 // crashes, hangs or loses the connection. The control program measures the time, so a pulse requires control.
-// A secondary program could not measure it, because such programs must not take any time.
+// A secondary program could not measure the time, because secondary programs must not take any time.
 
 #include <chrono>
 #include <cstdint>

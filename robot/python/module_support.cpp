@@ -14,7 +14,8 @@ namespace tiller::python {
 
 namespace {
 
-// Python handles signals only in its main thread and only on request, which also sets the exception.
+// Python handles signals only in its main thread and only on request (PyErr_CheckSignals), which also sets
+// the exception.
 bool userInterrupted() {
     if (isParked()) {
         return true;

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kAcceptedAtOnce = 8;
 constexpr int kMaxShownOrigin = 200;  // [characters]
-// Kernel send buffer per connection. Its content can no longer be dropped, but is less than a second of all
-// messages.
+// Kernel send buffer per connection. Its content can no longer be dropped, so it is limited to less than a
+// second of messages.
 constexpr int kSendBuffer = 256 * 1024;
 constexpr qint64 kMaxUnsent = 64 * 1024;
 constexpr qint64 kMaxUnreadAnswers = 256 * 1024;

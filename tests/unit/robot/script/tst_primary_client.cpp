@@ -87,8 +87,8 @@ private Q_SLOTS:
         });
         PrimaryClient client(to(peer.port(), true));
         client.start();
-        // The error itself is visible only until the next connection is established, which is too short to
-        // check.
+        // The error itself is visible only until the next connection is established, so it cannot be checked
+        // reliably.
         QTRY_COMPARE_WITH_TIMEOUT(client.malformedPackages(), 1U, 20000);
         QTRY_COMPARE_WITH_TIMEOUT(client.state().robotMode, RobotMode::Idle, 20000);
         QCOMPARE(client.connectionError().code, ErrorCode::None);

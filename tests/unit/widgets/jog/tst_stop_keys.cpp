@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(s.stops.isEmpty());
     }
     // A window manager may leave the keyboard focus in the window that the dialog blocks. Qt then discards
-    // its key events.
+    // the key events of that window.
     void aBlockedWindowStops_data() {
         QTest::addColumn<Qt::Key>("key");
         QTest::addColumn<Qt::KeyboardModifier>("modifier");

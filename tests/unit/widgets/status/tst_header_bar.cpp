@@ -602,7 +602,7 @@ private Q_SLOTS:
         }
     }
 
-    // Checked in every language. No texts overlap. In the smallest windows, the longest texts of some
+    // Checked in every language. Texts do not overlap. In the smallest windows, the longest texts of some
     // languages are elided.
     void everyModeIsWhole_data() {
         QTest::addColumn<QString>("language");

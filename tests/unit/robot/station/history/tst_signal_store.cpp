@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(store.want(this, {window}));
         QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
         QVERIFY(store.buffer(window) != nullptr && store.buffer(window) != &store.live());
-        // A second subscriber requests the same field, which is requested until both have unsubscribed.
+        // A second subscriber requests the same field. The request ends after both have unsubscribed.
         const int other = 0;
         QVERIFY(store.want(&other, {store.find("actual_current_window_5")}));
         QVERIFY(store.want(this, {}));
