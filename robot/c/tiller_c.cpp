@@ -126,7 +126,7 @@ int guarded(tiller_robot* robot, const char* context, Call call) {
         [&]() -> Result<void> { return robot == nullptr ? invalid(context, "the robot is NULL") : call(); });
 }
 
-/// NaN counts as no time.
+/// A negative timeout means no limit; NaN expires immediately.
 Deadline deadline(double timeout) {
     return timeout < 0 ? Deadline::never() : Deadline::after(std::chrono::duration<double>(timeout));
 }

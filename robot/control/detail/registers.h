@@ -176,7 +176,7 @@ struct Feedback {
 
 /// extra  additional outputs to receive; duplicates are ignored
 std::vector<std::string> outputNames(RegisterRange range, const std::vector<std::string>& extra = {});
-/// The recipes of the control connection, in this order.
+/// Recipes of the control connection, in the order in which they are set up.
 enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
 /// The watchdog register.

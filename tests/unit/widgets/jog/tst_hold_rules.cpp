@@ -256,7 +256,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
         QApplication::sendEvent(&elsewhere, &event);
     } else if (rule == "the window is left") {
-        // Any window of the program, because another window may be active with a floating dock.
+        // This applies to any window of the program, because a floating dock may be the active window.
         QWidget other;
         send(other, QEvent::WindowDeactivate);
     } else if (rule == "the window loses the focus") {
