@@ -121,7 +121,7 @@ public:
     void leave(Supervision supervision = Supervision::Heartbeat);
 
     /// Ends the active motion and the control program, and closes the connection. Cancels waiting calls
-    /// (takeControl() and all functions that send programs).
+    /// (takeControl() and all functions that send programs) through the token of their deadline.
     /// Threads  any but the control thread. Blocks: 250 ms at most, even if the robot does not respond; the
     ///          robot decelerates by itself
     void release();

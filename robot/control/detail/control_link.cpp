@@ -258,7 +258,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     // that time.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
-        // After a delay of this computer, data may still be waiting in the socket.
+        // After a delay of this computer, data may still be in transit.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
         const std::int64_t takingNs = loop_.status().loss == ControlLoss::Taking ? kTakingTimeoutNs : 0;
