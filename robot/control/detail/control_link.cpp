@@ -18,8 +18,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// Maximum interval between two checks of the control thread if no data arrive. Measured in real time, while
-// the Clock decides whether data are late.
+// Maximum interval in real time between two checks of the control thread if no data arrive. The Clock decides
+// whether data are late.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
 // Data that are read within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;

@@ -33,7 +33,7 @@ struct BlackBoxOptions {
     Text folder = {};    ///< created if missing
     double before = 60;  ///< [s], 1 to 600
     double after = 10;   ///< [s], 0 to 60
-    int keep = 50;       ///< number of incident files in the folder; older ones are deleted
+    int keep = 50;       ///< maximum number of incident files in the folder; older ones are deleted
     std::map<std::string, std::string> facts{};  ///< metadata of the file: "robot", "software" ...
     /// Called for each incident, in the thread "tiller-box".
     std::function<void(const Incident&)> written{};

@@ -290,7 +290,7 @@ private:
             }
         }
         for (const auto& [number, named] : counts) {
-            // Minimum size of a message. It limits the number of rows that a damaged index can suggest.
+            // Minimum size of a message. Limits the number of rows that a damaged index can claim.
             constexpr std::uint64_t kMinMessageSize = 31;
             const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kMinMessageSize;
             const std::uint64_t count = std::min(named, most);
