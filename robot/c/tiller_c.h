@@ -14,10 +14,10 @@
  * base frame. Every function returns TILLER_OK or an error, unless documented otherwise; tiller_last_error() returns the
  * text. Timeouts in seconds; a negative timeout means no limit.
  *
- * A motion ends with a newer motion, tiller_stop(), tiller_release(), tiller_close(), and when this process ends in any
- * way, hangs or loses the connection: the robot brakes when it has received no heartbeat of this process for 100 ms.
+ * A motion ends with a newer motion, tiller_stop(), tiller_release() or tiller_close(). It also ends when this process
+ * ends in any way, hangs or loses the connection: the robot brakes after 100 ms without a heartbeat of this process.
  *
- * Threads: any; tiller_close() must be the last call with its robot. A robot does not survive fork().
+ * Threads: any; tiller_close() must be the last call with its robot. A robot cannot be used in the child after fork().
  */
 #ifndef TILLER_C_H
 #define TILLER_C_H
@@ -36,7 +36,7 @@ extern "C" {
 #define TILLER_C_API
 #endif
 
-/* Changes only if a function is removed or changed, not for additions. */
+/* Changes if a function is removed or changed. Additions do not change it. */
 #define TILLER_C_VERSION 1
 
 /* The numbers never change. */
@@ -92,7 +92,7 @@ TILLER_C_API void tiller_close(tiller_robot* robot);
 TILLER_C_API int tiller_read(tiller_robot* robot, const char* field, double* values, int capacity,
                              int* count);
 
-/* Sends the control program, which ends a program that runs on the robot. */
+/* Sends the control program. This ends any program running on the robot. */
 TILLER_C_API int tiller_take_control(tiller_robot* robot, double timeout);
 
 /* Stops the arm and releases control. */
@@ -113,7 +113,7 @@ TILLER_C_API int tiller_move_j(tiller_robot* robot, const double q[6], double sp
 TILLER_C_API int tiller_move_l(tiller_robot* robot, const double pose[6], double speed, double acceleration);
 
 /* Waits until the last started motion has reached its target. TILLER_STOPPED or another error if it ended earlier;
- * the error of the start if the last one was refused; TILLER_TIMEOUT: the motion continues. */
+ * the error of the start if the start was refused; TILLER_TIMEOUT if the motion continues. */
 TILLER_C_API int tiller_wait(tiller_robot* robot, double timeout);
 
 /* 1 until the last started motion has reached its target or was stopped, else 0. */
@@ -122,7 +122,7 @@ TILLER_C_API int tiller_is_active(tiller_robot* robot);
 /* Ends the active motion. No earlier command can move the arm afterwards. Does not wait. Not an emergency stop. */
 TILLER_C_API int tiller_stop(tiller_robot* robot);
 
-/* Sets a digital output: 0-7 standard, 8-15 configurable, 16-17 tool. Returns when the robot reports it. */
+/* Sets a digital output: 0-7 standard, 8-15 configurable, 16-17 tool. Returns when the robot reports the new state. */
 TILLER_C_API int tiller_set_digital_output(tiller_robot* robot, int output, int on, double timeout);
 
 #ifdef __cplusplus

@@ -11,11 +11,13 @@ namespace tiller::control {
 
 namespace {
 
-// Minimum of ABANDONED in control.script [s].
+// Lower limit of ABANDONED in control.script [s].
 constexpr double kAbandonedAfter = 0.5;
-// Duration of the proof [s]; a constant number is detected within half of it.
+// Time for which the value must increase with the robot's time [s]. A constant value is detected within half
+// of this time.
 constexpr double kProofTime = 0.05;
-// The number is written up to two control periods of a CB3 late; a script may be a little slower than the clock.
+// The value is written up to two control periods of a CB3 late, and a script may run slightly slower than the
+// clock.
 constexpr double kDelay = 0.02;
 constexpr double kDrift = 0.1;
 

@@ -30,7 +30,7 @@ QString text(const PathEntry::Target& target) {
 }
 
 void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& target) {
-    // The union of all arms' limits; the limits of the connected arm are checked when it is known.
+    // The widest limits of all arms. The limits of the connected arm are checked once it is known.
     static const ArmLimits kWidest = ArmLimits::of(robotModel(RobotModelId::UR3e));
     if (const auto* q = std::get_if<JointPositions>(&target)) {
         arguments.joints(name, *q, kWidest);
@@ -51,7 +51,7 @@ Result<void> checkPath(const MotionPath& path) {
         ArgumentCheck arguments("check a path");
         check(arguments, "target", entry.target);
         const bool joint = entry.kind == PathEntry::Kind::MoveJ;
-        constexpr double kJointSpeed = 3.3415926;  // [rad/s], of the fastest arm
+        constexpr double kJointSpeed = 3.3415926;  // [rad/s], fastest arm
         arguments.positive("speed", entry.speed, joint ? kJointSpeed : kHighestToolSpeed,
                            joint ? "rad/s" : "m/s", joint ? "deg/s" : "mm/s");
         arguments.positive("acceleration", entry.acceleration,

@@ -22,7 +22,7 @@ namespace {
 using native_socket::Descriptor;
 
 #ifdef _WIN32
-// Written according to the Winsock documentation; not run in this project's CI.
+// Written from the Winsock documentation; not run in the project's CI.
 using Handle = SOCKET;
 constexpr int kRefused = WSAECONNREFUSED;
 constexpr int kConnectPending = WSAEWOULDBLOCK;

@@ -20,9 +20,9 @@ namespace {
 constexpr int kHandshakeMs = 2500;
 constexpr int kProbeMs = 1000;
 constexpr int kListenMs = 6000;
-/// Duration of the data rate measurement in controller time [s].
+/// Duration of the data rate measurement, in controller time [s].
 constexpr double kLookSeconds = 0.5;
-/// With a smaller share of the expected packages, the data rate is not sufficient for control.
+/// Below this fraction of the expected packages, the data rate is not sufficient for control.
 constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 5;
@@ -39,8 +39,8 @@ std::vector<std::string> registersFrom(int first) {
     return names;
 }
 
-/// Whether there is any response to the first RTDE request: the text of another protocol looks like the start of a
-/// package that never ends.
+/// Whether there is any response to the first RTDE request. The text of another protocol looks like the start
+/// of an endless package.
 bool respondsWithData(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
@@ -204,7 +204,7 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
-    // Based on the controller's time stamps, so that the load of this PC has no effect.
+    // Uses the controller's timestamps, so that the load of this PC has no effect.
     const double wanted = receiver.version().maxFrequency();
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
@@ -223,7 +223,7 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("the system does not grant this user real-time priority"),
                        priority.advice);
     }
-    // Only relevant with the priority privilege, which is reported first.
+    // Relevant only with the permission for real-time priority, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
         examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));

@@ -24,7 +24,7 @@ struct Door {
     Error error;  ///< code None: the port is open
 };
 
-/// All ports in parallel: a firewall that drops packets would otherwise cost one timeout per port.
+/// Checks all ports in parallel. Otherwise a firewall that drops packets would cost one timeout per port.
 void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline& deadline) {
     std::array<std::thread, 5> knocking;
     for (std::size_t i = 0; i < doors.size(); ++i) {

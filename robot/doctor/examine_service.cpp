@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// Checks of the service for power and programs (the dashboard, or the Robot API of PolyScope X), and of the arm as
-// reported by the primary interface.
+// Checks of the service for power and programs (the dashboard server, or the Robot API of PolyScope X), and
+// of the arm as reported by the primary interface.
 
 #include "robot/core/robot_model.h"
 #include "robot/dashboard/dashboard_client.h"
@@ -29,7 +29,7 @@ void examineDashboard(Examiner& examiner) {
         connected ? client.polyscopeVersion(deadline) : Result<SoftwareVersion>(connected.error());
     if (!version) {
         const bool mute = version.error().code == ErrorCode::Timeout;
-        // The port is open, so the condition now depends on the service on this port.
+        // The port is open, so the result now depends on the service on this port.
         examiner.forget(Condition::ServicePort);
         examiner.found(
             Condition::ServicePort, Verdict::Bad,
@@ -79,7 +79,7 @@ void examineRobotApi(Examiner& examiner) {
                       .arg(port));
     const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));
     if (!remote) {
-        return;  // no queries before 10.12
+        return;  // no queries are possible before 10.12
     }
     if (*remote) {
         examiner.good(Condition::RemoteControl, DoctorText::tr("Remote"));
@@ -120,7 +120,7 @@ void examineModel(Examiner& examiner) {
         return;
     }
     for (const RobotModel& model : robotModels()) {
-        // CB3 and e-Series use the same numbers: the software version distinguishes them.
+        // CB3 and e-Series use the same numbers, so the software version distinguishes them.
         if (model.robotType == configuration->robotType &&
             (!examiner.version || model.isCb3() == examiner.version->isCb3())) {
             examiner.good(Condition::Model, QLatin1String(model.name));

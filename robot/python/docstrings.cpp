@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texts for help() of the modules with the names of ur_rtde: one entry per class and method.
-// tests/python/test_docs.py compares them with the modules and with the units in the C++ headers.
+// tests/python/test_docs.py compares the entries with the modules and with the units in the C++ headers.
 #include "robot/python/docstrings.h"
 
 #include <unordered_map>

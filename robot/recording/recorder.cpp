@@ -23,16 +23,17 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Interval of writing rows to the system, which limits the loss if the process is killed.
+// Interval at which rows are written to the system. Limits the data loss if the process is killed.
 constexpr milliseconds kWriteEvery{100};
-// Interval of syncing to the disk, which limits the loss in a power failure.
+// Interval at which data are synced to the disk. Limits the data loss in a power failure.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
 // About a quarter of a megabyte of text.
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
-    // QStorageInfo does not know file systems whose mount point is not listed, as in a chroot or a container.
+    // QStorageInfo does not find file systems whose mount point is not listed, e.g. in a chroot or a
+    // container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
@@ -78,7 +79,7 @@ std::vector<std::string> defaultRecordedFields() {
 
 struct Recorder::Worker {
     std::thread thread;
-    std::mutex mutex;  // protects the following members, and for waiting
+    std::mutex mutex;  // protects the following members; also used for waiting
     std::condition_variable wake;
     bool stopping = false;
     Error error;
@@ -93,7 +94,7 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> freeBytes{0};
     std::atomic<int> files{0};
 
-    // Used by the thread while it is running.
+    // Used by the thread while it runs.
     RecorderOptions options;
     RecordingSetup setup;
     RecordingFileFactory makeFile;
@@ -103,11 +104,11 @@ struct Recorder::Worker {
     receive::Sample sample;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
-        kept;                   ///< samples before a trigger, each with its number of lost packages
+        kept;                   ///< samples before a trigger, each with the number of lost packages
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
-    std::uint64_t dueSequence = 0;  ///< of the next row
+    std::uint64_t dueSequence = 0;  ///< sequence number of the next row
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
@@ -134,7 +135,7 @@ struct Recorder::Worker {
         return write(RecordingEncoder::Close::WhenDue);
     }
 
-    /// Writes the data available so far. On failure, truncates the file to its last complete row.
+    /// Writes the data available so far. On failure, the file is truncated to its last complete row.
     Result<void> write(RecordingEncoder::Close how) {
         unwritten = 0;
         const RecordedPart part = encoder->take(how);
@@ -291,7 +292,7 @@ struct Recorder::Worker {
                 }
             }
             if (result && file && now >= syncDue && !last) {
-                // Errors of written data may only be reported here or when closing.
+                // Write errors may be reported only here or when closing.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }
@@ -299,7 +300,7 @@ struct Recorder::Worker {
                 if (result && file) {
                     result = finishFile();
                 } else if (file) {
-                    static_cast<void>(file->close());  // the first error is reported
+                    static_cast<void>(file->close());  // only the first error is reported
                 }
                 freeBytes = freeBytesFor(options.path);
                 end(result);

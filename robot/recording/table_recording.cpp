@@ -14,7 +14,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr double kUsualPeriod = 0.002;  // [s]
-// Number of rows used to determine their usual interval.
+// Number of rows used to determine the usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
 /// Median of the intervals; 0 if there are none.

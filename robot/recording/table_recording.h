@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording with all numbers in memory, such as a text file.
+// A recording with all values in memory, e.g. read from a text file.
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace tiller::recording {
 
-/// The content of a table. `columns` corresponds to `values`; all columns have the same length.
+/// Content of a table. `columns` describes `values`; all columns have the same length.
 struct RecordedTable {
     QString path{};
     QString format{};
@@ -18,9 +18,10 @@ struct RecordedTable {
     QStringList problems{};
 };
 
-/// The time axis is the column `timestamp`, or the first one named time, seconds or t; otherwise rows are assumed
-/// to be 2 ms apart. If the clock was reset, time continues from its last value. Gaps are taken from the column
-/// `packages_lost`, or detected where two rows are more than one and a half periods apart.
+/// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
+/// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value.
+/// Gaps are taken from the column `packages_lost`, or detected where two rows are more than one and a half
+/// periods apart.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);

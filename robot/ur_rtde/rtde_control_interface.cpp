@@ -70,7 +70,7 @@ struct RTDEControlInterface::Private {
 
     tiller::control::JointLimits limits() const { return session.backend()->jointLimits(); }
 
-    /// Available since 5.4; in older software the program has no contact detection.
+    /// Available since 5.4. In older software, the program has no contact detection.
     bool feelsContact() const {
         const auto& version = session.identity().versions;
         return version.major > 5 || (version.major == 5 && version.minor >= 4);
@@ -83,7 +83,7 @@ struct RTDEControlInterface::Private {
         const auto answer = session.backend()->perform({id, 1, values});
         return answer && (answer->result != 0 || session.isForeign());
     }
-    /// The six result values; empty without an answer or a result.
+    /// The six result values; empty if there is no reply or no result.
     List six(CommandId id, int recipe, const List& values = {}, bool mayFail = false) {
         const auto answer = session.backend()->perform({id, recipe, values});
         if (!answer || (mayFail && answer->result == 0)) {
@@ -327,7 +327,7 @@ double RTDEControlInterface::getStepTime() {
 List RTDEControlInterface::getActualJointPositionsHistory(int steps) {
     check::integer("steps", steps, 0, 100000);
     if (steps > 0 && !d_->feelsContact()) {
-        return {};  // software without a history of positions has no history of contacts
+        return {};  // software without position history has no contact history either
     }
     return d_->six(CommandId::JointPositionsHistory, 9, {static_cast<double>(steps)});
 }
@@ -379,8 +379,8 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }
-    // Without a TCP argument the active TCP is used. It has to be queried, because the command uses the register
-    // values.
+    // Without a TCP argument, the active TCP is used. It must be queried, because the command uses the
+    // register values.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
     return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));
 }

@@ -31,7 +31,7 @@ Result<Answer> RequestChannel::exchange(const Request& request, const QString& c
     };
     const bool settledInTime = waitUntil(deadline, settled, std::chrono::microseconds(500));
     if (!inControl || !settledInTime) {
-        loop_.withdraw();  // a request without a waiting caller must not be executed
+        loop_.withdraw();  // a request must not be executed when no caller waits for it
     }
     if (!inControl) {
         return Error{link_.isRunning() ? ErrorCode::NotInControl : ErrorCode::LinkLost, context, {}};

@@ -76,7 +76,8 @@ class Joints(_SixNumbers):
 
 
 def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
-    """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the call for poses."""
+    """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the function for
+    poses."""
     if isinstance(values, Pose):
         hint = f"; {other} takes a pose" if other else ""
         raise InvalidArgument(name, "expected joint positions, got a Pose" + hint)
@@ -84,8 +85,8 @@ def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
 
 
 def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
-    """Converts to six numbers of a pose [m, rad]; raises InvalidArgument for Joints. other: the call for joint
-    positions."""
+    """Converts to six numbers of a pose [m, rad]; raises InvalidArgument for Joints. other: the function for
+    joint positions."""
     if isinstance(values, Joints):
         hint = f"; {other} takes joint positions" if other else ""
         raise InvalidArgument(name, "expected a pose, got Joints" + hint)

@@ -143,7 +143,7 @@ class Stopped(Error):
 
 
 class Rejected(Error):
-    """The controller refused."""
+    """The controller refused the request."""
 
     code = "Rejected"
 

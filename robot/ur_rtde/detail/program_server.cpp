@@ -26,7 +26,7 @@ constexpr std::chrono::seconds kSendTimeout(5);
 constexpr const char* kRequest = "request_program";
 
 #ifdef _WIN32
-using Handle = SOCKET;  // not run in this project's CI
+using Handle = SOCKET;  // not run in the project's CI
 #else
 using Handle = int;
 #endif
@@ -97,7 +97,7 @@ void ProgramServer::accept(std::vector<Client>& clients) {
     clients.push_back({socket, {}, {}, std::chrono::steady_clock::now()});
 }
 
-// Answers requests until the URCap disconnects. Returns false when the connection has ended.
+// Handles requests until the URCap disconnects. Returns false when the connection has ended.
 bool ProgramServer::serve(Client& client) {
     if (native_socket::waitReadable(client.socket, std::chrono::milliseconds(0)) && !receive(client)) {
         return false;
@@ -134,7 +134,7 @@ bool ProgramServer::receive(Client& client) {
     for (auto end = client.line.find('\n'); end != std::string::npos; end = client.line.find('\n')) {
         const bool asks = client.line.compare(0, end, kRequest) == 0;
         client.line.erase(0, end + 1);
-        // A client that repeats its request without reading gets no second copy.
+        // A client that repeats its request without reading gets only one copy.
         if (asks && client.pending.empty()) {
             const std::lock_guard lock(mutex_);
             client.pending = program_ + "\n";

@@ -13,7 +13,7 @@ using native_socket::Status;
 
 namespace {
 
-/// Returns the descriptor of the connection, like our servers.
+/// Returns the descriptor of the connection, like the servers of this project.
 class DescriptorServer : public QTcpServer {
 public:
     qintptr taken = -1;

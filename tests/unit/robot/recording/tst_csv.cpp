@@ -52,7 +52,7 @@ private Q_SLOTS:
 
 void TestCsv::columnsAreNamedAsInRecordings() {
     const receive::SampleLayout layout({"actual_q", "timestamp", "robot_mode"});
-    // The time stamp comes first wherever it was requested; fields that the receiver does not deliver are omitted.
+    // The timestamp is always the first column. Fields that the receiver does not deliver are omitted.
     const CsvWriter writer(layout, {"robot_mode", "actual_q", "ft_raw_wrench", "timestamp", "robot_mode"});
     QCOMPARE(
         QByteArray::fromStdString(writer.header()),
@@ -104,7 +104,7 @@ void TestCsv::absentValuesAreEmptyCells() {
 }
 
 void TestCsv::commaLocalesChangeNothing() {
-    // On machines without this locale the test still checks the default locale.
+    // On machines without this locale, the test still checks the default locale.
     const char* before = std::setlocale(LC_ALL, nullptr);
     const std::string saved = before == nullptr ? "C" : before;
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "da_DK.UTF-8"}) {

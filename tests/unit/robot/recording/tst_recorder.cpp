@@ -36,13 +36,13 @@ receive::ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Only the test ends a connection, no matter how late a thread is scheduled.
+    // Only the test ends a connection, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
 }
 
-/// A receiver connected to a peer, and a folder to record into.
+/// A receiver connected to a peer, and a folder for recordings.
 struct Bench {
     Bench() : receiver(to(peer.port())) { receiver.start().value(); }
 
@@ -60,14 +60,14 @@ struct Bench {
     receive::Receiver receiver;
 };
 
-/// A file on a disk or a share that accepts all data and fails in a later step.
+/// A file on a disk or share that accepts all data and fails in a later step.
 class TreacherousFile : public RecordingFile {
 public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
         int from = 1;               ///< number of the first call that fails
-        std::atomic<int> calls{0};  ///< calls of that step so far
+        std::atomic<int> calls{0};  ///< number of calls of this step so far
         std::atomic<bool> closed{false};
     };
     explicit TreacherousFile(Story& story) : story_(story) {}
@@ -95,7 +95,7 @@ private:
     std::unique_ptr<RecordingFile> file_ = systemFile();
 };
 
-/// Main function of the process that the test kills: records until then.
+/// Main function of the process that the test kills. It records until it is killed.
 int recordUntilKilled(const QString& path) {
     Bench bench;
     Recorder recorder;
@@ -209,7 +209,8 @@ void TestRecorder::everyNthPackageBecomesARow() {
     options.every = 5;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     bench.send(1, 21);
-    // The controller skipped three packages: they count as lost, unlike packages that are left out on purpose.
+    // The controller skipped three packages. They count as lost, unlike packages that the recorder skips on
+    // purpose.
     bench.send(25, 30);
     TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(27));
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(6));
@@ -237,13 +238,13 @@ void TestRecorder::ringOverrunIsAGapToo() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Many more packages than the ring holds. How many the recorder reads depends on the machine; the sum
+    // Many more packages than the ring holds. The number of packages read depends on the machine, but the sum
     // does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2000));
-    receiver.stop();  // the last of them is now in the ring
+    receiver.stop();  // the ring now contains the last package
     recorder.stop();
     QCOMPARE(recorder.progress().rows + recorder.progress().lost, std::uint64_t(2000));
     const auto table = readCsv(path);
@@ -260,7 +261,7 @@ void TestRecorder::rowsReachTheFileWhileRecording() {
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
     bench.send(1, 10);
-    // Without stop(): the recorder writes on its own schedule.
+    // Without stop(): the recorder writes at its own intervals.
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(10));
     const auto table = readCsv(bench.path());
     QVERIFY(!table->truncated);
@@ -330,7 +331,7 @@ void TestRecorder::unnamedFieldsAreAllRecorded() {
     RtdePeer peer;
     receive::ReceiverOptions options = to(peer.port());
     options.fields = {"actual_TCP_force", "output_int_register_24",
-                      "robot_mode"};  // not all are default fields
+                      "robot_mode"};  // some are not default fields
     receive::Receiver receiver(options);
     QVERIFY(receiver.start().ok());
     const QTemporaryDir folder;
@@ -454,7 +455,7 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
     QVERIFY(sent >= recorder.progress().rows);
     QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
-    // The receiver was not affected, and a new recording can start.
+    // The receiver was not affected, and another recording can start.
     QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.error().code, ErrorCode::None);
@@ -504,7 +505,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): the progress must no longer report a running recording.
+    // Without stop(): the progress must not report a running recording.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
@@ -525,7 +526,7 @@ void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
 
-    // The error that stop() waits for.
+    // An error that occurs only in stop().
     TreacherousFile::Story last{TreacherousFile::At::Sync};
     Recorder second([&] { return std::make_unique<TreacherousFile>(last); });
     QVERIFY(second.start({bench.path(), {}}, bench.receiver).ok());

@@ -87,7 +87,8 @@ private Q_SLOTS:
         });
         PrimaryClient client(to(peer.port(), true));
         client.start();
-        // The error itself is visible only until the next connection is established, too short to check it.
+        // The error itself is visible only until the next connection is established, so it cannot be checked
+        // reliably.
         QTRY_COMPARE_WITH_TIMEOUT(client.malformedPackages(), 1U, 20000);
         QTRY_COMPARE_WITH_TIMEOUT(client.state().robotMode, RobotMode::Idle, 20000);
         QCOMPARE(client.connectionError().code, ErrorCode::None);
@@ -120,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(client.droppedMessages(), 90U);
     }
 
-    // Unread data stay at the sender. A slow machine reads less, never more.
+    // Unread data stay at the sender. A slow machine reads less data, never more.
     void aFloodIsReadAtABoundedRate() {
         std::atomic<qint64> sent{0};
         RawPeer peer([&sent](RawPeer::Link& link) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A key has its hover look only while the pointer is over it.
+// A button is displayed as hovered only while the pointer is over it.
 
 #include <QApplication>
 #include <QCursor>
@@ -34,7 +34,7 @@ struct Bench {
             qFatal("the window was not shown");
         }
     }
-    /// Sends the events that the window system sends.
+    /// Sends the same events as the window system.
     static void enter(QWidget& widget) {
         const QPointF at = QRectF(widget.rect()).center();
         QEnterEvent event(at, widget.mapTo(widget.window(), at), widget.mapToGlobal(at));
@@ -67,7 +67,7 @@ private Q_SLOTS:
         menu.addAction(QStringLiteral("Rename"));
         menu.popup(bench.window.mapToGlobal(QPoint(200, 100)));
         QTRY_VERIFY(menu.isVisible());
-        bench.key.setAttribute(Qt::WA_UnderMouse);  // the state when the menu took the pointer
+        bench.key.setAttribute(Qt::WA_UnderMouse);  // the state when the menu grabs the pointer
         menu.close();
         QTRY_VERIFY(!bench.key.underMouse());
     }

@@ -81,11 +81,11 @@ private Q_SLOTS:
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");
-        QCOMPARE(told, 0);  // not before editing is finished
+        QCOMPARE(told, 0);  // the value is unchanged until editing is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
-        // Spreadsheets and scripts use a hyphen only; the box accepts both.
+        // Spreadsheets and scripts use only a hyphen. The box accepts both characters.
         box.selectAll();
         QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));

@@ -38,7 +38,7 @@ private Q_SLOTS:
         asked_.clear();
         clock_ = std::make_unique<VirtualClock>();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only the states of the test
+        session_->shutDown();  // states are set only by the test
         tab_ = std::make_unique<IoTab>(*session_);
         tab_->setClock(*clock_);
         tab_->setOutputSetter([this](int output, bool on) { asked_.append({output, on}); });
@@ -109,7 +109,7 @@ private Q_SLOTS:
         const QPoint place = tab_->output(16)->mapTo(tab_.get(), QPoint(0, 0));
         clock_->advanceNs(1900 * kNsPerMs);
         feed(withBits(1, 0));
-        QTRY_VERIFY(tab_->input(0)->state() == State::On);  // the tab has read the state
+        QTRY_VERIFY(tab_->input(0)->state() == State::On);  // the tab has received the state
         QVERIFY(tab_->output(16)->state() == State::PendingOn);
         clock_->advanceNs(200 * kNsPerMs);
         feed(withBits(0, 0));
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
     }
 
-    // The analog values belong to the same sample as the bits, never to a newer one.
+    // The analog values belong to the same sample as the bits, not to a newer one.
     void analogValuesAreOfTheSampleShown() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
         QVERIFY2(tab_->analogInput(0)->valueText().startsWith("12"),
                  qPrintable(tab_->analogInput(0)->valueText()));
-        Q_EMIT session_->linkBegan();  // another robot that has not sent a sample yet
+        Q_EMIT session_->linkBegan();  // another robot, from which no sample has arrived yet
         feed(withBits(0, 0));
         QTRY_COMPARE(tab_->input(0)->stateWord(), QString("off"));
         QVERIFY2(!tab_->analogInput(0)->valueText().contains("12"),

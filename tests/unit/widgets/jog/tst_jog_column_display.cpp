@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The display of the jog column: the current motion, the remaining travel, the reason why nothing moves, at every
-// size.
+// The display of the jog column: the current motion, the remaining travel, and the reason why nothing moves,
+// at every size.
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
-    // The arm could reach further down if the cell had no floor.
+    // Without the floor of the cell, the arm could reach further down.
     void theReachDownEndsAtTheSafetyDistanceFromTheFloor() {
         constexpr double kDeg = std::numbers::pi / 180;
         JogScene s;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(!s.key("jog.Y+")->isConfirmed());
         s.release("jog.X+");
         QVERIFY(!s.key("jog.X+")->isConfirmed());
-        s.column.applyState(s.state);  // still coasting, but no key is held
+        s.column.applyState(s.state);  // still coasting, but no button is held
         QVERIFY(!s.key("jog.X+")->isConfirmed());
     }
 
@@ -162,7 +162,7 @@ private Q_SLOTS:
         }
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(s.session.moves.isEmpty());
-        // Ready again: the old press is over, a new one moves.
+        // Ready again. The earlier press has ended, and another press starts a motion.
         s.column.applyState(s.state);
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(pad->reason().isEmpty());
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QTest::mousePress(key, Qt::LeftButton);
         QVERIFY(!column.isHolding());
         QTest::mouseRelease(key, Qt::LeftButton);
-        // The column follows the session.
+        // The column shows the state of the session.
         Q_EMIT session.stateChanged(readyState());
         QVERIFY(key->isEnabled());
         QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
@@ -215,14 +215,14 @@ private Q_SLOTS:
         QCOMPARE(pose->deltaText(0), QStringLiteral("+12.40"));
         QCOMPARE(pose->deltaText(1), QStringLiteral("0.00"));
         s.release("jog.X+");
-        QTest::mouseClick(pose, Qt::LeftButton);  // zero at this position
+        QTest::mouseClick(pose, Qt::LeftButton);  // the value is zero at this position
         QCOMPARE(pose->deltaText(0), QStringLiteral("0.00"));
         s.state.link = LinkState::Lost;
         s.column.applyState(s.state);
         QCOMPARE(pose->positionText(0), QStringLiteral("–"));
     }
 
-    // The data of an arm at rest fluctuate slightly.
+    // The data of an arm at standstill fluctuate slightly.
     void aReadOutIsPaintedOnlyWhenItsTextChanges() {
         JogScene s({390, 948});
         auto* pose = s.column.findChild<PoseView*>();
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QTRY_VERIFY(paints.of(row) > 0);
     }
 
-    // The marker is a separate widget: while the arm moves, nothing else in the column is repainted for it.
+    // The marker is a separate widget. While the arm moves, nothing else in the column is repainted.
     void aMarkerThatMovesPaintsNothingElse() {
         JogScene s({390, 948});
         auto* rows = s.column.findChild<JointRows*>();
@@ -290,7 +290,7 @@ private Q_SLOTS:
         }
     }
 
-    // Joints and pose fit on a screen of 1600 x 900.
+    // Joint positions and pose fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
@@ -354,7 +354,7 @@ private Q_SLOTS:
             s.state.tcpPose.position.x() += 0.0124;
             s.state.q[2] = -351 * std::numbers::pi / 180;
             s.column.applyState(s.state);
-            QTest::qWait(150);  // the values update ten times a second
+            QTest::qWait(150);  // the values are updated ten times per second
             QVERIFY(!s.column.grab().isNull());
             keepPicture(s.column, QStringLiteral("jog-") + scheme);
             s.release("jog.X+");

@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 2);
     }
 
-    // A later message must never be above an earlier one.
+    // A later message must not be displayed above an earlier one.
     void onlyNeighboursAreCountedTogether() {
         const auto say = [this](Severity severity, const char* text) {
             tab_->append(severity, text, Origin::Robot);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QCOMPARE(wanted.count(), 2);
-        // Another file is another incident, even with the same text.
+        // Another file is a separate incident, even if the text is the same.
         tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
                               "/a/c.mcap");
         QCOMPARE(rows(), 3);
@@ -232,13 +232,13 @@ private Q_SLOTS:
         }
     }
 
-    // Messages that arrived while another page was shown are the ones that the operator needs to see.
+    // Messages that arrived while another tab was shown are those that the operator needs to see.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
             return last.isValid() && last.bottom() <= table()->viewport()->height();
         };
-        tab_ = std::make_unique<LogTab>(*session_);  // a tab that was never shown
+        tab_ = std::make_unique<LogTab>(*session_);  // the tab was never shown
         for (int n = 0; n < 100; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }

@@ -44,7 +44,7 @@ private Q_SLOTS:
         add("moveJ");
         QCOMPARE(document_->project().programs.size(), std::size_t(1));
         add("loop");
-        add("wait");  // into the empty loop that is selected
+        add("wait");  // added to the selected empty loop
         QCOMPARE(shape(), QString("moveJ loop(wait)"));
         QCOMPARE(tree().selectedIds().size(), 1);
         document_->undo();
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated"), qPrintable(status()), 60'000);
         const QModelIndex first = model().indexOf(steps()[0].id).siblingAtColumn(ProgramModel::Result);
         QVERIFY2(first.data().toString().startsWith("1 ×"), qPrintable(first.data().toString()));
-        // An edit makes it stale.
+        // An edit makes the preview outdated.
         tree().selectIds({steps()[1].id});
         type(*field<QLineEdit>("time"), "0.3");
         QTRY_VERIFY(status().contains("can run"));

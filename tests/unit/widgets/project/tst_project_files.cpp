@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Messages about project files: damaged files, files of another version, and the folder of new files.
+// Messages about project files: damaged files, files of another version, and the folder for files that are
+// created.
 
 #include <QApplication>
 #include <QDir>
@@ -23,7 +24,7 @@ using namespace tiller;
 
 namespace {
 
-/// Presses this button of the next question.
+/// Clicks this button in the next question.
 class Answer {
 public:
     explicit Answer(const char* key) {
@@ -100,7 +101,7 @@ private Q_SLOTS:
         files_->open(path_);
         QVERIFY(!notice_.has_value());
         QCOMPARE(document_->waypoints().at(0).name, QString("home"));
-        QCOMPARE(content(), old);  // viewing does not change the file
+        QCOMPARE(content(), old);  // viewing does not modify the file
         document_->insertWaypoints(1, {named("pick")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(content().contains("\"tiller-project\""));
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    // The notice stays while a sample is opened and changed.
+    // The notice remains while a sample is opened and changed.
     void readingADamagedFileKeepsUnsavedCopies() {
         document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
         const QString sample = directory_->filePath("sample.tiller");
@@ -175,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
-    // The state after a start with a damaged file: there is no file in which the work could be saved.
+    // The state after starting with a damaged file: there is no file to save the work in.
     void workWithoutAFileIsAskedAbout() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");
@@ -201,7 +202,7 @@ private Q_SLOTS:
             QVERIFY(!files_->mayLeave(nullptr));
             QVERIFY(answer.wasAsked());
         }
-        // When saving is possible again, no question is asked.
+        // When saving is possible again, no question is shown.
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(files_->mayLeave(nullptr));
         QVERIFY(QFile::exists(folder + "/x.tiller"));
@@ -240,7 +241,7 @@ private Q_SLOTS:
         QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
     }
 
-    // The notice may appear under the pointer of someone who is about to click another one.
+    // The notice may appear under the pointer of a user who is about to click another one.
     void theFirstAnswerToAForeignChangeKeepsBothVersions() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");

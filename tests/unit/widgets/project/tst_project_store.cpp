@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(store_->copyName().isEmpty() && !store_->isModified());
         QCOMPARE(store_->statusText(), QString("mine.tiller — saved"));
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 2);
-        // From here on the copy is saved automatically, and the original file is unchanged.
+        // From now on, the copy is saved automatically, and the original file is unchanged.
         document_->insertWaypoints(2, {named("home")}, "Teach");
         QTRY_VERIFY(!store_->isModified());
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 3);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(store_->openCopy(sample, "Sample").ok());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
-        // An unreadable file changes nothing.
+        // A file that cannot be read changes nothing.
         QVERIFY(!store_->openCopy(directory_->filePath("nothing.tiller"), "Nothing").ok());
         QCOMPARE(store_->copyName(), QString("Sample"));
     }
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 1);
         QVERIFY(!document_->undoStack().canUndo());
         QVERIFY(!store_->isModified());
-        // The file keeps the arm model it was taught with.
+        // The file keeps the arm model for which it was taught.
         document_->insertWaypoints(1, {named("b")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->robot, std::optional(RobotModelId::UR10e));
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
         QTRY_VERIFY(!other.isModified());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
-        // The first window reports it once, only views from then on, and overwrites nothing.
+        // The first window reports this once, is then read-only, and overwrites nothing.
         QTRY_COMPARE(lost.count(), 1);
         QTRY_COMPARE(document_->waypoints().size(), 2);
         QCOMPARE(changed.count(), 0);
@@ -249,7 +249,7 @@ private Q_SLOTS:
         }
         QCOMPARE(changed.count(), 0);
         QCOMPARE(elsewhere.count(), 1);
-        // With unsaved changes, the other window asks the operator once.
+        // If there are unsaved changes, the other window asks the operator once.
         otherDocument.insertWaypoints(0, {named("mine")}, "Teach");
         for (int saves = 0; saves < 2; ++saves) {
             document_->insertWaypoints(0, {named("another")}, "Teach");
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(*copy)->waypoints.size(), 2);
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
         QCOMPARE(store_->statusText(), QString("cell-7-2.tiller — saved"));
-        // Or the other version is shown.
+        // Alternatively, the other version is shown.
         QVERIFY(project::saveProject(*copy, foreign).ok());
         QTRY_COMPARE(changed.count(), 2);
         QVERIFY(store_->reload().ok());
@@ -317,7 +317,7 @@ private Q_SLOTS:
         document_->insertWaypoints(1, {named("more")}, "Teach");
         QVERIFY(store_->reload().ok());
         QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
-        // Later changes are saved to the file, and do not remove the copy.
+        // Later changes are saved to the file and do not remove the copy.
         document_->insertWaypoints(1, {named("later")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         store_.reset();
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(kept->waypoints.at(1).name, QString("more"));
     }
 
-    // Another window is about to save to the first free name.
+    // Another window is about to save under the first free name.
     void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("mine")}, "Teach");
@@ -369,7 +369,7 @@ private Q_SLOTS:
         store_->setCopyFolder(folder);
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        // The content of the disk is what a killed program would leave.
+        // The content of the disk is the same as after the program was killed.
         QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
         const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
         QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);

@@ -17,7 +17,7 @@
 #include "widgets/status/status_line.h"
 #include "widgets/status/stop_button.h"
 
-// Outside of all namespaces: the macro declares a function of generated code.
+// Outside all namespaces, because the macro declares a function of generated code.
 static void initTranslations() {
     Q_INIT_RESOURCE(tiller_translations);
 }
@@ -195,14 +195,14 @@ private Q_SLOTS:
         state.robotMode = mode;
         state.safetyMode = safety;
         header.applyState(state);
-        QVERIFY(session.asked.isEmpty());  // nothing is sent without an action of the operator
+        QVERIFY(session.asked.isEmpty());  // nothing is sent without an action by the operator
         auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
         QVERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{asked});
     }
 
-    // Someone who presses Space wants to stop the arm.
+    // An operator who presses Space wants to stop the arm.
     void spaceNeverTakesTheNextStep() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (int i = 0; i < 8; ++i) {
             menu.addAction(QStringLiteral("Record everything"));
         }
-        // Would cover the lower half of the button.
+        // This would cover the lower half of the button.
         menu.popup(stop->mapToGlobal(QPoint(stop->width() / 2, stop->height() / 2)));
         const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
         QVERIFY2(!menu.geometry().intersects(place), "the menu covers STOP");
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QCOMPARE(session.stops, QList<StopCause>{StopCause::StopButton});
     }
 
-    // One key press must not make the arm fifty times as fast.
+    // A single key press must not make the arm fifty times faster.
     void theSpeedSliderIgnoresKeysWithLargeSteps() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -401,7 +401,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds, QList<double>{0.36});
     }
 
-    // Power on, Release brakes, Take control: the second click goes to the position of the first one.
+    // Power on, Release brakes, Take control: the second click is at the position of the first one.
     void secondClickHitsTheSameButton_data() {
         QTest::addColumn<int>("width");
         for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {
@@ -432,7 +432,7 @@ private Q_SLOTS:
         const QPoint hand = button->geometry().center();
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
-        // The robot follows at once, the captions become longer and the next step is shown.
+        // The robot follows immediately, the captions become longer, and the next step is shown.
         for (const RobotMode mode : {RobotMode::Booting, RobotMode::Idle, RobotMode::Running}) {
             state.robotMode = mode;
             state.control = mode == RobotMode::Running ? ControlState::InControl : ControlState::None;
@@ -445,7 +445,7 @@ private Q_SLOTS:
         }
         QCOMPARE(session.asked.size(), 1);
         QVERIFY(session.speeds.isEmpty());
-        // Half a second later everything is in its final state.
+        // Half a second later, all widgets are in their final state.
         QTRY_VERIFY(!button->isVisible());
         state.control = ControlState::None;
         header.applyState(state);
@@ -453,7 +453,7 @@ private Q_SLOTS:
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
-    // Each button keeps its position permanently, not only for a moment after a click.
+    // Each button keeps its position permanently, even long after a click.
     void buttonsKeepTheirPositionsForAllTexts_data() { secondClickHitsTheSameButton_data(); }
     void buttonsKeepTheirPositionsForAllTexts() {
         QFETCH(int, width);
@@ -495,7 +495,7 @@ private Q_SLOTS:
         compare(state);
     }
 
-    // A disabled button normally hands its focus on, in this case to the speed slider.
+    // A disabled button normally passes its focus on, in this case to the speed slider.
     void theFocusDoesNotGoFromTheKeyToTheSlider() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -602,7 +602,8 @@ private Q_SLOTS:
         }
     }
 
-    // In every language; nothing overlaps. In the smallest windows the longest texts of some languages are elided.
+    // Checked in every language. Texts do not overlap. In the smallest windows, the longest texts of some
+    // languages are elided.
     void everyModeIsWhole_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("width");
