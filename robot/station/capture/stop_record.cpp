@@ -18,7 +18,7 @@ constexpr double kMaxGap = 0.5;         ///< maximum time between two packets of
 constexpr double kElsewhere = 0.002;    ///< minimum joint change that counts as a moved arm [rad]
 
 /// Missing values are drawn as zero.
-double valueOrNaN(double value) {
+double finiteOrZero(double value) {
     return std::isfinite(value) ? value : 0.0;
 }
 
@@ -71,10 +71,10 @@ void StopRecorder::take(const receive::Sample& sample) {
     const receive::RobotState robot(sample);
     StopRecord::Point point;
     point.time = robot.timestamp();
-    point.force = valueOrNaN(robot.tcpForce().force.norm());
-    point.speed = valueOrNaN(robot.tcpSpeed().linear.norm());
-    point.current = robot.jointCurrent().unaryExpr(&valueOrNaN);
-    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&valueOrNaN);
+    point.force = finiteOrZero(robot.tcpForce().force.norm());
+    point.speed = finiteOrZero(robot.tcpSpeed().linear.norm());
+    point.current = robot.jointCurrent().unaryExpr(&finiteOrZero);
+    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&finiteOrZero);
     bool gap = false;
     if (!points_.empty()) {
         const double since = point.time - points_.back().time;
