@@ -76,7 +76,7 @@ void showSizeHint(app::MainWindow& window) {
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
                                         "This screen has a high resolution. Increase “Interface size” in "
-                                        "Settings to enlarge text, keys and plots."));
+                                        "Settings to enlarge text, controls and plots."));
     }
 }
 

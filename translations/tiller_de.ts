@@ -12,12 +12,12 @@
         <translation>Route</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -181,8 +181,8 @@
         <translation>Diese Projektdatei (.tiller) öffnen.</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>Farben: light (hell) oder dark (dunkel).</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>Farbschema: light (hell) oder dark (dunkel).</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,23 +193,23 @@
         <translation>unerwartetes Argument &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
-        <translation>--theme nimmt light oder dark, nicht &quot;%1&quot;</translation>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
+        <translation>--theme muss light oder dark sein, nicht &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
         <translation>--robot und --simulator lassen sich nicht kombinieren</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
-        <translation>--demo läuft nur am simulierten Roboter und lässt sich nicht mit --robot kombinieren</translation>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
+        <translation>--demo läuft nur mit dem simulierten Roboter und lässt sich nicht mit --robot kombinieren</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
-        <translation>--demo braucht einen Ordner</translation>
+        <source>--demo requires a folder</source>
+        <translation>--demo benötigt einen Ordner</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot benötigt eine Adresse, z. B. --robot 192.168.0.10</translation>
     </message>
     <message>
@@ -217,8 +217,8 @@
         <translation>es kann nur ein Projekt geöffnet werden; entfernen Sie &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>Nur beobachten: am Roboter nichts ändern; nur STOP wirkt. Lässt sich in den Einstellungen nicht ausschalten.</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>Nur beobachten: am Roboter nichts ändern; STOP wirkt weiterhin. Lässt sich in den Einstellungen nicht ausschalten.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -301,7 +301,7 @@
         <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
         <translation>Arm und Modell weichen ab dem ersten Messwert ab: Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
     </message>
     <message>
@@ -380,15 +380,15 @@
         <translation>Die lineare Bewegung führt durch eine Singularität des Arms.</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
-        <translation>Fahren Sie einzelne Gelenke heraus; verwenden Sie in diesem Bereich MoveJ.</translation>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <translation>Verfahren Sie einzelne Gelenke aus der Singularität heraus; durchfahren Sie diesen Bereich mit MoveJ.</translation>
     </message>
     <message>
         <source>Cannot hold position</source>
         <translation>Kann seine Position nicht halten</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>Der Arm ist im Stillstand abgesackt oder wurde geschoben.</translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation>Der Roboter ist in lokaler Steuerung</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>Ein Skript wurde gesendet, aber der Roboter nimmt nur Befehle vom Teach-Pendant an.</translation>
     </message>
     <message>
@@ -585,7 +585,7 @@
         <translation>Schalten Sie den Arm ein und lösen Sie die Bremsen mit der Schaltfläche in der Kopfzeile.</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>der RTDE-Port nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>der Dienst auf Port %1 verwendet kein RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Zu viele RTDE-Clients, oder die Steuerung reagiert nicht: Schließen Sie andere Programme und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>diese Softwareversion hat keine Register 24 bis 47</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>Bringen Sie die Software des Roboters auf 3.9 oder 5.3.</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>Aktualisieren Sie die Software des Roboters auf 3.9, 5.3 oder neuer.</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>%1 von %2 Paketen je Sekunde</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>Es fehlen Pakete: Verwenden Sie ein Kabel, keine Funkverbindung; schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
     </message>
     <message>
@@ -661,8 +661,8 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>erlaubt und von Echtzeitschleifen angefordert</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
     </message>
     <message>
         <source>CPUs may enter deep sleep states, which delay loops</source>
@@ -677,7 +677,7 @@
         <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; ist keine Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
     </message>
     <message>
@@ -685,12 +685,12 @@
         <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ anzeigt, oder fragen Sie Ihre Netzwerkadministration nach dem Namen.</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 antwortet nicht</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>Es gibt keine Route zu %1</translation>
+        <source>no network route to %1</source>
+        <translation>keine Netzwerkroute zu %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
@@ -701,7 +701,7 @@
         <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 antwortet, bietet aber keine Roboterdienste an</translation>
     </message>
     <message>
@@ -709,7 +709,7 @@
         <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt noch eine Minute.</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 antwortet</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>Port %1 ist geschlossen</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>Port %1 antwortet nicht</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Bis dahin kann Tiller nur beobachten.</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>das Dashboard nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
@@ -781,8 +781,8 @@
         <translation>Robot API %1, Port %2; Popups müssen am Teach-Pendant geschlossen werden</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
-        <translation>die primäre Schnittstelle beschreibt den Arm nicht</translation>
+        <source>the primary interface sends no data about the arm</source>
+        <translation>die primäre Schnittstelle sendet keine Daten über den Arm</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -793,7 +793,7 @@
         <translation>diese Version von Tiller kennt den Robotertyp %1 nicht</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>Beobachten ist möglich. Grenzen und Vorschau verwenden die vom Roboter gemeldeten Maße; verfahren Sie zuerst langsam.</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>Adresse wird aufgelöst</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>Host antwortet</translation>
     </message>
     <message>
@@ -900,8 +900,8 @@
         <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>Der Arm misst %1 bei einer Nutzlast von %2 kg und würde wegdriften. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <translation>Der Arm würde wegdriften: Er misst %1 bei einer Nutzlast von %2 kg. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
 <context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Tasten und Diagramme zu vergrößern.</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Bedienelemente und Diagramme zu vergrößern.</translation>
     </message>
 </context>
 <context>
@@ -933,12 +933,12 @@
         <translation>Schrittweite %1, %2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>Tastatur scharf schalten oder abschalten</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>Tastatur-Verfahren scharf schalten oder abschalten</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
-        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,60 +953,60 @@
         <translation>Hier null</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>Misst die Verschiebung des TCP von hier aus. Noch einmal drücken: seit dem letzten Tastendruck.</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>Zeigt die Verschiebung des TCP von dieser Position aus. Noch einmal drücken: seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>Stoppt den Arm; der nächste Druck hat diese Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>Bewegt um diesen Betrag, nur solange die Taste gehalten wird.</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>Bewegt den Arm um diesen Betrag, solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>Bewegt bei jedem Druck um diesen Betrag.</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>Jeder Druck bewegt den Arm um diesen Betrag.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>Verfahren bis Kontakt, %1 N</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Fährt langsam, solange die Taste gehalten wird, und stoppt, wenn das Werkzeug diese Kraft erreicht.</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>Fährt langsam, solange die Taste gehalten wird, und stoppt, wenn die Kontaktkraft diesen Wert erreicht.</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>Andere Verfahrgeschwindigkeit…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Fragt nach der TCP-Geschwindigkeit. Dreh- und Gelenkgeschwindigkeiten ändern sich im gleichen Verhältnis.</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>Legt die TCP-Geschwindigkeit fest. Dreh- und Gelenkgeschwindigkeiten ändern sich im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>Andere Schrittweite…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Fragt nach der Schrittlänge. Der Schrittwinkel ändert sich nicht.</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>Legt die Schrittlänge fest. Der Schrittwinkel ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>Anderer Drehschritt…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Fragt nach dem Schrittwinkel für Werkzeug- und Gelenkdrehungen. Die Schrittlänge ändert sich nicht.</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>Legt den Schrittwinkel für Werkzeug- und Gelenkdrehungen fest. Die Schrittlänge ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>Verfahren bis Kontakt, andere Kraft…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>Andere Kontaktkraft für Verfahren…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Fragt nach der Kontaktkraft in N, bei der die Bewegung endet.</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>Legt die Kontaktkraft in N fest, bei der die Bewegung endet.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
+        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <translation>Tastenprüfung aktiv: Tiller prüft alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
 </context>
 <context>
@@ -1149,7 +1149,7 @@
         <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation>weniger seitwärts fahren</translation>
     </message>
     <message>
@@ -1203,8 +1203,8 @@
         <translation>BEWEGT SICH</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>Der Roboter bestätigt, dass der Arm sich bewegt.</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>Der Roboter meldet, dass sich der Arm bewegt.</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,12 +1267,12 @@
         <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert auf Tasten. Verfahren Sie langsam.</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert. Verfahren Sie langsam.</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Gut: Der Arm reagiert sofort auf Tasten und stoppt innerhalb von 250 ms, wenn die Verbindung ausfällt.</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>Gut: Der Arm reagiert sofort und stoppt innerhalb von 250 ms, wenn die Verbindung ausfällt.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1371,7 +1371,7 @@
         <translation>Daten verspätet</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -1438,7 +1438,7 @@
         <translation>Zurückdrücken</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>Der Arm wird mit gelösten Bremsen von Hand bewegt. Lassen Sie die Freedrive-Taste los.</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>Schutzstopp</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>Die Steuerung hat den Arm gestoppt. Finden Sie heraus, was ihn stoppte, dann entriegeln Sie (nach 5 s).</translation>
     </message>
     <message>
@@ -1566,7 +1566,7 @@
         <translation>Stopp Zustimmtaste Pendant</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
         <translation>Die Zustimmtaste des Pendants wird nicht gehalten. Halten Sie sie in ihrer Mittelstellung.</translation>
     </message>
     <message>
@@ -1598,23 +1598,23 @@
         <translation>PROFIsafe-Automatik-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>Die PROFIsafe-Steuerung hält die Schutzeinrichtung des Automatikbetriebs offen. Schließen Sie sie dort.</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>Die PROFIsafe-Steuerung fordert den Safeguard-Stopp des Automatikbetriebs an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>PROFIsafe-Safeguard-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>Die PROFIsafe-Steuerung hält eine Schutzeinrichtung offen. Schließen Sie sie dort.</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>Die PROFIsafe-Steuerung fordert einen Safeguard-Stopp an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe-Not-Halt</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
@@ -1630,8 +1630,8 @@
         <translation>Stopp E/A-Ebene</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
-        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant zurück oder schalten Sie den Eingang aus.</translation>
     </message>
     <message>
         <source>Program stopping</source>
@@ -1646,7 +1646,7 @@
         <translation>Kein Programm</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation>Programm läuft</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>Auf dem Roboter läuft ein Programm und kann den Arm bewegen.</translation>
     </message>
     <message>
@@ -1670,8 +1670,8 @@
         <translation>Programm pausiert</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>„Abspielen“ setzt die unterbrochene Bewegung fort. Stoppen Sie das Programm, um sie zu verwerfen.</translation>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <translation>Setzen Sie die unterbrochene Bewegung mit „Abspielen“ fort, oder stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1828,8 +1828,8 @@
         <translation>Protokoll durchsuchen</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>Zeigt nur Einträge, die diese Wörter enthalten.</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>Zeigt nur Einträge, die den Suchtext enthalten.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,8 +1876,8 @@
         <translation>Neue Diagrammseite</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Fügt hinter den anderen eine leere Seite hinzu. Alle Seiten haben dieselbe Zeitachse.</translation>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
+        <translation>Fügt am Ende eine leere Seite hinzu. Alle Seiten haben dieselbe Zeitachse.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1974,7 +1974,7 @@
         <translation>Der Arm ist in einem Schutzstopp. Drücken Sie „Wiederherstellen…“ in der Kopfzeile.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
         <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie den Schritten auf der Seite Wiederherstellung.</translation>
     </message>
     <message>
@@ -2006,8 +2006,8 @@
         <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>Der Wegpunkt wurde gelöscht. „Start“ fügt einen neuen hinzu.</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>Der Wegpunkt wurde gelöscht. Drücken Sie „Start“, um einen neuen hinzuzufügen.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2042,7 +2042,7 @@
         <translation>Grenze erreicht. Fahren Sie nun zurück: %1 von %2.</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
+        <source>You reached the limit and moved back.</source>
         <translation>Sie haben die Grenze erreicht und wieder verlassen.</translation>
     </message>
     <message>
@@ -2066,8 +2066,8 @@
         <translation>%1 stimmt nicht mit der Aufzeichnung überein. Betrachten Sie die Kurve Fz.</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>Richtig: %1.</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>Richtig: Die Kraft betrug %1.</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>„Start“ simuliert eine Kollision, die einen Schutzstopp auslöst. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>„Start“ fügt an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzu. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>„Start“ simuliert eine Hand, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Drücken Sie „Start“, um eine Hand zu simulieren, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>„%1“ hat einen ungültigen Wert.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>„%1“ ist %2; erlaubt ist %3 bis %4.</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>„%1“ ist %2; der Wert muss zwischen %3 und %4 liegen.</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>Kein Wegpunkt gehört zur Gruppe „%1“.</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>Die Gruppe „%1“ enthält keine Wegpunkte.</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>„%1“ verweist auf etwas, das nicht mehr im Projekt ist.</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>„%1“ verweist auf ein Element, das aus dem Projekt gelöscht wurde.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,20 +2172,20 @@
         <translation>„%1“ kann keine Schritte enthalten.</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>Diese Version von Tiller hat keinen Schritt „%1“.</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>Diese Version von Tiller unterstützt den Schritt „%1“ nicht.</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht zwischen Teilen wie „Wenn“ und „Sonst“.</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
-        <translation>Das Projekt enthält kein solches Programm.</translation>
+        <source>The project does not contain this program.</source>
+        <translation>Das Projekt enthält dieses Programm nicht.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
-        <translation>Das Projekt wurde mit einem %1 geteacht, der Roboter ist ein %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein %2.</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2196,7 +2196,7 @@
         <translation>Das Programm hat keine Schritte.</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ.</translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation>Die Aufrufe sind zu tief verschachtelt.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Setzen Sie den aktiven TCP, oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte, angegeben sind %3.</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>Koordinatensystem des Abschnitts</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>Wenn der Eingang aus ist</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>Öffnen und Schließen benötigen verschiedene Ausgänge.</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>Wählen Sie für Öffnen und Schließen verschiedene Ausgänge.</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>Der Greifer hält kein Teil.</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>Der Greifer hält kein Objekt.</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>Frage</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>Fragen benötigen Software 5.6 oder neuer.</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>Fragen benötigen Robotersoftware 5.6 oder neuer.</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>Register</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>Das letzte Register, das ein Programm setzen kann, ist %1.</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>Programme können Register bis %1 setzen.</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,8 +2784,8 @@
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
-        <translation>Eine Auswahl benötigt mindestens einen Fall.</translation>
+        <source>A Switch must contain at least one Case.</source>
+        <translation>Eine Auswahl muss mindestens einen Fall enthalten.</translation>
     </message>
     <message>
         <source>A Switch can directly contain only Case and Default.</source>
@@ -2800,7 +2800,7 @@
         <translation>Versuchen</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation>Nach „Versuchen“ muss direkt „Bei Fehler“ folgen.</translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@
         <translation>Die Sicherheit ist wieder normal</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
         <translation>Der Arm kann bewegt werden. Bewegungen von vor dem Stopp werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation>Ich habe den Arm geprüft: Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation>Die Ursache des Stopps ist bekannt und beseitigt.</translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation>Ich habe den Arm und das Protokoll des Roboters geprüft: Die Ursache ist bekannt.</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
@@ -3029,7 +3029,7 @@
         <translation>Geben Sie zuerst die Steuerung ab.</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation>Stoppt das Programm auf dem Roboter.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -3220,8 +3220,8 @@
         <translation>%1: %2 s lang aus</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
-        <translation>Impulse werden vom Roboter getaktet und brauchen die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
+        <translation>Impulse werden vom Roboter getaktet und erfordern die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -3333,27 +3333,27 @@
         <translation>Kleben entlang einer Bahn</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Trägt langsam und in geraden Linien eine Raupe um einen Deckel mit runden Ecken auf. Überschleifen hält die Düse in den Ecken in Bewegung.</translation>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
+        <translation>Trägt in langsamen, geraden Bewegungen eine Raupe um einen Deckel mit runden Ecken auf. Überschleifen hält die Düse in den Ecken in Bewegung.</translation>
     </message>
     <message>
         <source>Measuring</source>
         <translation>Messen</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>Ein Taster berührt ein Teil von oben und von vier Seiten, jeweils von einem Anfahrpunkt und mit geneigtem Werkzeug.</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>Ein Taster berührt ein Teil von oben und von vier Seiten. Jede Berührung beginnt an einem Anfahrpunkt mit geneigtem Werkzeug.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Standardansicht, perspektivisch</translation>
+        <source>Default view (perspective)</source>
+        <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>Blick zwischen vorn und Seite, leicht von oben, alles sichtbar.</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>Blick zwischen vorn und Seite, leicht von oben; alles wird eingepasst.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3429,11 +3429,11 @@
         <translation>Die Datei enthält keine Tiller-Einstellungen.</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>Die Datei wurde von einem neueren Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>Die Datei wurde von einer neueren Version von Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
+        <source>The file contains no version number.</source>
         <translation>Die Datei enthält keine Versionsangabe.</translation>
     </message>
     <message>
@@ -3843,7 +3843,7 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
+        <source>left button</source>
         <translation>linke Taste</translation>
     </message>
     <message>
@@ -3979,7 +3979,7 @@
         <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>Der Roboter antwortet nicht. Prüfen Sie Kabel und Adresse.</translation>
     </message>
     <message>
@@ -3991,8 +3991,8 @@
         <translation>Die Antwort verletzt das RTDE-Protokoll. Prüfen Sie Adresse und Port.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
-        <translation>Die Software des Roboters ist dafür zu alt.</translation>
+        <source>The robot&apos;s software is too old for this function.</source>
+        <translation>Die Software des Roboters ist für diese Funktion zu alt.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
@@ -4011,8 +4011,8 @@
         <translation>Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>Bringen Sie zuerst den Roboter auf „Läuft“ und seine Sicherheit auf „Normal“.</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>Bringen Sie den Roboter zuerst in den Modus „Läuft“ und den Sicherheitsmodus „Normal“.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
@@ -4027,7 +4027,7 @@
         <translation>Der Arm kann diese Pose nicht erreichen: Verschieben Sie den Punkt näher heran oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>Der Roboter konnte das Programm nicht ausführen. Die Meldung der Steuerung steht im Protokoll.</translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@
         <translation>losgelassen</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
+        <source>pointer left the button</source>
         <translation>Zeiger hat die Taste verlassen</translation>
     </message>
     <message>
@@ -4291,8 +4291,8 @@
         <translation>Die Verbindung wurde unterbrochen. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>Ihr Skript läuft. Die Steuerung kehrt zurück, wenn es endet.</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>Ihr Skript läuft. Tiller erhält die Steuerung zurück, wenn es endet.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4367,8 +4367,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und solange die Taste gehalten wird.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und die Taste gehalten wird.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4443,7 +4443,7 @@
         <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
         <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1: %2
 Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
@@ -4496,7 +4496,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Skala von %1</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>z. B. bar; leer: nicht skaliert</translation>
     </message>
     <message>
@@ -4523,12 +4523,12 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
     </message>
 </context>
 <context>
@@ -4538,8 +4538,8 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Größe %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>Gezeichnet und geprüft</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>Angezeigt und auf Kollisionen geprüft</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -4688,16 +4688,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Länge entlang Z</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>Punkt auf der Ebene X</translation>
+        <source>Point on the plane, X</source>
+        <translation>Punkt auf der Ebene, X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>Punkt auf der Ebene Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>Punkt auf der Ebene, Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>Punkt auf der Ebene Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>Punkt auf der Ebene, Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4716,8 +4716,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Boden</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>Ausgeschaltet wird er weder gezeichnet noch geprüft.</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>Ausgeschaltet wird der Boden weder angezeigt noch auf Kollisionen geprüft.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4834,16 +4834,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Vergleichen…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Diese Aufzeichnung mit dem Modell des Arms vergleichen, mit anderen Grenzen</translation>
+        <source>Compare this recording with the arm model using other limits</source>
+        <translation>Diese Aufzeichnung mit anderen Grenzen mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>Dorthin</translation>
+        <source>Go to time</source>
+        <translation>Zur Stelle</translation>
     </message>
     <message>
         <source>Stop comparing</source>
@@ -4861,8 +4861,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell kennt weder Kontakt noch Reibung.</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell enthält weder Kontakt noch Reibung.</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4935,16 +4935,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Richtung, in die sich der Arm bewegen würde</translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>Hold-to-run</source>
         <translation>Zustimmtaste</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>Würde bewegen</translation>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Tastatur, wenn scharf (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Scharfe Tastatur (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4963,8 +4963,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>○ nicht gehalten: Halten Sie %1</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>nichts: neutral</translation>
+        <source>none (neutral)</source>
+        <translation>keine (neutral)</translation>
     </message>
 </context>
 <context>
@@ -4995,8 +4995,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bremsen lösen (Kopfzeile)</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>Steuerung übernehmen, Taste im Feld halten</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>Steuerung übernehmen, Verfahrtaste halten</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5026,8 +5026,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>Die Liste erscheint nicht wieder. Mit dem Befehl „Erste Schritte“ können Sie sie anzeigen.</translation>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
+        <translation>Die Liste erscheint nicht wieder. Mit dem Befehl „Erste Schritte“ öffnen Sie sie erneut.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -5045,8 +5045,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ursprung</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>In Basis. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <translation>Im Basis-Koordinatensystem. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5174,8 +5174,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>„%1“ ist ein vordefiniertes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>Ein anderes Koordinatensystem heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A frame named “%1” already exists. Choose another name.</source>
+        <translation>Ein Koordinatensystem mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -5222,8 +5222,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
-        <translation>Abstand des TCP, %1</translation>
+        <source>Distance from the TCP, %1</source>
+        <translation>Abstand vom TCP, %1</translation>
     </message>
 </context>
 <context>
@@ -5316,8 +5316,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Nehmen  P</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>Noch einmal</translation>
+        <source>Retake</source>
+        <translation>Neu nehmen</translation>
     </message>
 </context>
 <context>
@@ -5377,8 +5377,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem am TCP mit den Achsen des Werkzeugs erstellen (Umschalt+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>Ursprung, ein Punkt auf +X, ein Punkt Richtung +Y (Strg+Umschalt+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Koordinatensystem aus Ursprung, einem Punkt auf +X und einem Punkt Richtung +Y anlegen (Strg+Umschalt+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5476,7 +5476,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Voriger Wegpunkt, halten</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation>Fährt zum vorigen Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -5484,7 +5484,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Nächster Wegpunkt, halten</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
@@ -5512,7 +5512,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
         <translation>Beginnt nach dem letzten wieder beim ersten Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -5547,7 +5547,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit, und führt die Aktionen jedes Wegpunkts aus. Loslassen pausiert; der nächste Druck fährt zum nächsten Wegpunkt weiter.</translation>
     </message>
     <message>
@@ -5566,8 +5566,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Anfahren, halten</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>Bewegt den Arm zum gewählten Wegpunkt, solange die Taste gehalten wird (G), nicht schneller als die Verfahrgeschwindigkeit</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>Bewegt den Arm zum gewählten Wegpunkt, solange die Taste oder G gehalten wird, nicht schneller als die Verfahrgeschwindigkeit</translation>
     </message>
 </context>
 <context>
@@ -5629,8 +5629,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Greifer: schließen</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>Greifer: auf %1</translation>
+        <source>Gripper: move to %1</source>
+        <translation>Greifer: auf %1 fahren</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5733,8 +5733,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 (Geschwindigkeit %2, Kraft %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>Verbinden Sie sich zuerst mit einem Roboter: Jeder Roboter merkt sich seinen Greifer.</translation>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter: Der Greifer wird für jeden Roboter gespeichert.</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5793,8 +5793,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>nichts</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>Der Greifer ist mit diesem Port-Versatz nicht erreichbar.</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>Der Greifer ist mit diesem Port-Versatz nicht verfügbar.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5935,7 +5935,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ein Dialog oder Menü ist offen. Schließen Sie es zuerst.</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
@@ -5950,7 +5950,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>halten</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
+        <source>Hold this button: the arm moves only while it is held.</source>
         <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
@@ -6009,9 +6009,9 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-Kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
+Der Ausgang kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
     </message>
     <message>
         <source>
@@ -6047,8 +6047,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Greifer</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
-        <translation>Seite von E/A</translation>
+        <source>I/O page</source>
+        <translation>E/A-Seite</translation>
     </message>
 </context>
 <context>
@@ -6169,8 +6169,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Home</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation>Bewegt jedes Gelenk zur Home-Stellung, solange gehalten</translation>
+        <source>Moves all joints to the home position while held</source>
+        <translation>Bewegt alle Gelenke zur Home-Position, solange gehalten</translation>
     </message>
     <message>
         <source>Align</source>
@@ -6201,7 +6201,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Endet in %1 s</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
@@ -6209,7 +6209,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
         <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen</translation>
     </message>
     <message>
@@ -6221,8 +6221,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>Nutzlast zuerst prüfen (bis zur nächsten Verbindung)</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>Nutzlast vor Freedrive prüfen (bis zur nächsten Verbindung)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6239,7 +6239,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
+        <source>Jog buttons</source>
         <translation>Verfahrtasten</translation>
     </message>
     <message>
@@ -6274,7 +6274,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
+        <source>Moves while the button is held</source>
         <translation>Bewegt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -6282,7 +6282,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
+        <source>Rotates while the button is held</source>
         <translation>Dreht, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -6294,7 +6294,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Achsen der Ansicht: X rechts, Y von Ihnen weg, Z nach oben</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>Braucht die 3D-Ansicht</translation>
     </message>
     <message>
@@ -6342,8 +6342,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Bis Kontakt, %1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>Bis Kontakt, andere Kraft…</translation>
+        <source>Other contact force…</source>
+        <translation>Andere Kontaktkraft…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6449,8 +6449,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Schwere</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>Was geschah</translation>
+        <source>Event</source>
+        <translation>Ereignis</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6727,8 +6727,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Beendet die Aufzeichnung und speichert die Bahn als Wegpunkte</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf, bis erneut gedrückt wird, und speichert sie als Wegpunkte. Der Roboter bewegt sich nicht.</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf und speichert sie als Wegpunkte. Zum Beenden erneut drücken. Der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6773,7 +6773,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
     </message>
     <message>
@@ -6895,12 +6895,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Ein Muster braucht einen Namen.</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>Ein Muster mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Wählen Sie für jede Ecke einen Wegpunkt. Teachen Sie zuerst die drei Ecken.</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6983,7 +6983,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Nächste Pose, halten</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug genug Platz zum Drehen hat.</translation>
     </message>
     <message>
@@ -7003,8 +7003,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>Der Roboter sendet keine Kräfte. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>Der Roboter sendet keine Kraftdaten. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7085,8 +7085,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Eine Nutzlast braucht einen Namen.</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>Eine andere Nutzlast heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A payload named “%1” already exists. Choose another name.</source>
+        <translation>Eine Nutzlast mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7239,12 +7239,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und prüfen Sie erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>Der Roboter sendet keine Kräfte: Die Nutzlast kann nicht geprüft werden.</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>Der Roboter sendet keine Kraftdaten: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>Mit einer Nutzlast von %1 kg misst der Arm %2 und %3.</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>Mit einer Nutzlast von %1 kg misst der Arm eine Kraft von %2 und ein Drehmoment von %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7446,8 +7446,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Diagramme anhalten</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
-        <translation>Gezeigte Kraft auf null setzen</translation>
+        <source>Zero the displayed force</source>
+        <translation>Angezeigte Kraft auf null setzen</translation>
     </message>
     <message>
         <source>Zero</source>
@@ -7470,16 +7470,16 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>In eine CSV-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Die Kraft kann nicht auf null gesetzt werden: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
-        <translation>Angehalten · %1 s zurück</translation>
+        <source>Paused · %1 s ago</source>
+        <translation>Angehalten · vor %1 s</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7656,8 +7656,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Standard-Diagramme</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
-        <translation>Eine Aufzeichnung öffnen…</translation>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen…</translation>
     </message>
     <message>
         <source>Close recordings</source>
@@ -7688,8 +7688,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Aufzeichnung %1 geöffnet</translation>
     </message>
     <message>
-        <source>Open a recording</source>
-        <translation>Eine Aufzeichnung öffnen</translation>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
@@ -7780,8 +7780,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>In eine MCAP-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7811,8 +7811,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Werte zwischen den Cursorn A und B (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite.</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite und exportieren Sie dann erneut.</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
@@ -8029,12 +8029,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick: Verschiebung seit dem letzten Tastendruck</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit dem letzten Tastendruck. Klick: hier null</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8056,8 +8056,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Eine Stellung braucht einen Namen.</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
-        <translation>Eine andere Position heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A position named “%1” already exists. Choose another name.</source>
+        <translation>Eine Position mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8082,7 +8082,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>Höhe im Basis-Koordinatensystem, über der es keine Hindernisse gibt: Darüber darf sich der TCP seitwärts bewegen.</translation>
     </message>
     <message>
@@ -8142,7 +8142,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>„%1“ auf die aktuelle Position des Arms setzen?</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
+        <source>The Home button will move the arm there.</source>
         <translation>Die Taste Home fährt den Arm dann dorthin.</translation>
     </message>
     <message>
@@ -8202,11 +8202,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Keine sichere Höhe</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>Die Taste Home fährt zur Standard-Home-Position: Arm aufrecht, ohne Selbstkollision.</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>Die Taste Home fährt den Arm zur Standard-Home-Position: aufrecht, ohne Selbstkollision.</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
+        <source>%1: target of the Home button</source>
         <translation>%1: Ziel der Taste Home</translation>
     </message>
     <message>
@@ -8256,7 +8256,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Kraft Fz in Newton</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation>Wert eingeben, Enter drücken</translation>
     </message>
     <message>
@@ -8295,8 +8295,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Gut</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Prüfen</translation>
+        <source>Warning</source>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8332,10 +8332,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>Halten Sie alle Personen aus dem Arbeitsbereich des Arms fern.
 Halten Sie den Not-Halt griffbereit: STOP in diesem Fenster ist ein Software-Stopp.
 Beginnen Sie langsam: Die Anfangsgeschwindigkeit ist %1.
@@ -8556,8 +8556,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
     </message>
 </context>
 <context>
@@ -9161,7 +9161,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer sendet keine Werte. Schalten Sie den Arm ein; wenn das Problem bleibt, prüfen Sie das Greiferkabel am Handgelenk.</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>Der Greifer antwortet wieder</translation>
     </message>
     <message>
@@ -9189,11 +9189,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 ist fehlgeschlagen. %2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
@@ -9286,8 +9286,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Standardansicht, perspektivisch</translation>
+        <source>Default view (perspective)</source>
+        <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9543,8 +9543,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Software-Stopp. Kein Not-Halt. Die Stromversorgung bleibt an.</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>Leertaste und Esc halten ebenfalls an.</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>Leertaste und Esc stoppen den Arm ebenfalls.</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
@@ -9566,8 +9566,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>Höchster Wert %1 in den letzten fünf Sekunden</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>Höchstwert der letzten fünf Sekunden: %1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9585,8 +9585,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein TCP braucht einen Namen.</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>Ein anderer TCP heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
+        <translation>Ein TCP mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9754,8 +9754,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
-        <translation>Eine Pose für die Drehung nehmen</translation>
+        <source>Take pose for the rotation</source>
+        <translation>Pose für die Drehung nehmen</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9903,8 +9903,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1: noch %2 bis zum Ende der Reichweite oder einer Singularität</translation>
+        <source>%1: %2 left to the reach limit or a singularity</source>
+        <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -10249,7 +10249,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Überschleifen: %1, jetzt %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
+        <source>TCP: taught with a different TCP</source>
         <translation>TCP: mit einem anderen TCP geteacht</translation>
     </message>
     <message>
@@ -10372,7 +10372,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Ein Wegpunkt braucht einen Namen.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>Wegpunkt %2 heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -10648,8 +10648,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>Gespiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <translation>Spiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -10898,7 +10898,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle Personen aus seinem Arbeitsbereich fern, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP und beginnen Sie langsam. STOP in diesem Fenster ist kein Not-Halt.</translation>
     </message>
     <message>
@@ -10906,12 +10906,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Open a project…</source>
-        <translation>Ein Projekt öffnen…</translation>
+        <source>Open project…</source>
+        <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegung ist möglich.</translation>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <translation>Öffnet Wegpunkte aus einer Datei ohne Roboter: Alles außer Bewegung funktioniert.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10934,8 +10934,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Adresse oder Hostname des Roboters</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
-        <translation>Gezeigter Name des Roboters</translation>
+        <source>Display name of the robot</source>
+        <translation>Anzeigename des Roboters</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -10950,8 +10950,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Name</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>Früher verbundene Roboter</translation>
+        <source>Recently connected robots</source>
+        <translation>Zuletzt verbundene Roboter</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -11037,7 +11037,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>der Roboter hat keinen Grund gemeldet</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
         <translation>erneut gedrückt      %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
     </message>
     <message>
@@ -11079,8 +11079,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dateien                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>im Fenster gibt es keine Taste „%1“</translation>
+        <source>the window has no button “%1”</source>
+        <translation>das Fenster enthält keine Taste „%1“</translation>
     </message>
 </context>
 <context>
@@ -11158,7 +11158,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
         <translation>Bewegt den Arm nur, solange die Zustimmtaste gehalten wird. Wird nicht gespeichert: Nach einem Neustart bewegt kein Gerät den Arm.</translation>
     </message>
 </context>
@@ -11294,7 +11294,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
@@ -11334,7 +11334,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 getrennt. Der Arm wurde gestoppt.</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 hat während der Bewegung des Arms keine Daten mehr gesendet. Der Arm wurde gestoppt. Lassen Sie das Gerät los; wenn das Problem bleibt, schließen Sie es neu an.</translation>
     </message>
     <message>
@@ -11414,8 +11414,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dunkle Farben</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>Wechselt das Farbschema sofort und für den nächsten Start.</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>Wechselt das Farbschema sofort und für spätere Starts.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11798,7 +11798,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -11931,8 +11931,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Was geschah</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>Was haben Sie getan, was haben Sie erwartet, was ist geschehen?</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>Was haben Sie getan? Was haben Sie erwartet? Was ist geschehen?</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11974,8 +11974,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Jedes Projekt ist für einen UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Speichern fragt nach einer neuen Datei.</translation>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Jedes Projekt ist für einen UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Wählen Sie zum Speichern eine neue Datei.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12101,11 +12101,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>Nach dieser Zeit stoppt das Verfahren, und die Taste muss erneut gedrückt werden. Freedrive: fünf Minuten. Bewegung zu einer Position: ihre Dauer plus 5 s.</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
         <translation>Touch: groß genug für Finger. In Fenstern niedriger als %1 px bleiben Gelenktasten, Register und Titelleisten kleiner.</translation>
     </message>
     <message>
@@ -12133,8 +12133,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>▲ Über %1. Keine andere Grenze gilt beim Verfahren vom PC: weder der manuelle Modus noch die Zustimmeinrichtung des Teach-Pendants. Die Kopfzeile zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle Bewegungen von Tiller. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -12181,8 +12181,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu. Die Diagramme beginnen neu. Das Projekt wird gespeichert.</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte hängen nicht davon ab.</translation>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
+        <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte sind nicht betroffen.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -12205,8 +12205,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Nur beobachten (auf der Befehlszeile gesetzt)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Mit Steuerung halten Leertaste und Esc den Arm immer an.</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Solange Tiller die Steuerung hat, stoppen Leertaste und Esc den Arm immer.</translation>
     </message>
 </context>
 <context>
@@ -12243,7 +12243,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Erste Schritte</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
     </message>
     <message>
@@ -12251,8 +12251,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Übungsaufgaben</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>Fünf Aufgaben am simulierten Roboter. Jede Aufgabe prüft das Ergebnis.</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

@@ -12,11 +12,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -181,7 +181,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
+        <source>Colour theme: light or dark.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -193,7 +193,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -201,15 +201,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
+        <source>--demo requires a folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -217,7 +217,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -301,7 +301,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -577,7 +577,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -601,7 +601,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -649,7 +649,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -669,7 +669,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -677,11 +677,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
+        <source>no network route to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -693,7 +693,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -701,7 +701,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -717,7 +717,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -733,7 +733,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
+        <source>the primary interface sends no data about the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -785,7 +785,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -861,7 +861,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
+        <source>permitted; real-time loops use it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -918,7 +918,7 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -933,11 +933,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
+        <source>Arm or disarm keyboard jogging</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -961,11 +961,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
+        <source>Moves the arm by this distance while the button is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
+        <source>Each press moves the arm by this distance.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -973,27 +973,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
+        <source>Other contact force for jogging…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
+        <source>Sets the contact force in N that ends the motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1005,15 +1005,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
+        <source>Sets the step length. The step angle does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1062,15 +1062,15 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1149,7 +1149,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1195,7 +1195,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
+        <source>The robot reports that the arm is moving.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1251,11 +1251,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1371,7 +1371,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1438,7 +1438,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1566,7 +1566,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1598,7 +1598,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1606,7 +1606,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1614,7 +1614,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1630,7 +1630,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1670,7 +1670,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1828,7 +1828,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
+        <source>Shows only entries that contain the search text.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1876,7 +1876,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
+        <source>You reached the limit and moved back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
+        <source>Correct: the force was %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2090,7 +2090,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2098,7 +2098,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2144,15 +2144,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
+        <source>The group “%1” contains no waypoints.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
+        <source>“%1” refers to an item that was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2172,7 +2172,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
+        <source>This version of Tiller does not support the step “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2180,11 +2180,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
+        <source>The project does not contain this program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2196,7 +2196,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2488,11 +2488,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
+        <source>Select different outputs for opening and closing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
+        <source>The gripper is not holding an object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2728,7 +2728,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
+        <source>Questions require robot software 5.6 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2772,7 +2772,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
+        <source>Programs can set registers up to %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2784,7 +2784,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
+        <source>A Switch must contain at least one Case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2800,7 +2800,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3029,7 +3029,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3333,7 +3333,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3341,18 +3341,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
+        <source>Default view (perspective)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3429,11 +3429,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
+        <source>The file contains no version number.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3843,7 +3843,7 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
+        <source>left button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3979,7 +3979,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3991,7 +3991,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
+        <source>The robot&apos;s software is too old for this function.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4011,7 +4011,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4027,7 +4027,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pointer left the key</source>
+        <source>pointer left the button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4291,7 +4291,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
+        <source>Your script is running. Tiller regains control when it ends.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4367,7 +4367,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4495,7 +4495,7 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4522,11 +4522,11 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4537,7 +4537,7 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
+        <source>Shown and checked for collisions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4686,15 +4686,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
+        <source>Point on the plane, X</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
+        <source>Point on the plane, Y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
+        <source>Point on the plane, Z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4714,7 +4714,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4832,7 +4832,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
+        <source>Compare this recording with the arm model using other limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go there</source>
+        <source>Go to time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4859,7 +4859,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4933,15 +4933,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>Hold-to-run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Would move</source>
+        <source>Motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4961,7 +4961,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
+        <source>none (neutral)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4992,7 +4992,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
+        <source>Take control, hold a jog button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5023,7 +5023,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5057,7 +5057,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5171,7 +5171,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
+        <source>A frame named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5219,7 +5219,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
+        <source>Distance from the TCP, %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5313,7 +5313,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Again</source>
+        <source>Retake</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5373,7 +5373,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5479,7 +5479,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5487,7 +5487,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5543,7 +5543,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5562,7 +5562,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5625,7 +5625,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
+        <source>Gripper: move to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5729,7 +5729,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5789,7 +5789,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
+        <source>The gripper is not available with this port offset.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5931,7 +5931,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5946,7 +5946,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
+        <source>Hold this button: the arm moves only while it is held.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6005,7 +6005,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6041,7 +6041,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6155,7 +6155,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
+        <source>Moves all joints to the home position while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6183,7 +6183,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6191,7 +6191,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6203,7 +6203,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
+        <source>Check the payload before Freedrive (until the next connection)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6233,7 +6233,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
+        <source>Jog buttons</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6268,7 +6268,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
+        <source>Moves while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6280,7 +6280,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6316,7 +6316,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
+        <source>Other contact force…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6336,7 +6336,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
+        <source>Rotates while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6439,7 +6439,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What happened</source>
+        <source>Event</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6728,7 +6728,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6774,7 +6774,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6889,11 +6889,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6977,7 +6977,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6997,7 +6997,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7079,7 +7079,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
+        <source>A payload named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7232,11 +7232,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7455,7 +7455,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
+        <source>Paused · %1 s ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7543,11 +7543,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
+        <source>Zero the displayed force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7649,7 +7649,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a recording…</source>
+        <source>Open recording…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7681,7 +7681,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a recording</source>
+        <source>Open recording</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7773,7 +7773,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7804,7 +7804,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8022,11 +8022,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8049,7 +8049,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
+        <source>A position named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8074,7 +8074,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
+        <source>The Home button will move the arm there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8194,11 +8194,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
+        <source>%1: target of the Home button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8248,7 +8248,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8287,7 +8287,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check</source>
+        <source>Warning</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8320,10 +8320,10 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8544,7 +8544,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Written: %1</source>
+        <source>Exported to %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9149,7 +9149,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9177,11 +9177,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9274,7 +9274,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
+        <source>Default view (perspective)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9531,7 +9531,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
+        <source>Space and Esc also stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9554,7 +9554,7 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
+        <source>Maximum in the last five seconds: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9573,7 +9573,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9741,7 +9741,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
+        <source>Take pose for the rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9890,7 +9890,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10236,7 +10236,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
+        <source>TCP: taught with a different TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10359,7 +10359,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10635,7 +10635,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10892,7 +10892,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
+        <source>Display name of the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10908,11 +10908,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
+        <source>Recently connected robots</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10920,11 +10920,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a project…</source>
+        <source>Open project…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11023,7 +11023,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11064,7 +11064,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
+        <source>the window has no button “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11143,7 +11143,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11279,7 +11279,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11315,7 +11315,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11383,7 +11383,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
+        <source>Changes the colour theme now and for later starts.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11783,7 +11783,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11916,7 +11916,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
+        <source>What did you do? What did you expect? What happened?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11959,7 +11959,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
+        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12062,7 +12062,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12102,7 +12102,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12134,7 +12134,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12166,7 +12166,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12190,7 +12190,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12228,7 +12228,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12236,7 +12236,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -15,7 +15,7 @@ struct Row {
 
 constexpr std::array<Row, kConditionCount> kRows = {{
     {"address", QT_TRANSLATE_NOOP("Doctor", "Address resolves")},
-    {"host", QT_TRANSLATE_NOOP("Doctor", "Host answers")},
+    {"host", QT_TRANSLATE_NOOP("Doctor", "Host responds")},
     {"port.rtde", QT_TRANSLATE_NOOP("Doctor", "RTDE port")},
     {"port.primary", QT_TRANSLATE_NOOP("Doctor", "Primary port")},
     {"port.secondary", QT_TRANSLATE_NOOP("Doctor", "Secondary port")},

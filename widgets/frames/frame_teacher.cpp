@@ -182,7 +182,9 @@ void FrameTeacher::refresh() {
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         places_[i]->setFullText(*taken[i] ? format::position(**taken[i]) : QStringLiteral("–"));
         keys_[i]->setEnabled(tip_.has_value());
-        keys_[i]->setText(static_cast<int>(i) == next ? tr("Take  P") : *taken[i] ? tr("Again") : tr("Take"));
+        keys_[i]->setText(static_cast<int>(i) == next ? tr("Take  P")
+                          : *taken[i]                 ? tr("Retake")
+                                                      : tr("Take"));
         keys_[i]->setToolTip(tip_ ? keys_[i]->accessibleName() : obstacle_);
     }
     const bool wrong = found.problem != Problem::None && found.problem != Problem::Incomplete;

@@ -235,8 +235,9 @@ void FramesTab::updateAvailability() {
     fromTcp_->setToolTip(live ? tr("Create a frame at the TCP with the axes of the tool (Shift+T)")
                               : obstacle);
     threePoints_->setEnabled(live);
-    threePoints_->setToolTip(live ? tr("Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)")
-                                  : obstacle);
+    threePoints_->setToolTip(
+        live ? tr("Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)")
+             : obstacle);
     touchUp_->setEnabled(live && selected);
     touchUp_->setToolTip(!live      ? obstacle
                          : selected ? tr("Move the selected frame to the TCP (Shift+U)")

@@ -87,7 +87,7 @@ void IoChannel::describe() {
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
+        tip += stale_                 ? tr("\nThe output cannot be switched while the robot sends no data.")
                : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
                                       : tr("\nClick to switch it %1. P: pulse. Right-click: pulse, rename.")
                                             .arg(state_ == State::On ? tr("off") : tr("on"));

@@ -56,7 +56,7 @@ PartModel* cellModel(ProjectDocument& document) {
     content.isInUse = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.enabled; });
     };
-    content.inUse = CellPage::tr("Drawn and checked");
+    content.inUse = CellPage::tr("Shown and checked for collisions");
     content.name = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.name; });
     };
@@ -195,8 +195,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , planeValues_(new QWidget)
     , point_(new VectorEditor(VectorEditor::Kind::Point, QStringLiteral("cell.point"),
                               {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
-                              {CellPage::tr("Point on the plane X"), CellPage::tr("Point on the plane Y"),
-                               CellPage::tr("Point on the plane Z")}))
+                              {CellPage::tr("Point on the plane, X"), CellPage::tr("Point on the plane, Y"),
+                               CellPage::tr("Point on the plane, Z")}))
     , normal_(new VectorEditor(
           VectorEditor::Kind::Direction, QStringLiteral("cell.normal"),
           {QStringLiteral("NX"), QStringLiteral("NY"), QStringLiteral("NZ")},
@@ -207,7 +207,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, it is neither drawn nor checked."));
+    enabled_->setToolTip(CellPage::tr("When off, the floor is neither shown nor checked for collisions."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));

@@ -49,7 +49,7 @@ PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
     next_->setObjectName(QStringLiteral("payload.estimator.next"));
     next_->setAccessibleName(tr("Next pose, hold"));
     next_->setToolTip(
-        tr("Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make "
+        tr("Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make "
            "sure that the tool has space to rotate."));
     feedback_->setObjectName(QStringLiteral("payload.estimator.feedback"));
     feedback_->setWordWrap(true);
@@ -190,7 +190,7 @@ void PayloadEstimator::setState(const SessionState& state) {
                 break;
             case StandstillMean::Outcome::NoForce:
                 taking_ = false;
-                problem_ = tr("The robot sends no forces. Enter mass and centre of gravity instead.");
+                problem_ = tr("The robot sends no force data. Enter mass and centre of gravity instead.");
                 break;
             case StandstillMean::Outcome::Done:
                 taking_ = false;
@@ -233,7 +233,7 @@ QString PayloadEstimator::feedback() const {
             return tr("%1 kg: too light to measure the centre of gravity. Enter it manually.")
                 .arg(format::number(estimate_.mass, 3));
         case Problem::NotFinite:
-            return tr("The robot sends no forces. Enter mass and centre of gravity instead.");
+            return tr("The robot sends no force data. Enter mass and centre of gravity instead.");
         case Problem::TooFew:
             break;
     }

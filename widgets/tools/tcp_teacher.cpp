@@ -48,7 +48,7 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     title_->setProperty("role", "strong");
     poses_->setFont(numberFont(13));
     take_->setProperty("primary", true);
-    takeTurn_->setAccessibleName(tr("Take a pose for the rotation"));
+    takeTurn_->setAccessibleName(tr("Take pose for the rotation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
     turning_->setAccessibleName(tr("Rotation of the tool"));
     turning_->addItems({tr("Keep current rotation"), tr("Rotation from one pose: tool straight down"),

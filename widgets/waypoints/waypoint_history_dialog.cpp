@@ -119,7 +119,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
         lines << tr("Blend: %1, now %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
     }
     if (!(before.tcpOffset == now.tcpOffset)) {
-        lines << tr("TCP: taught with another TCP");
+        lines << tr("TCP: taught with a different TCP");
     }
     if (before.group != now.group) {
         lines << tr("Group: “%1”, now “%2”").arg(before.group, now.group);

@@ -319,7 +319,7 @@ bool WaypointModel::setName(int row, const QString& text) {
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {
-        Q_EMIT editRefused(tr("Waypoint %2 is named “%1”. Choose another name.")
+        Q_EMIT editRefused(tr("Waypoint %2 is already named “%1”. Choose another name.")
                                .arg(text)
                                .arg(document_.waypoints().indexOfName(text) + 1));
         return false;

@@ -32,8 +32,9 @@ public:
              "Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.")},
         {154, QT_TR_NOOP("Singularity"),
          QT_TR_NOOP("The linear move passes through a singularity of the arm."),
-         QT_TR_NOOP("Jog individual joints out of it; use MoveJ through this region.")},
-        {155, QT_TR_NOOP("Cannot hold position"), QT_TR_NOOP("The arm sagged or was pushed at standstill."),
+         QT_TR_NOOP("Jog individual joints away from it; use MoveJ to pass through this region.")},
+        {155, QT_TR_NOOP("Cannot hold position"),
+         QT_TR_NOOP("The arm sagged or was pushed while at standstill."),
          QT_TR_NOOP("Check payload, centre of gravity and mounting.")},
         {156, QT_TR_NOOP("Wrong payload or mounting"),
          QT_TR_NOOP(
@@ -59,7 +60,7 @@ public:
          QT_TR_NOOP("The running program requested the stop."),
          QT_TR_NOOP("See the preceding messages of the program.")},
         {210, QT_TR_NOOP("Robot is in Local control"),
-         QT_TR_NOOP("A script was sent, but the robot accepts commands from its teach pendant only."),
+         QT_TR_NOOP("A script was sent, but the robot accepts commands only from its teach pendant."),
          QT_TR_NOOP("Switch to Remote control on the teach pendant.")},
     });
 

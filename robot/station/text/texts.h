@@ -13,7 +13,7 @@ namespace tiller::texts {
 
 /// "Connection refused: 192.168.0.10:30004. Enable the interface on the robot: ..."
 QString errorText(const Error& error);
-/// "released", "pointer left the key"; for messages about a stop.
+/// "released", "pointer left the button"; for messages about a stop.
 QString stopCauseText(control::StopCause cause);
 /// The reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);

@@ -100,7 +100,7 @@ private Q_SLOTS:
         const QModelIndex name = table->model()->index(1, PartModel::Name);
         QVERIFY(!table->model()->setData(name, "tool 1", Qt::EditRole));
         QVERIFY(notice("tcp.page")->text().isEmpty());
-        QVERIFY(notice("tcp.page")->title().contains("is named"));
+        QVERIFY(notice("tcp.page")->title().contains("already exists"));
         action("tcp.action.rename")->trigger();
         auto* editor = tab_->findChild<QLineEdit*>("tcp.editor");
         QVERIFY(editor != nullptr);
