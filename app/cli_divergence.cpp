@@ -160,8 +160,8 @@ void print(const divergence::Report& report) {
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out() << "Arm and model differ from the first sample on: check --model, the payload set on the "
-                 "robot, and contact with the arm.\n";
+        out() << "Arm and model differ from the first sample on: check --model and the payload set on the "
+                 "robot, and that nothing touches the arm.\n";
     }
 }
 
@@ -212,7 +212,7 @@ int divergence(const QStringList& arguments) {
             for (const RobotModel& each : robotModels()) {
                 known << QString::fromLatin1(each.name);
             }
-            return wrongArguments(QStringLiteral("--model takes one of %1, not '%2'")
+            return wrongArguments(QStringLiteral("--model must be one of %1, not '%2'")
                                       .arg(known.join(QStringLiteral(", ")), parser.value(model)));
         }
     }

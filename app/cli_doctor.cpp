@@ -45,7 +45,7 @@ int doctor(const QStringList& arguments) {
     bool ok = false;
     const int portOffset = parser.value(offset).toInt(&ok);
     if (!ok || portOffset < -29000 || portOffset > 35000) {
-        return wrongArguments(QStringLiteral("--port-offset takes a number from -29000 to 35000, not '%1'")
+        return wrongArguments(QStringLiteral("--port-offset must be a number from -29000 to 35000, not '%1'")
                                   .arg(parser.value(offset)));
     }
     const tiller::doctor::Report report = tiller::doctor::examine(

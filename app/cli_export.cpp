@@ -66,12 +66,12 @@ int exportRecording(const QStringList& arguments) {
         return wrongArguments(
             target.isEmpty()
                 ? QStringLiteral("export: --out FILE.csv, --out FILE.h5 or --out FILE.mcap is missing")
-                : QStringLiteral("export: '%1' ends neither in .csv, .h5 nor .mcap").arg(target));
+                : QStringLiteral("export: '%1' must end in .csv, .h5 or .mcap").arg(target));
     }
     const QString source = parser.positionalArguments().constFirst();
     if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&
         QFileInfo::exists(target)) {
-        return wrongArguments(QStringLiteral("export: a recording cannot be exported onto itself"));
+        return wrongArguments(QStringLiteral("export: the output file must differ from the recording"));
     }
     if (!parser.isSet(force) && QFileInfo::exists(target)) {
         return wrongArguments(QStringLiteral("export: %1 already exists; --force replaces it").arg(target));

@@ -259,7 +259,8 @@ int projectCommand(const QStringList& arguments) {
     }
     const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || !QStringList{"info", "check", "convert"}.contains(words.constFirst())) {
-        return wrongArguments(QStringLiteral("project: info, check or convert and one file are needed"));
+        return wrongArguments(
+            QStringLiteral("project: an action (info, check or convert) and one file are required"));
     }
     const QString& action = words[0];
     const QString& path = words[1];
@@ -278,13 +279,16 @@ int projectCommand(const QStringList& arguments) {
             return wrongArguments(QStringLiteral("project: --out FILE.tiller or --out FILE.csv is missing"));
         }
         if (isCsv(path) && isCsv(target)) {
-            return wrongArguments(QStringLiteral("project: a .csv file converts to a .tiller file only"));
+            return wrongArguments(
+                QStringLiteral("project: a .csv file can be converted only to a .tiller file"));
         }
         if (QFileInfo::exists(target) && !parser.isSet(force)) {
-            return wrongArguments(QStringLiteral("project: %1 exists; --force replaces it").arg(target));
+            return wrongArguments(
+                QStringLiteral("project: %1 already exists; --force replaces it").arg(target));
         }
         if (isCsv(path) && !chosen) {
-            return wrongArguments(QStringLiteral("project: a .csv file names no robot model; use --model"));
+            return wrongArguments(
+                QStringLiteral("project: a .csv file contains no robot model; use --model"));
         }
     }
     Result<project::Project> loaded =
@@ -303,16 +307,17 @@ int projectCommand(const QStringList& arguments) {
     }
     if (chosen && loaded->robot && *loaded->robot != *chosen) {
         return wrongArguments(
-            QStringLiteral("project: %1 is for %2; --model is for files that name no robot model")
+            QStringLiteral("project: %1 is for %2; --model is only for files without a robot model")
                 .arg(path, modelName(*loaded->robot)));
     }
     if (!loaded->robot) {
         loaded->robot = chosen;
     }
     if (!converts) {
-        return loaded->robot ? check(path, *loaded, *loaded->robot, parser.isSet(json))
-                             : wrongArguments(
-                                   QStringLiteral("project: %1 names no robot model; use --model").arg(path));
+        return loaded->robot
+                   ? check(path, *loaded, *loaded->robot, parser.isSet(json))
+                   : wrongArguments(
+                         QStringLiteral("project: %1 contains no robot model; use --model").arg(path));
     }
     Result<void> written;
     if (isCsv(target)) {

@@ -129,7 +129,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         return std::nullopt;
     }
     if (parser.isSet(outFile) && parser.isSet(outFolder)) {
-        wrongArguments(QStringLiteral("record: --out and --out-folder exclude each other"));
+        wrongArguments(QStringLiteral("record: --out and --out-folder cannot be combined"));
         return std::nullopt;
     }
     RecordOptions options;
@@ -137,9 +137,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         parser.isSet(outFolder) ? newFileIn(parser.value(outFolder), address) : parser.value(outFile);
     options.isMcap = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
     if (!options.isMcap && !path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        wrongArguments(path.isEmpty()
-                           ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
-                           : QStringLiteral("record: '%1' ends neither in .mcap nor in .csv").arg(path));
+        wrongArguments(path.isEmpty() ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
+                                      : QStringLiteral("record: '%1' must end in .mcap or .csv").arg(path));
         return std::nullopt;
     }
     if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {

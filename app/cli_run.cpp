@@ -167,7 +167,7 @@ QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) 
     const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
     const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
     if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral("the robot is not a %1, the model that the project was taught with")
+        return QStringLiteral("the project was taught with a %1, but the robot is a different model")
             .arg(QLatin1String(model.name));
     }
     if (loaded.script.tcp &&
@@ -285,10 +285,10 @@ int run(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("run: one project file is needed"));
+        return wrongArguments(QStringLiteral("run: one project file is required"));
     }
     if (parser.isSet(simulate) == parser.isSet(robot)) {
-        return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is needed"));
+        return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
     if (parser.isSet(robot) && !isHostName(parser.value(robot))) {
         return wrongArguments(
@@ -299,7 +299,7 @@ int run(const QStringList& arguments) {
         const auto change = inputFrom(text);
         if (!change) {
             return wrongArguments(
-                QStringLiteral("--input takes, for example, DI3=on or DI3=off@2.5, not '%1'").arg(text));
+                QStringLiteral("--input must have the form DI3=on or DI3=off@2.5, not '%1'").arg(text));
         }
         options.inputs.push_back(*change);
     }

@@ -42,12 +42,13 @@ int script(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("script: one project file is needed"));
+        return wrongArguments(QStringLiteral("script: one project file is required"));
     }
     bool isNumber = false;
     const int first = parser.value(from).toInt(&isNumber);
     if (!isNumber || first < 0) {
-        return wrongArguments(QStringLiteral("--from takes a step number, not '%1'").arg(parser.value(from)));
+        return wrongArguments(
+            QStringLiteral("--from must be a step number, not '%1'").arg(parser.value(from)));
     }
     const auto loaded = loadProgram(parser.positionalArguments().constFirst(), parser.value(name), first);
     if (!loaded) {

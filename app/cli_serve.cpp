@@ -124,7 +124,7 @@ int serve(const QStringList& arguments) {
         options.udpAddress = parts.constFirst();
         options.udpPort = parts.size() < 2 ? options.udpPort : parts[1].toUShort(&ok);
         if (!ok || options.udpPort == 0) {
-            return wrongArguments(QStringLiteral("--udp: '%1' is not an address, or an address and a port")
+            return wrongArguments(QStringLiteral("--udp: '%1' must be an address, optionally with a port")
                                       .arg(parser.value(udp)));
         }
     } else if (options.listenAddress.isEmpty()) {

@@ -137,7 +137,7 @@ int simulate(const QStringList& arguments) {
     const QStringList faults = parser.values(fault);
     for (const QString& words : faults) {
         if (words.trimmed() == QLatin1String("help")) {
-            out() << QStringLiteral("--fault takes one of\n") << simulator::faultHelp();
+            out() << QStringLiteral("--fault must be one of\n") << simulator::faultHelp();
             return kSuccess;
         }
     }
@@ -154,13 +154,13 @@ int simulate(const QStringList& arguments) {
     simulator::SimulatorOptions options;
     options.listenAddress = parser.value(listen);
     if (QHostAddress(options.listenAddress).isNull()) {
-        return wrongArguments(QStringLiteral("--listen takes an IP address such as 127.0.0.2, not '%1'")
+        return wrongArguments(QStringLiteral("--listen must be an IP address such as 127.0.0.2, not '%1'")
                                   .arg(options.listenAddress));
     }
     bool ok = false;
     options.portOffset = parser.value(offset).toInt(&ok);
     if (!ok || options.portOffset < -29000 || options.portOffset > 35000) {
-        return wrongArguments(QStringLiteral("--port-offset takes a number from -29000 to 35000, not '%1'")
+        return wrongArguments(QStringLiteral("--port-offset must be a number from -29000 to 35000, not '%1'")
                                   .arg(parser.value(offset)));
     }
     const auto id = robotModelByName(parser.value(model));
@@ -181,7 +181,7 @@ int simulate(const QStringList& arguments) {
         return wrongArguments(fits.error().context);
     }
     if (parser.isSet(headless) && parser.isSet(local)) {
-        return wrongArguments(QStringLiteral("--headless and --local exclude each other"));
+        return wrongArguments(QStringLiteral("--headless and --local cannot be combined"));
     }
     for (const QString& words : parser.values(assumed)) {
         if (const auto taken = simulator::assume(options.assumptions, words); !taken) {
@@ -196,7 +196,7 @@ int simulate(const QStringList& arguments) {
         return kWrongArguments;
     }
     if (*boot > 0 && parser.isSet(headless)) {
-        return wrongArguments(QStringLiteral("--headless and --boot-time exclude each other"));
+        return wrongArguments(QStringLiteral("--headless and --boot-time cannot be combined"));
     }
     options.bootTime = *boot;
     options.calibration = *deviation;
@@ -217,7 +217,7 @@ int simulate(const QStringList& arguments) {
         if (name.isEmpty() || name.contains(' ') || file.isEmpty() || isTaken) {
             return wrongArguments(
                 QStringLiteral(
-                    "--device takes a name of its own and a file, such as camera=camera.txt, not '%1'")
+                    "--device must be a unique name and a file, such as camera=camera.txt, not '%1'")
                     .arg(words));
         }
         options.devices.push_back({name, file});
