@@ -20,8 +20,8 @@ const QString kHelp = QStringLiteral(
     "  --port-offset N      added to every port number (default 0)\n"
     "  --help               shows this text\n"
     "\n"
-    "Only reads; changes nothing on the robot or the PC. Exit code: 0 no check failed, 1 a check failed,\n"
-    "2 wrong arguments.\n");
+    "The command only reads data and does not change anything on the robot or the PC. Exit code: 0 no\n"
+    "check failed, 1 a check failed, 2 invalid arguments.\n");
 
 }  // namespace
 

@@ -29,7 +29,7 @@ const QString kEpisodesHelp = QStringLiteral(
     "  --force              replaces an existing file\n"
     "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 file written, 1 file not written or no episode found, 2 wrong arguments.\n");
+    "Exit code: 0 file written, 1 file not written or no episode found, 2 invalid arguments.\n");
 
 }  // namespace
 

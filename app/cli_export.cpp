@@ -32,8 +32,8 @@ const QString kExportHelp = QStringLiteral(
     "  --help               shows this text\n"
     "\n"
     "Numbers are written with the fewest digits that read back exactly; values that the robot did not send\n"
-    "are empty cells. Exit code: 0 everything was written, 1 it was not, or a part of the recording could\n"
-    "not be read, 2 wrong arguments.\n");
+    "are empty cells. Exit code: 0 everything was written, 1 not everything was written, or part of the\n"
+    "recording could not be read, 2 invalid arguments.\n");
 
 }  // namespace
 

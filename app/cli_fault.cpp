@@ -18,8 +18,8 @@ const QString kFaultHelp = QStringLiteral(
     "Usage: tiller-cli fault ADDRESS[:PORT] WORDS...\n"
     "\n"
     "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the application, PORT the port\n"
-    "that its 'ready' line lists as faults (default 29990). Any program that can open a TCP connection can\n"
-    "do the same: one line of WORDS is answered by one line, 'ok' or 'error: ' and the reason.\n"
+    "that its 'ready' line lists as faults (default 29990). Any program can do the same over a TCP\n"
+    "connection: it sends one line of WORDS and receives one line, 'ok' or 'error: ' and the reason.\n"
     "\n"
     "WORDS is one of\n");
 

@@ -22,29 +22,27 @@ namespace tiller::app {
 namespace {
 
 const QString kProjectHelp = QStringLiteral(
-    "tiller-cli project: inspect, check and convert projects\n"
+    "tiller-cli project: inspects, checks and converts projects\n"
     "\n"
     "Usage: tiller-cli project info FILE [options]\n"
     "       tiller-cli project check FILE [options]\n"
     "       tiller-cli project convert FILE --out FILE [options]\n"
     "\n"
-    "  info                 print what the project contains\n"
-    "  check                check every waypoint and every path: reach, collisions with the arm, the tool "
-    "and\n"
-    "                       the cell, singularities, with the nominal kinematics of the robot model\n"
-    "  convert              waypoints of a .tiller file to a .csv file, a .csv file to a .tiller file, or a\n"
-    "                       .tiller file of an earlier version to the current one\n"
+    "  info                 prints the content of the project\n"
+    "  check                checks every waypoint and every path: reach, singularities, and collisions with\n"
+    "                       the arm, the tool and the cell. Uses the nominal kinematics of the robot model\n"
+    "  convert              converts waypoints of a .tiller file to a .csv file, a .csv file to a .tiller\n"
+    "                       file, or a .tiller file of an earlier version to the current one\n"
     "\n"
-    "  FILE                 project (.tiller); for convert also waypoints (.csv)\n"
-    "  --json               info, check: one JSON object instead of text\n"
-    "  --model MODEL        robot model of a file that names none: ur3e, ur5e, ur10e, ur20, ur30...\n"
+    "  FILE                 project (.tiller); convert also accepts waypoints (.csv)\n"
+    "  --json               info, check: prints one JSON object instead of text\n"
+    "  --model MODEL        robot model for a file without one: ur3e, ur5e, ur10e, ur20, ur30...\n"
     "  --out FILE           convert: file to write, .tiller or .csv\n"
-    "  --force              convert: replace an existing file\n"
-    "  --help               this text\n"
+    "  --force              convert: replaces an existing file\n"
+    "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 done, and for check: no error found; 1 the file cannot be read or written, or check found "
-    "an\n"
-    "error; 2 wrong arguments. A finding that only slows the arm down is a warning.\n");
+    "Exit code: 0 done, and check found no error; 1 the file cannot be read or written, or check found an\n"
+    "error; 2 invalid arguments. A finding that only slows the arm down is a warning.\n");
 
 QString named(const QString& name) {
     return QStringLiteral("“%1”").arg(name);
