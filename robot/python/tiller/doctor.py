@@ -25,7 +25,7 @@ class Report(list[Finding]):
 
     @property
     def verdict(self) -> str:
-        """"bad" when any finding is, else "attention" when any is, else "good"."""
+        """"bad" if any finding is bad, else "attention" if any requires attention, else "good"."""
         verdicts = {finding.verdict for finding in self}
         return "bad" if "bad" in verdicts else "attention" if "attention" in verdicts else "good"
 
