@@ -214,7 +214,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     }
     const QJsonValue values = root.value(QLatin1String("values"));
     if (!values.isObject() || values.toObject().size() > kMaxValues) {
-        return corrupt(SettingsFile::tr("The list of values is missing or too long."));
+        return corrupt(SettingsFile::tr("The list of settings is missing or too long."));
     }
     SettingsBundle bundle;
     bundle.writtenBy = root.value(QLatin1String("writtenBy")).toString().left(40);

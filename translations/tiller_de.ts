@@ -665,8 +665,8 @@
         <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Regelschleifen</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Echtzeitschleifen</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -853,7 +853,7 @@
         <translation>Register zum Steuern frei</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Kein Feldbus verwendet Register</translation>
     </message>
     <message>
@@ -3437,8 +3437,8 @@
         <translation>Die Datei enthält keine Versionsangabe.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>Die Liste der Werte fehlt oder ist zu lang.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>Die Liste der Einstellungen fehlt oder ist zu lang.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -6177,8 +6177,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Ausrichten</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Dreht das Werkzeug zur nächsten Achse des gewählten Systems, solange gehalten</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Richtet das Werkzeug an der nächsten Achse des gewählten Koordinatensystems aus, solange gehalten</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7826,11 +7826,11 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 über %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 unter %2</translation>
     </message>
 </context>
@@ -9960,8 +9960,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Koordinatensysteme</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. —: Gelenkpositionen haben Vorrang</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. „—“: kein Koordinatensystem, Gelenkpositionen haben Vorrang</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>

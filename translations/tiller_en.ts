@@ -845,7 +845,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -865,7 +865,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3437,7 +3437,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
+        <source>The list of settings is missing or too long.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6163,7 +6163,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7819,11 +7819,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9939,7 +9939,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">

@@ -665,8 +665,8 @@
         <translation>permitida, y usada por los bucles de tiempo real</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles de tiempo real</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -853,7 +853,7 @@
         <translation>Registros para el control libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Ningún bus de campo usa registros</translation>
     </message>
     <message>
@@ -3437,8 +3437,8 @@
         <translation>El archivo no contiene número de versión.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>La lista de valores falta o es demasiado larga.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>Falta la lista de ajustes o es demasiado larga.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -6177,8 +6177,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Alinear</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Gira la herramienta al eje más cercano del sistema elegido mientras se mantiene</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Alinea la herramienta con el eje más cercano del sistema elegido mientras se mantiene</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7826,12 +7826,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
-        <translation>%1 por encima de %2</translation>
+        <source>%1 is above %2</source>
+        <translation>%1 está por encima de %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation>%1 por debajo de %2</translation>
+        <source>%1 is below %2</source>
+        <translation>%1 está por debajo de %2</translation>
     </message>
 </context>
 <context>
@@ -9960,8 +9960,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Sistemas de coordenadas</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. —: las articulaciones tienen prioridad</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. «—»: sin sistema, las articulaciones tienen prioridad</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>

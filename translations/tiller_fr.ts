@@ -665,8 +665,8 @@
         <translation>autorisée, et utilisée par les boucles temps réel</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles temps réel</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -853,7 +853,7 @@
         <translation>Registres de commande libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Aucun bus de terrain n’utilise de registres</translation>
     </message>
     <message>
@@ -3437,8 +3437,8 @@
         <translation>Le fichier ne contient pas de numéro de version.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>La liste des valeurs manque ou est trop longue.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>La liste des réglages manque ou est trop longue.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -6177,8 +6177,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Aligner</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Tourne l’outil vers l’axe le plus proche du repère choisi tant qu’elle est tenue</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Aligne l’outil sur l’axe le plus proche du repère choisi tant qu’il est maintenu</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7826,12 +7826,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
-        <translation>%1 au-dessus de %2</translation>
+        <source>%1 is above %2</source>
+        <translation>%1 est au-dessus de %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation>%1 au-dessous de %2</translation>
+        <source>%1 is below %2</source>
+        <translation>%1 est au-dessous de %2</translation>
     </message>
 </context>
 <context>
@@ -9960,8 +9960,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Repères</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. — : les articulations ont priorité</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. « — » : sans repère, les articulations ont priorité</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>

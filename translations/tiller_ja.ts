@@ -665,8 +665,8 @@
         <translation>許可済み。リアルタイムループが使用します</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPU が深いスリープ状態に入ることがあり、ループが遅れます</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPU が深いスリープ状態に入ることがあり、リアルタイムループが遅れます</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -853,7 +853,7 @@
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>レジスターを使用するフィールドバスなし</translation>
     </message>
     <message>
@@ -3436,8 +3436,8 @@
         <translation>ファイルにバージョン番号がありません。</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>ファイルに値の一覧がないか、長すぎます。</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>ファイルに設定の一覧がないか、長すぎます。</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -6169,8 +6169,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>整列</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>押している間、選んだ座標系の最寄りの軸へツールを回します</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>押している間、選んだ座標系の最寄りの軸にツールを揃えます</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7808,11 +7808,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 が %2 より上</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 が %2 より下</translation>
     </message>
 </context>
@@ -9934,8 +9934,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>座標系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。—：関節位置が優先</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。「—」：座標系なし、関節位置が優先</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>

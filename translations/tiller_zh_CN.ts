@@ -665,8 +665,8 @@
         <translation>已允许，由实时循环使用</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPU 可能进入深度睡眠状态，使循环延迟</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPU 可能进入深度睡眠状态，使实时循环延迟</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -853,7 +853,7 @@
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>没有现场总线使用寄存器</translation>
     </message>
     <message>
@@ -3436,8 +3436,8 @@
         <translation>文件中没有版本号。</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>文件没有数值列表，或列表太长。</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>文件中没有设置列表，或列表太长。</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -6169,8 +6169,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>对齐</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>按住时把工具转到所选坐标系最近的轴</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>按住时使工具与所选坐标系最近的轴对齐</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7808,11 +7808,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 高于 %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 低于 %2</translation>
     </message>
 </context>
@@ -9934,8 +9934,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>坐标系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>路点的参考坐标系。空间位置不变。—：以关节位置为准</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>路点的参考坐标系。空间位置不变。“—”：无坐标系，以关节位置为准</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>

@@ -229,7 +229,8 @@ void examineData(Examiner& examiner) {
         examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops use it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delay real-time loops"),
+                       latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

@@ -517,7 +517,7 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
     freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
     homeKey_ = make(tr("Home"), "homeKey", tr("Moves all joints to the home position while held"));
     align_ = make(tr("Align"), "alignKey",
-                  tr("Rotates the tool to the nearest axis of the selected frame while held"));
+                  tr("Aligns the tool with the nearest axis of the selected frame while held"));
     back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
