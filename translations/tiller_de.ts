@@ -1356,7 +1356,7 @@
     </message>
     <message>
         <source>Powers the arm on. Brakes stay engaged.</source>
-        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -1383,7 +1383,7 @@
     </message>
     <message>
         <source>The robot&apos;s controller is not running. Restart the control box.</source>
-        <translation>Die Steuerung des Roboters läuft nicht. Starten Sie den Steuerkasten neu.</translation>
+        <translation>Die Steuerung des Roboters läuft nicht. Starten Sie die Control-Box neu.</translation>
     </message>
     <message>
         <source>Arm disconnected</source>
@@ -1431,7 +1431,7 @@
     </message>
     <message>
         <source>The brakes are on. Release them.</source>
-        <translation>Die Bremsen sind zu. Lösen Sie sie.</translation>
+        <translation>Die Bremsen sind angezogen. Lösen Sie sie.</translation>
     </message>
     <message>
         <source>Backdrive</source>
@@ -3078,7 +3078,7 @@
     </message>
     <message>
         <source>Powers the arm on. Brakes stay engaged.</source>
-        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
@@ -3353,7 +3353,7 @@
     </message>
     <message>
         <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
-        <translation>Blick zwischen vorn und Seite, leicht von oben; alles wird eingepasst.</translation>
+        <translation>Blick zwischen vorn und Seite, leicht von oben; passt alles in die Ansicht ein.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -4176,7 +4176,7 @@
     </message>
     <message>
         <source>a dialog or menu opened</source>
-        <translation>ein Dialog oder Menü ging auf</translation>
+        <translation>Dialog oder Menü geöffnet</translation>
     </message>
     <message>
         <source>selection changed</source>
@@ -4216,7 +4216,7 @@
     </message>
     <message>
         <source>PC going to sleep</source>
-        <translation>PC geht schlafen</translation>
+        <translation>PC wechselt in den Ruhezustand</translation>
     </message>
     <message>
         <source>connection lost</source>
@@ -6778,7 +6778,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>Die Demonstration konnte nicht importiert werden.</translation>
+        <translation>Die Vorführung konnte nicht importiert werden.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -8053,7 +8053,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
     </message>
     <message>
         <source>A position needs a name.</source>
-        <translation>Eine Stellung braucht einen Namen.</translation>
+        <translation>Eine Position braucht einen Namen.</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -8065,7 +8065,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
     </message>
     <message>
         <source>Positions</source>
-        <translation>Stellungen</translation>
+        <translation>Positionen</translation>
     </message>
     <message>
         <source>No positions yet.
@@ -8111,11 +8111,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Use the selected position as home</source>
-        <translation>Die gewählte Stellung als Home verwenden</translation>
+        <translation>Die gewählte Position als Home verwenden</translation>
     </message>
     <message>
         <source>Touch up the position</source>
-        <translation>Die Stellung nachteachen</translation>
+        <translation>Die Position nachteachen</translation>
     </message>
     <message>
         <source>Reset to default home</source>
@@ -8123,11 +8123,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Rename position</source>
-        <translation>Stellung umbenennen</translation>
+        <translation>Position umbenennen</translation>
     </message>
     <message>
         <source>Delete position</source>
-        <translation>Stellung löschen</translation>
+        <translation>Position löschen</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
@@ -8151,15 +8151,15 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>position</source>
-        <translation>Stellung</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Add the position “%1”</source>
-        <translation>Die Stellung „%1“ hinzufügen</translation>
+        <translation>Die Position „%1“ hinzufügen</translation>
     </message>
     <message>
         <source>Select a position to touch up.</source>
-        <translation>Wählen Sie eine Stellung zum Nachteachen.</translation>
+        <translation>Wählen Sie eine Position zum Nachteachen.</translation>
     </message>
     <message>
         <source>Touch up “%1”?</source>
@@ -8183,7 +8183,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Select a position to use as home.</source>
-        <translation>Wählen Sie eine Stellung als Home.</translation>
+        <translation>Wählen Sie eine Position als Home.</translation>
     </message>
     <message>
         <source>Delete “%1”</source>
@@ -8226,7 +8226,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie ihn zuerst wieder her.</translation>
+        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie zuerst den Betrieb wieder her.</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
@@ -8733,7 +8733,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
-        <translation>Nicht lesbare Boxen und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
+        <translation>Nicht lesbare Quader und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
     </message>
 </context>
 <context>
@@ -9350,13 +9350,13 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>1 Name verborgen: Kommen Sie näher</translation>
+        <translation>1 Name verborgen: Zoomen Sie heran</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>%n Name verborgen: Kommen Sie näher</numerusform>
-            <numerusform>%n Namen verborgen: Kommen Sie näher</numerusform>
+            <numerusform>%n Name verborgen: Zoomen Sie heran</numerusform>
+            <numerusform>%n Namen verborgen: Zoomen Sie heran</numerusform>
         </translation>
     </message>
     <message>
@@ -9408,7 +9408,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>In dieser Aufzeichnung ist keine Zeile.</translation>
+        <translation>Die Aufzeichnung ist leer.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9632,7 +9632,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Den TCP behalten, den der Roboter hat</translation>
+        <translation>Aktiven TCP des Roboters speichern</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Neuer TCP in Zahlen</translation>
+        <translation>Neuen TCP eingeben</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9716,7 +9716,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>Der Roboter hat einen anderen TCP als „%1“</translation>
+        <translation>Der TCP des Roboters weicht von „%1“ ab</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9739,7 +9739,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Retake least accurate pose</source>
-        <translation>Die schlechteste erneut nehmen</translation>
+        <translation>Ungenaueste Pose neu nehmen</translation>
     </message>
     <message>
         <source>Take</source>
@@ -9763,7 +9763,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>Drehung wie sie ist</translation>
+        <translation>Aktuelle Drehung behalten</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -9881,7 +9881,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Positions</source>
-        <translation>Stellungen</translation>
+        <translation>Positionen</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -9996,7 +9996,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>position “%1”</source>
-        <translation>Stellung „%1“</translation>
+        <translation>Position „%1“</translation>
     </message>
     <message>
         <source>Run route</source>

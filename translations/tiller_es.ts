@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1 no se hizo. %2</translation>
+        <translation>%1 no se completó. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -143,7 +143,7 @@
     </message>
     <message>
         <source>Set an output</source>
-        <translation>Poner una salida</translation>
+        <translation>Fijar una salida</translation>
     </message>
     <message>
         <source>Pulse an output</source>
@@ -2035,7 +2035,7 @@
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will show it.</source>
-        <translation>Aún no se alcanzó ningún límite. La línea bajo el teclado lo indicará.</translation>
+        <translation>Aún no se alcanzó ningún límite. La línea bajo los botones lo indicará.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
@@ -2103,7 +2103,7 @@
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo el teclado indica el límite y cómo salir de él. Después vuelva %1.</translation>
+        <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
         <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
@@ -3848,7 +3848,7 @@
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>La herramienta sigue el movimiento de la tapa.</translation>
+        <translation>La herramienta sigue el movimiento del mando.</translation>
     </message>
 </context>
 <context>
@@ -4936,7 +4936,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
     </message>
     <message>
         <source>Hold-to-run</source>
-        <translation>Validación</translation>
+        <translation>Habilitación</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -7028,7 +7028,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con las teclas o con «Pose siguiente», y tome tres poses más.</translation>
+        <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con movimiento manual o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
     <message numerus="yes">
         <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
@@ -7248,11 +7248,11 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
     </message>
     <message>
         <source>The payload is correct. %1</source>
-        <translation>La carga útil es cierta. %1</translation>
+        <translation>La carga útil es correcta. %1</translation>
     </message>
     <message>
         <source>The payload is correct</source>
-        <translation>La carga útil es cierta</translation>
+        <translation>La carga útil es correcta</translation>
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
@@ -8344,7 +8344,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
-        <translation>Mirando %1…</translation>
+        <translation>Comprobando %1…</translation>
     </message>
     <message>
         <source>Problems found</source>
@@ -8622,7 +8622,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>Discard changes</source>
-        <translation>Abandonar los cambios</translation>
+        <translation>Descartar los cambios</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -9408,7 +9408,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>Esta grabación no tiene ninguna fila.</translation>
+        <translation>La grabación está vacía.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9632,7 +9632,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Conservar el TCP que tiene el robot</translation>
+        <translation>Guardar el TCP activo del robot</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Nuevo TCP en cifras</translation>
+        <translation>Introducir TCP nuevo</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9712,11 +9712,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
-        <translation>%1, a %2 del que tiene el robot</translation>
+        <translation>%1, a %2 del TCP del robot</translation>
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>El robot tiene otro TCP que «%1»</translation>
+        <translation>El TCP del robot difiere de «%1»</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9739,7 +9739,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Retake least accurate pose</source>
-        <translation>Tomar de nuevo la peor</translation>
+        <translation>Repetir la peor pose</translation>
     </message>
     <message>
         <source>Take</source>
@@ -9763,7 +9763,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>Rotación como está</translation>
+        <translation>Conservar la rotación</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -10381,11 +10381,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Change “%1” to MoveJ</source>
-        <translation>Hacer «%1» MoveJ</translation>
+        <translation>Cambiar «%1» a MoveJ</translation>
     </message>
     <message>
         <source>Change “%1” to MoveL</source>
-        <translation>Hacer «%1» MoveL</translation>
+        <translation>Cambiar «%1» a MoveL</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
@@ -11159,7 +11159,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
-        <translation>Mueve el brazo solo mientras se mantiene el botón de validación. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
+        <translation>Mueve el brazo solo mientras se mantiene el botón de habilitación. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
     </message>
 </context>
 <context>
@@ -12130,7 +12130,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de validación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
+        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
         <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
@@ -12150,7 +12150,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>Restaurar teclas predeterminadas</translation>
+        <translation>Restaurar atajos predeterminados</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>

@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1 n’a pas été fait. %2</translation>
+        <translation>%1 n’a pas été terminé. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -162,7 +162,7 @@
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
-        <translation>Déplacer, apprendre, faire marcher et surveiller un bras Universal Robots depuis un PC.</translation>
+        <translation>Déplacer, apprendre, exécuter et surveiller un bras Universal Robots depuis un PC.</translation>
     </message>
     <message>
         <source>Start with the built-in simulated UR5e.</source>
@@ -1383,7 +1383,7 @@
     </message>
     <message>
         <source>The robot&apos;s controller is not running. Restart the control box.</source>
-        <translation>Le contrôleur du robot ne marche pas. Redémarrez le boîtier de commande.</translation>
+        <translation>Le contrôleur du robot ne fonctionne pas. Redémarrez le boîtier de commande.</translation>
     </message>
     <message>
         <source>Arm disconnected</source>
@@ -1391,7 +1391,7 @@
     </message>
     <message>
         <source>The controller has no connection to the arm. See the teach pendant.</source>
-        <translation>Le contrôleur n’a pas de liaison avec le bras. Voyez le pupitre.</translation>
+        <translation>Le contrôleur n’a pas de liaison avec le bras. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Confirm safety</source>
@@ -1635,7 +1635,7 @@
     </message>
     <message>
         <source>Program stopping</source>
-        <translation>Programme s’arrête</translation>
+        <translation>Arrêt du programme</translation>
     </message>
     <message>
         <source>The program on the robot is ending.</source>
@@ -1659,7 +1659,7 @@
     </message>
     <message>
         <source>Program pausing</source>
-        <translation>Programme se met en pause</translation>
+        <translation>Mise en pause</translation>
     </message>
     <message>
         <source>The program is pausing.</source>
@@ -1675,7 +1675,7 @@
     </message>
     <message>
         <source>Program resuming</source>
-        <translation>Programme reprend</translation>
+        <translation>Reprise du programme</translation>
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
@@ -1683,15 +1683,15 @@
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
-        <translation>Mode de robot inconnu %1. Voyez le pupitre.</translation>
+        <translation>Mode de robot inconnu %1. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Unknown safety mode %1. See the teach pendant.</source>
-        <translation>Mode de sécurité inconnu %1. Voyez le pupitre.</translation>
+        <translation>Mode de sécurité inconnu %1. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
-        <translation>État de programme inconnu %1. Voyez le pupitre.</translation>
+        <translation>État de programme inconnu %1. Consultez le pupitre.</translation>
     </message>
 </context>
 <context>
@@ -1892,7 +1892,7 @@
     <name>PlotMenu</name>
     <message>
         <source>Remove lane %1</source>
-        <translation>Ôter la piste %1</translation>
+        <translation>Retirer la piste %1</translation>
     </message>
     <message>
         <source>Add note here…</source>
@@ -1952,7 +1952,7 @@
     </message>
     <message>
         <source>Remove this plot</source>
-        <translation>Ôter ce tracé</translation>
+        <translation>Retirer ce tracé</translation>
     </message>
     <message>
         <source>Scale to curves</source>
@@ -1983,7 +1983,7 @@
     </message>
     <message>
         <source>The arm is running and under your control again.</source>
-        <translation>Le bras marche et est de nouveau sous votre contrôle.</translation>
+        <translation>Le bras est en marche et de nouveau sous votre contrôle.</translation>
     </message>
     <message>
         <source>No new frame yet. Use “3 points” in the Frames tab.</source>
@@ -2841,7 +2841,7 @@
     </message>
     <message>
         <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet.</translation>
+        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet.</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -4204,7 +4204,7 @@
     </message>
     <message>
         <source>robot data too old</source>
-        <translation>données du robot trop vieilles</translation>
+        <translation>données du robot trop anciennes</translation>
     </message>
     <message>
         <source>robot or safety mode changed</source>
@@ -6640,7 +6640,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet. Saisissez la position, excluez l&apos;objet ou supprimez-le sur la page Cellule</translation>
+        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet. Saisissez la position, excluez l’objet ou supprimez-le sur la page Cellule</translation>
     </message>
 </context>
 <context>
@@ -7248,11 +7248,11 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     </message>
     <message>
         <source>The payload is correct. %1</source>
-        <translation>La charge utile est juste. %1</translation>
+        <translation>La charge utile est correcte. %1</translation>
     </message>
     <message>
         <source>The payload is correct</source>
-        <translation>La charge utile est juste</translation>
+        <translation>La charge utile est correcte</translation>
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
@@ -7649,7 +7649,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     </message>
     <message>
         <source>Remove this page</source>
-        <translation>Ôter cette page</translation>
+        <translation>Retirer cette page</translation>
     </message>
     <message>
         <source>Standard plots</source>
@@ -7816,7 +7816,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>Les signaux en direct ne peuvent être exportés qu&apos;en .csv. Enregistrez-les d&apos;abord.</translation>
+        <translation>Les signaux en direct ne peuvent être exportés qu’en .csv. Enregistrez-les d’abord.</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8234,7 +8234,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
     </message>
     <message>
         <source>Press Start.</source>
-        <translation>Pressez Démarrer.</translation>
+        <translation>Appuyez sur Démarrer.</translation>
     </message>
 </context>
 <context>
@@ -9132,7 +9132,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>La commande a été rendue : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez la commande.</translation>
+        <translation>Le contrôle a été rendu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9214,7 +9214,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
-        <translation>La pince est trop chaude. Laissez-la refroidir, puis pressez Activer.</translation>
+        <translation>La pince est trop chaude. Laissez-la refroidir, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
@@ -9408,7 +9408,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>Cet enregistrement n’a aucune ligne.</translation>
+        <translation>L’enregistrement est vide.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9548,7 +9548,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
-        <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a la commande.</translation>
+        <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a le contrôle.</translation>
     </message>
     <message>
         <source>Space / Esc</source>
@@ -9632,7 +9632,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Garder le TCP du robot</translation>
+        <translation>Garder le TCP actif du robot</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Nouveau TCP en chiffres</translation>
+        <translation>Saisir un nouveau TCP</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9712,11 +9712,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
-        <translation>%1, à %2 de celui du robot</translation>
+        <translation>%1, à %2 du TCP du robot</translation>
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>Le robot a un autre TCP que « %1 »</translation>
+        <translation>Le TCP du robot diffère de « %1 »</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9739,7 +9739,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Retake least accurate pose</source>
-        <translation>Reprendre la pire</translation>
+        <translation>Refaire la pire pose</translation>
     </message>
     <message>
         <source>Take</source>
@@ -10381,11 +10381,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Change “%1” to MoveJ</source>
-        <translation>Faire de « %1 » un MoveJ</translation>
+        <translation>Passer « %1 » en MoveJ</translation>
     </message>
     <message>
         <source>Change “%1” to MoveL</source>
-        <translation>Faire de « %1 » un MoveL</translation>
+        <translation>Passer « %1 » en MoveL</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
@@ -11622,11 +11622,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Stop it and power off</source>
-        <translation>L&apos;arrêter et mettre hors tension</translation>
+        <translation>L’arrêter et mettre hors tension</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
-        <translation>Une trajectoire est en cours d&apos;enregistrement. Arrêtez-la d&apos;abord.</translation>
+        <translation>Une trajectoire est en cours d’enregistrement. Arrêtez-la d’abord.</translation>
     </message>
 </context>
 <context>
@@ -12150,7 +12150,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>Rétablir les touches par défaut</translation>
+        <translation>Rétablir les raccourcis</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
