@@ -83,8 +83,8 @@
         <translation>Bereiche verschieben</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programm Tiller</translation>
+        <source>Application</source>
+        <translation>Anwendung</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -340,11 +340,11 @@
         <translation>Nahe an einer Grenze der Werkzeugausrichtung</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>Das Werkzeug drehte sich bis nahe an die Grenze der Sicherheitskonfiguration.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>Die Werkzeugausrichtung kam der Grenze der Sicherheitskonfiguration nahe.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Drehen Sie das Werkzeug zurück oder ändern Sie den Wegpunkt.</translation>
     </message>
     <message>
@@ -569,8 +569,8 @@
         <translation>%1 und %2 weitere</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Diese Software ist zu alt. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>Die Software des Roboters ist zu alt. Aktualisieren Sie sie auf %1.%2 oder neuer.</translation>
     </message>
     <message>
         <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
@@ -1422,7 +1422,7 @@
         <translation>Eingeschaltet</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>Der Arm ist eingeschaltet und wird initialisiert. Warten Sie einen Moment.</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>Firmware-Update</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>Die Firmware der Gelenke wird aktualisiert. Schalten Sie nicht aus, bis die Aktualisierung abgeschlossen ist.</translation>
     </message>
     <message>
@@ -2916,8 +2916,8 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>Die Sicherheit ist wieder normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
@@ -4732,8 +4732,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>Das Verfahren endet in diesem Abstand zur Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Das Verfahren endet in diesem Abstand zu Objekten der Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4915,8 +4915,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Bewegt den Arm (bis Tiller geschlossen wird)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Bewegung freigeben (bis Tiller geschlossen wird)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -6015,9 +6015,9 @@ Der Ausgang kann nicht geschaltet werden, solange der Roboter keine Daten sendet
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
+Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6619,12 +6619,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 berührt %2, und die Bewegung führt näher heran</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 berührt %2, und die Bewegung verringert den Abstand</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung führt näher heran</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung verringert den Abstand</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -9017,7 +9017,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Keine Daten vom Roboter: Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n weiteres am Roboter.</numerusform>
             <numerusform>%n weitere am Roboter.</numerusform>
@@ -9071,8 +9071,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Mit %1 verbunden</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>Die Sicherheit ist wieder normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -10273,8 +10273,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Seit dem Teachen nicht geändert.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
-        <translation>Die Version vor dieser Änderung gleicht der aktuellen.</translation>
+        <source>The version before this change is identical to the current version.</source>
+        <translation>Die Version vor dieser Änderung ist mit der aktuellen identisch.</translation>
     </message>
     <message>
         <source>Before this change:</source>

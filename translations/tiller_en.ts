@@ -63,7 +63,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program Tiller</source>
+        <source>Application</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -621,7 +621,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1422,7 +1422,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2916,7 +2916,7 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
+        <source>Safety mode is Normal again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4730,7 +4730,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4913,7 +4913,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6010,7 +6010,7 @@ The output cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6613,11 +6613,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9005,10 +9005,10 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
-            <numerusform>%n more on the robot.</numerusform>
-            <numerusform>%n more on the robot.</numerusform>
+            <numerusform>%n more popup on the robot.</numerusform>
+            <numerusform>%n more popups on the robot.</numerusform>
         </translation>
     </message>
     <message>
@@ -9055,7 +9055,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
+        <source>Safety mode is Normal again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10260,7 +10260,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

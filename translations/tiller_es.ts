@@ -83,8 +83,8 @@
         <translation>Mover paneles</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programa Tiller</translation>
+        <source>Application</source>
+        <translation>Aplicación</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -340,11 +340,11 @@
         <translation>Cerca del límite de orientación de la herramienta</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>La herramienta giró hasta cerca del límite de la configuración de seguridad.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>La orientación de la herramienta se acercó al límite de la configuración de seguridad.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Gire la herramienta hacia atrás o cambie el punto de paso.</translation>
     </message>
     <message>
@@ -569,8 +569,8 @@
         <translation>%1 y %2 más</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Este software es demasiado antiguo. Actualice el robot a %1.%2 o posterior.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>El software del robot es demasiado antiguo. Actualícelo a %1.%2 o posterior.</translation>
     </message>
     <message>
         <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
@@ -1422,7 +1422,7 @@
         <translation>Encendido</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>El brazo está encendido y se está inicializando. Espere un momento.</translation>
     </message>
     <message>
@@ -1454,8 +1454,8 @@
         <translation>Actualizando firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
-        <translation>Se actualiza el firmware de las articulaciones. No corte la corriente hasta que termine la actualización.</translation>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
+        <translation>Se actualiza el firmware de las articulaciones. No apague la alimentación hasta que termine la actualización.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -2916,8 +2916,8 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La seguridad vuelve a ser normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
@@ -4732,8 +4732,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Distancia de seguridad</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>El movimiento manual se detiene a esta distancia de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>El movimiento manual se detiene a esta distancia de los objetos de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4915,8 +4915,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Mueve el brazo (hasta cerrar Tiller)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Permitir movimiento (hasta cerrar Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -6015,9 +6015,9 @@ La salida no se puede conmutar mientras el robot no envía datos.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
+Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o renombrar.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6619,12 +6619,12 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Herramienta</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 está en contacto con %2, y el movimiento lo acerca más</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 está en contacto con %2, y el movimiento reduce la distancia</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 está a solo %2 de %3, y el movimiento lo acerca más</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 está a solo %2 de %3, y el movimiento reduce la distancia</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -9017,7 +9017,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Sin datos del robot: ciérrelo en la consola portátil.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n más en el robot.</numerusform>
             <numerusform>%n más en el robot.</numerusform>
@@ -9071,8 +9071,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Conectado con %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La seguridad vuelve a ser normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -10273,8 +10273,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Sin cambios desde que se enseñó.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
-        <translation>La versión anterior a este cambio es igual a la actual.</translation>
+        <source>The version before this change is identical to the current version.</source>
+        <translation>La versión anterior a este cambio es idéntica a la actual.</translation>
     </message>
     <message>
         <source>Before this change:</source>

@@ -83,8 +83,8 @@
         <translation>Déplacer les panneaux</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programme Tiller</translation>
+        <source>Application</source>
+        <translation>Application</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -340,11 +340,11 @@
         <translation>Près d’une limite d’orientation de l’outil</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>L’outil a tourné près de la limite de la configuration de sécurité.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>L’orientation de l’outil s’est approchée de la limite de la configuration de sécurité.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Tournez l’outil en arrière ou changez le point de passage.</translation>
     </message>
     <message>
@@ -569,8 +569,8 @@
         <translation>%1 et %2 de plus</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Ce logiciel est trop ancien. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>Le logiciel du robot est trop ancien. Mettez-le à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
         <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
@@ -1422,7 +1422,7 @@
         <translation>Sous tension</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>Le bras est sous tension et s’initialise. Attendez un instant.</translation>
     </message>
     <message>
@@ -1454,8 +1454,8 @@
         <translation>Mise à jour du firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
-        <translation>Le firmware des articulations est mis à jour. Gardez sous tension jusqu’à la fin de la mise à jour.</translation>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
+        <translation>Le firmware des articulations est mis à jour. Ne coupez pas l’alimentation avant la fin de la mise à jour.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -2916,8 +2916,8 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La sécurité est de nouveau normale</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
@@ -4732,8 +4732,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Distance de sécurité</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>Le déplacement manuel s’arrête à cette distance de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Le déplacement manuel s’arrête à cette distance des objets de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4915,8 +4915,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Déplace le bras (jusqu’à la fermeture de Tiller)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Autoriser le mouvement (jusqu’à la fermeture de Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -6015,9 +6015,9 @@ La sortie ne peut pas être commutée tant que le robot n’envoie pas de donné
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</translation>
+Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion ou renommer.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6619,12 +6619,12 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Outil</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 est en contact avec %2, et le mouvement l’en rapproche</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 est en contact avec %2, et le mouvement réduit la distance</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 n’est qu’à %2 de %3, et le mouvement l’en rapproche</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 n’est qu’à %2 de %3, et le mouvement réduit la distance</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -9017,7 +9017,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Pas de données du robot : fermez-le sur le pupitre.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n de plus sur le robot.</numerusform>
             <numerusform>%n de plus sur le robot.</numerusform>
@@ -9071,8 +9071,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Connecté à %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La sécurité est de nouveau normale</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -10273,7 +10273,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Non modifié depuis son apprentissage.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>La version d’avant cette modification est identique à l’actuelle.</translation>
     </message>
     <message>

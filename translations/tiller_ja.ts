@@ -83,8 +83,8 @@
         <translation>パネルの移動</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>プログラム Tiller</translation>
+        <source>Application</source>
+        <translation>アプリケーション</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -340,11 +340,11 @@
         <translation>ツール姿勢限界の近く</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation>ツールが安全設定の限界近くまで回転しました。</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>ツールを戻すか、ウェイポイントを変更してください。</translation>
     </message>
     <message>
@@ -569,8 +569,8 @@
         <translation>%1 と他 %2</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>このソフトウェアは古すぎます。ロボットを %1.%2 以降に更新してください。</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>ロボットのソフトウェアが古すぎます。%1.%2 以降に更新してください。</translation>
     </message>
     <message>
         <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
@@ -1422,7 +1422,7 @@
         <translation>電源オン</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>アームに電源が入り、準備しています。しばらくお待ちください。</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>ファームウェア更新中</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>関節のファームウェアを更新しています。更新が終わるまで電源を切らないでください。</translation>
     </message>
     <message>
@@ -2916,8 +2916,8 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全は再び通常です</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
@@ -4730,7 +4730,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation>ジョグは、セルとの間およびアームの各部の間がこの距離になると停止します。それより近づく動作は拒否されます。</translation>
     </message>
     <message>
@@ -4913,7 +4913,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation>アームを動かす（Tiller を閉じるまで）</translation>
     </message>
     <message>
@@ -6007,7 +6007,7 @@ The output cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
 クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
     </message>
@@ -6611,11 +6611,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>ツール</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation>%1は%2に接触しており、この動作でさらに近づきます</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation>%1は%3まで%2しかなく、この動作でさらに近づきます</translation>
     </message>
     <message>
@@ -8995,7 +8995,7 @@ Release the button to stop the arm.</source>
         <translation>ロボットからのデータなし：ティーチペンダントで閉じてください。</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>ロボットに他 %n 件。</numerusform>
         </translation>
@@ -9048,8 +9048,8 @@ Release the button to stop the arm.</source>
         <translation>%1 に接続</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全は再び通常です</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -10239,7 +10239,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>教示以来変更されていません。</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>この変更前の版は現在の版と同じです。</translation>
     </message>
     <message>

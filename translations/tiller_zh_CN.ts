@@ -83,8 +83,8 @@
         <translation>移动面板</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>程序 Tiller</translation>
+        <source>Application</source>
+        <translation>应用程序</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -340,11 +340,11 @@
         <translation>接近工具方向极限</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation>工具转到了安全配置所设极限附近。</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>把工具转回来，或更改路点。</translation>
     </message>
     <message>
@@ -569,8 +569,8 @@
         <translation>%1 以及另外 %2</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>此软件太旧。请将机器人更新到 %1.%2 或更新版本。</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>机器人的软件版本过旧。请更新到 %1.%2 或更高版本。</translation>
     </message>
     <message>
         <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
@@ -1422,7 +1422,7 @@
         <translation>上电</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>机械臂已上电，正在初始化。请稍候。</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>更新固件</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>正在更新关节固件。更新完成前请勿断电。</translation>
     </message>
     <message>
@@ -2916,8 +2916,8 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全已恢复正常</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
         <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
@@ -4730,7 +4730,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>安全距离</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation>点动在距单元以及机械臂各部分之间达到此距离时停止。更接近的运动会被拒绝。</translation>
     </message>
     <message>
@@ -4913,7 +4913,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation>移动机械臂（直到关闭 Tiller）</translation>
     </message>
     <message>
@@ -6007,7 +6007,7 @@ The output cannot be switched while the robot sends no data.</source>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
 点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
     </message>
@@ -6611,11 +6611,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>工具</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation>%1 与 %2 接触，该运动会使其更接近</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation>%1 距 %3 仅 %2，该运动会使其更接近</translation>
     </message>
     <message>
@@ -8995,7 +8995,7 @@ Release the button to stop the arm.</source>
         <translation>没有来自机器人的数据：请在示教器上关闭。</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>机器人上还有 %n 个。</numerusform>
         </translation>
@@ -9048,8 +9048,8 @@ Release the button to stop the arm.</source>
         <translation>已连接 %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全已恢复正常</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -10239,7 +10239,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教以来没有更改。</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>此更改之前的版本与当前版本相同。</translation>
     </message>
     <message>

@@ -73,7 +73,7 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
         version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
     if (version < least) {
         examiner.found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-                       DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
+                       DoctorText::tr("The robot's software is too old. Update it to %1.%2 or newer.")
                            .arg(wanted.major)
                            .arg(wanted.minor));
     } else if (version < wanted) {

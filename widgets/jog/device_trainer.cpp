@@ -126,7 +126,7 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     , bars_(new DeviceBars(this))
     , deadMan_(new QLabel)
     , direction_(new QLabel)
-    , use_(new QCheckBox(tr("Moves the arm (until Tiller is closed)")))
+    , use_(new QCheckBox(tr("Enable motion (until Tiller is closed)")))
     , dominant_(new QCheckBox(tr("Dominant axis only"))) {
     setObjectName(QStringLiteral("deviceTrainer"));
     setWindowTitle(tr("Gamepad and SpaceMouse"));

@@ -215,8 +215,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
     distance_->setToolTip(
-        CellPage::tr("Jogging stops at this distance from the cell and between parts of the arm. Moves that "
-                     "come closer are refused."));
+        CellPage::tr("Jogging stops at this distance from objects in the cell and between parts of the arm. "
+                     "Moves that come closer are refused."));
     auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));

@@ -146,7 +146,7 @@ void WaypointHistoryDialog::refresh() {
     }
     const QStringList lines = differences(revision().before, waypoint_, document_);
     compare_->setText(lines.isEmpty()
-                          ? tr("The version before this change equals the current version.")
+                          ? tr("The version before this change is identical to the current version.")
                           : tr("Before this change:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
 }
 

@@ -19,7 +19,7 @@ struct RecoveryGuideText {
 RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;
-    guide.title = RecoveryGuideText::tr("Safety is normal again");
+    guide.title = RecoveryGuideText::tr("Safety mode is Normal again");
     const ModeWords mode = robotModeWords(state.robotMode);
     guide.what = mode.advice;
     switch (next) {

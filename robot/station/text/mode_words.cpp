@@ -41,7 +41,7 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::PowerOff, QT_TRANSLATE_NOOP("ModeWords", "Power off"),
      QT_TRANSLATE_NOOP("ModeWords", "The arm is powered off. Power it on.")},
     {RobotMode::PowerOn, QT_TRANSLATE_NOOP("ModeWords", "Power on"),
-     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered and initializing. Wait a moment.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered on and initializing. Wait a moment.")},
     {RobotMode::Idle, QT_TRANSLATE_NOOP("ModeWords", "Idle"),
      QT_TRANSLATE_NOOP("ModeWords", "The brakes are on. Release them.")},
     {RobotMode::Backdrive, QT_TRANSLATE_NOOP("ModeWords", "Backdrive"),
@@ -53,7 +53,7 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The joints' firmware is being updated. Keep the power on until the update is complete.")},
+         "The joints' firmware is being updated. Do not switch off the power until the update is complete.")},
 });
 
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
