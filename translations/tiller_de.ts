@@ -2094,7 +2094,7 @@
         <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
@@ -4612,7 +4612,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Erste Ecke übernommen.</translation>
     </message>
     <message>
@@ -5260,19 +5260,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Richtung +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Den Ursprung hier nehmen</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Den Punkt auf +X hier nehmen</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Den Punkt Richtung +Y hier nehmen</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Nehmen</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Koordinatensystem erstellen</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn mindestens %2 entfernt erneut. Ein größerer Abstand ergibt genauere Achsen.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>Der dritte Punkt ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 von der X-Achse entfernt. Nehmen Sie ihn mindestens %2 in Richtung +Y erneut.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bereit: Der Punkt auf +X ist %1 vom Ursprung entfernt, der dritte %2 von der X-Achse.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Fahren Sie die Spitze zum Ursprung des Koordinatensystems und nehmen Sie den Punkt (P).</translation>
     </message>
     <message>
@@ -5312,11 +5312,11 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Fahren Sie nun in Richtung +Y: %1 von der X-Achse, mindestens %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Nehmen  P</translation>
     </message>
     <message>
-        <source>Retake</source>
+        <source>Redo</source>
         <translation>Neu nehmen</translation>
     </message>
 </context>
@@ -5356,7 +5356,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
 Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“ oder „3 Punkte“, um Ursprung, +X und +Y zu nehmen.</translation>
     </message>
@@ -5397,7 +5397,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem aus drei Punkten teachen</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Den nächsten Punkt des Koordinatensystems nehmen</translation>
     </message>
     <message>
@@ -6999,7 +6999,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
@@ -7015,11 +7015,11 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>%1 kg, Schwerpunkt %2 vom Flansch entfernt. Die Posen stimmen innerhalb von %3 und %4 überein.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 Die Genauigkeit ist gering: Pose %2 weicht am stärksten ab. Entfernen Sie sie und nehmen Sie eine andere Pose.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>%1 kg: zu leicht, um den Schwerpunkt zu messen. Geben Sie ihn manuell ein.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose. Drehen Sie dann das Handgelenk durch Verfahren oder mit „Nächste Pose“ und nehmen Sie drei weitere Posen.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Pose %1 nehmen</translation>
     </message>
     <message>
@@ -9734,15 +9734,15 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Pose nehmen</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>Ungenaueste Pose neu nehmen</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Nehmen</translation>
     </message>
     <message>
@@ -9754,7 +9754,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Take pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>Pose für die Drehung nehmen</translation>
     </message>
     <message>
@@ -9782,19 +9782,19 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die Posen erneut.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
@@ -9805,55 +9805,55 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Nehmen Sie die Pose an der aktuellen Position. Drehen Sie das Werkzeug ab jetzt nicht: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Bewegen Sie das Werkzeug entlang seiner +Z-Richtung um mindestens %1 vom Flansch weg und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>Der Flansch hat sich um bis zu %1 gedreht (Pose %2). Nehmen Sie die drei Posen erneut, ohne das Werkzeug zu drehen.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>Der Abstand entlang +Z beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>Der Abstand entlang +X beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 von der Linie entfernt. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Letzte Pose erneut nehmen</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Pose %1 nehmen</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>  ◀ am ungenauesten</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Posen können nur genommen werden, solange der Roboter Daten sendet.</translation>
     </message>
 </context>

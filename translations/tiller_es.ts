@@ -2094,7 +2094,7 @@
         <translation>Pulse Iniciar para simular un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
@@ -4612,7 +4612,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>plano</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Primera esquina tomada.</translation>
     </message>
     <message>
@@ -5260,19 +5260,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Hacia +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Tomar aquí el origen</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Tomar aquí el punto en +X</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Tomar aquí el punto hacia +Y</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Tomar</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Crear sistema</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>El robot envió una posición no válida. Tome el punto de nuevo.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo a %2 como mínimo. Una distancia mayor da ejes más precisos.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>El tercer punto está a solo %1 del origen. Tómelo de nuevo al menos a %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Los tres puntos están alineados: el tercero está a solo %1 del eje X. Tómelo de nuevo a %2 como mínimo hacia +Y.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Listo: el punto en +X está a %1 del origen y el tercero a %2 del eje X.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Mueva la punta al origen del sistema de coordenadas y tome el punto (P).</translation>
     </message>
     <message>
@@ -5312,11 +5312,11 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Ahora vaya hacia +Y: a %1 del eje X, mínimo %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Tomar  P</translation>
     </message>
     <message>
-        <source>Retake</source>
+        <source>Redo</source>
         <translation>Repetir</translation>
     </message>
 </context>
@@ -5356,7 +5356,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Aún no hay sistemas de coordenadas.
 Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 puntos» para tomar el origen, +X y +Y.</translation>
     </message>
@@ -5397,7 +5397,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Enseñar sistema con tres puntos</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Tomar el siguiente punto del sistema</translation>
     </message>
     <message>
@@ -6999,7 +6999,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y tome la pose de nuevo.</translation>
     </message>
     <message>
@@ -7015,11 +7015,11 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>%1 kg, centro de gravedad a %2 de la brida. Las poses coinciden dentro de %3 y %4.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 La precisión es baja: la pose %2 es la que más se desvía. Quítela y tome otra.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>%1 kg: demasiado ligera para medir el centro de gravedad. Introdúzcalo manualmente.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con movimiento manual o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Tomar pose %1</translation>
     </message>
     <message>
@@ -9734,15 +9734,15 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Tomar pose</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>Repetir la peor pose</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Tomar</translation>
     </message>
     <message>
@@ -9754,7 +9754,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Enseñar el TCP</translation>
     </message>
     <message>
-        <source>Take pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>Tomar pose para el giro</translation>
     </message>
     <message>
@@ -9782,19 +9782,19 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>El robot envió una posición no válida. Tome las poses de nuevo.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
@@ -9805,55 +9805,55 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>La herramienta conserva su rotación actual.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Tome la pose en la posición actual. No gire la herramienta a partir de aquí: mueva solo X, Y y Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Mueva la herramienta en su dirección +Z, alejándola de la brida, al menos %1, y tome la pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>La brida giró hasta %1 (pose %2). Tome las tres poses de nuevo sin girar la herramienta.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distancia en +Z es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distancia en +X es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Las tres poses están alineadas: la tercera está a solo %1 de la línea. Tómelas de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>El robot envió una posición no válida. Tome las tres poses de nuevo.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Repetir la última pose</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Tomar pose %1</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>  ◀ menos precisa</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Las poses solo se pueden tomar mientras el robot envía datos.</translation>
     </message>
 </context>

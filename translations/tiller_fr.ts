@@ -2094,7 +2094,7 @@
         <translation>Appuyez sur Démarrer pour simuler une collision qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
@@ -4612,7 +4612,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>plan</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Premier coin pris.</translation>
     </message>
     <message>
@@ -5260,19 +5260,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Vers +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Prendre l’origine ici</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Prendre le point sur +X ici</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Prendre le point vers +Y ici</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Prendre</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Créer le repère</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez le point.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2. Une plus grande distance donne des axes plus précis.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>Le troisième point n’est qu’à %1 de l’origine. Reprenez-le à au moins %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 vers +Y.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Prêt : le point sur +X est à %1 de l’origine, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Amenez la pointe à l’origine du repère et prenez le point (P).</translation>
     </message>
     <message>
@@ -5312,11 +5312,11 @@ Videz la recherche pour tout voir.</translation>
         <translation>Allez maintenant vers +Y : à %1 de l’axe X, minimum %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Prendre  P</translation>
     </message>
     <message>
-        <source>Retake</source>
+        <source>Redo</source>
         <translation>Reprendre</translation>
     </message>
 </context>
@@ -5356,7 +5356,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Pas encore de repères.
 Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP », ou sur « 3 points » pour prendre l’origine, +X et +Y.</translation>
     </message>
@@ -5397,7 +5397,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Apprendre un repère par trois points</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Prendre le point suivant du repère</translation>
     </message>
     <message>
@@ -6999,7 +6999,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et reprenez la pose.</translation>
     </message>
     <message>
@@ -7015,11 +7015,11 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>%1 kg, centre de gravité à %2 de la bride. Les poses concordent à %3 et %4 près.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 La précision est faible : la pose %2 s’écarte le plus. Retirez-la et prenez-en une autre.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>%1 kg : trop léger pour mesurer le centre de gravité. Saisissez-le.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>Attendez l’arrêt, gardez l’outil sans contact et prenez la pose. Tournez ensuite le poignet, par déplacement ou avec « Pose suivante », et prenez trois autres poses.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Prendre la pose %1</translation>
     </message>
     <message>
@@ -9734,15 +9734,15 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Prendre la pose</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>Refaire la pire pose</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Prendre</translation>
     </message>
     <message>
@@ -9754,7 +9754,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Apprendre le TCP</translation>
     </message>
     <message>
-        <source>Take pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>Prendre la pose pour la rotation</translation>
     </message>
     <message>
@@ -9782,19 +9782,19 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez les poses.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
@@ -9805,55 +9805,55 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>L’outil garde sa rotation actuelle.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Prenez la pose à la position actuelle. Ne tournez plus l’outil à partir d’ici : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Déplacez l’outil dans sa direction +Z, en l’éloignant de la bride, d’au moins %1, et prenez la pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Déplacez maintenant l’outil dans sa direction +X d’au moins %1 et prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>La bride a tourné de %1 au plus (pose %2). Reprenez les trois poses sans tourner l’outil.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distance selon +Z n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distance selon +X n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Les trois poses sont alignées : la troisième n’est qu’à %1 de la droite. Reprenez les trois poses.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez les trois poses.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Reprendre la dernière pose</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Prendre la pose %1</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>  ◀ la moins précise</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données.</translation>
     </message>
 </context>

@@ -2094,7 +2094,7 @@
         <translation>「開始」を押すと、保護停止を起こす衝突をシミュレートします。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を取ります。</translation>
     </message>
     <message>
@@ -4610,7 +4610,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>最初の角を記録しました。</translation>
     </message>
     <message>
@@ -5253,19 +5253,19 @@ Clear the search to see everything.</source>
         <translation>+Y 側</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>ここを原点に取る</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>ここを +X 上の点に取る</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>ここを +Y 側の点に取る</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取る</translation>
     </message>
     <message>
@@ -5273,19 +5273,19 @@ Clear the search to see everything.</source>
         <translation>座標系を作成</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>ロボットが有効な位置を送りませんでした。点を取り直してください。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して取り直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>3 点目は原点から %1 しか離れていません。%2 以上離して取り直してください。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して取り直してください。</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@ Clear the search to see everything.</source>
         <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>先端を座標系の原点へジョグして取ってください (P)。</translation>
     </message>
     <message>
@@ -5305,11 +5305,11 @@ Clear the search to see everything.</source>
         <translation>次は +Y 側へ：X 軸から %1、最小 %2。</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>取る  P</translation>
     </message>
     <message>
-        <source>Retake</source>
+        <source>Redo</source>
         <translation>取り直す</translation>
     </message>
 </context>
@@ -5349,7 +5349,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>座標系はまだありません。
 先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を取ってください。</translation>
     </message>
@@ -5390,7 +5390,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>3 点から座標系を教示</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>座標系の次の点を取る</translation>
     </message>
     <message>
@@ -6987,7 +6987,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
     </message>
     <message>
@@ -7003,11 +7003,11 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
     </message>
     <message>
@@ -7015,17 +7015,17 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 kg：軽すぎて重心を測定できません。手動で入力してください。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>姿勢 %1 を取る</translation>
     </message>
     <message>
@@ -9709,15 +9709,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>姿勢を取る</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>最も不正確な姿勢を取り直す</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取る</translation>
     </message>
     <message>
@@ -9729,7 +9729,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP を教示</translation>
     </message>
     <message>
-        <source>Take pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>回転用の姿勢を取る</translation>
     </message>
     <message>
@@ -9757,19 +9757,19 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
         </translation>
@@ -9779,55 +9779,55 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ツールは現在の回転を保ちます。</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>回転を取りました。取り直すと置き換わります。</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>現在の位置で姿勢を取ります。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>回転を取りました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を取り直してください。</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>最後の姿勢を取り直す</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>姿勢 %1 を取る</translation>
     </message>
     <message>
@@ -9839,7 +9839,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>  ◀ 最も不正確</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
     </message>
 </context>

@@ -2094,7 +2094,7 @@
         <translation>按“开始”模拟一次引发保护性停止的碰撞。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
@@ -4610,7 +4610,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>已记录第一个角。</translation>
     </message>
     <message>
@@ -5253,19 +5253,19 @@ Clear the search to see everything.</source>
         <translation>朝 +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>在此取原点</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>在此取 +X 上的点</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>在此取朝 +Y 的点</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取点</translation>
     </message>
     <message>
@@ -5273,19 +5273,19 @@ Clear the search to see everything.</source>
         <translation>创建坐标系</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>机器人没有发送有效位置。请重新取点。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>第三点距原点仅 %1。请重新取，至少 %2。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@ Clear the search to see everything.</source>
         <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>将尖端点动到坐标系的原点并取点 (P)。</translation>
     </message>
     <message>
@@ -5305,11 +5305,11 @@ Clear the search to see everything.</source>
         <translation>现在到 +Y 一侧：距 X 轴 %1，最少 %2。</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>取点  P</translation>
     </message>
     <message>
-        <source>Retake</source>
+        <source>Redo</source>
         <translation>重取</translation>
     </message>
 </context>
@@ -5349,7 +5349,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>还没有坐标系。
 把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
     </message>
@@ -5390,7 +5390,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>用三点示教坐标系</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>取坐标系的下一点</translation>
     </message>
     <message>
@@ -6987,7 +6987,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
     </message>
     <message>
@@ -7003,11 +7003,11 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 精度较低：位姿 %2 偏差最大。请移除它并另取一个位姿。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
     </message>
     <message>
@@ -7015,17 +7015,17 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 kg：太轻，无法测量重心。请手动输入。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>取位姿 %1</translation>
     </message>
     <message>
@@ -9709,15 +9709,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>取位姿</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>重取最不准确的位姿</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取</translation>
     </message>
     <message>
@@ -9729,7 +9729,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Take pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>取一个用于旋转的位姿</translation>
     </message>
     <message>
@@ -9757,19 +9757,19 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>机器人没有发送有效位置。请重新取位姿。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
         </translation>
@@ -9779,55 +9779,55 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>工具保持当前旋转。</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>已取旋转。再取一次即可替换。</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>在当前位置取位姿。此后不要转动工具：只点动 X、Y 和 Z。</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>沿工具的 +Z 方向远离法兰移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>现在沿工具的 +X 方向移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>已取旋转：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>法兰最多转动了 %1（位姿 %2）。请在不转动工具的情况下重取三个位姿。</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>沿 +Z 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>沿 +X 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>三个位姿共线：第三个距该直线仅 %1。请重取三个位姿。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>机器人没有发送有效位置。请重取三个。</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>重取最后一个位姿</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>取位姿 %1</translation>
     </message>
     <message>
@@ -9839,7 +9839,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>  ◀ 最不准确</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>只有机器人发送数据时才能取位姿。</translation>
     </message>
 </context>

@@ -82,7 +82,7 @@ void FramesTab::buildLayout() {
 
     auto* empty =
         new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or "
-                      "press 3 points to take origin, +X and +Y."));
+                      "press 3 points to record the origin, +X and +Y."));
     empty->setObjectName(QStringLiteral("frame.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);
@@ -289,7 +289,7 @@ void FramesTab::buildActions() {
         with(addCommand("threePoints", tr("Teach frame from three points"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { teachThreePoints(); }),
              "l")));
-    everywhere(with(addCommand("takePoint", tr("Take the next point of the frame"), QKeySequence(Qt::Key_P),
+    everywhere(with(addCommand("takePoint", tr("Record the next point of the frame"), QKeySequence(Qt::Key_P),
                                [this] { teacher_->takeNext(); }),
                     "lt"));
     everywhere(with(addCommand("make", tr("Create frame from points"),

@@ -315,7 +315,7 @@ QString practiceText(PracticeTask task) {
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
                 "Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ "
-                "direction and its Z axis up: take the origin, then a point further along Y+, then a point "
+                "direction and its Z axis up: record the origin, then a point further along Y+, then a point "
                 "further along X−.");
         case PracticeTask::TouchUp:
             return PracticeText::tr(

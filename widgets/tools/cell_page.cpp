@@ -437,7 +437,7 @@ void CellPage::takeCorner() {
     const Eigen::Vector3d here = state_.tcpPose.position;
     if (!corner_) {
         corner_ = here;
-        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner taken."),
+        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
                       CellPage::tr("Move the TCP to the opposite corner and press Other corner."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();

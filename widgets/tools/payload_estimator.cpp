@@ -185,8 +185,8 @@ void PayloadEstimator::setState(const SessionState& state) {
             case StandstillMean::Outcome::Moved:
                 taking_ = false;
                 problem_ =
-                    tr("The arm moved. Wait for standstill, keep the tool free of contact, and take the pose "
-                       "again.");
+                    tr("The arm moved. Wait for standstill, keep the tool free of contact, and record the "
+                       "pose again.");
                 break;
             case StandstillMean::Outcome::NoForce:
                 taking_ = false;
@@ -220,15 +220,16 @@ QString PayloadEstimator::feedback() const {
                          format::newtons(estimate_.forceResidual),
                          format::newtonMetres(estimate_.torqueResidual));
             return estimate_.forceResidual > kPoorForce || estimate_.torqueResidual > kPoorTorque
-                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.")
+                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and record another "
+                            "pose.")
                              .arg(result)
                              .arg(estimate_.worst + 1)
                        : result;
         }
         case Problem::TooAlike:
             return tr(
-                "The tool orientations are too similar. Take one more pose with the tool rotated in another "
-                "direction.");
+                "The tool orientations are too similar. Record one more pose with the tool rotated in "
+                "another direction.");
         case Problem::NoWeight:
             return tr("%1 kg: too light to measure the centre of gravity. Enter it manually.")
                 .arg(format::number(estimate_.mass, 3));
@@ -238,14 +239,14 @@ QString PayloadEstimator::feedback() const {
             break;
     }
     return readings_.empty()
-               ? tr("Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the "
-                    "wrist, by jogging or with Next pose, and take three more poses.")
-               : tr("Rotate the wrist in another direction and take the pose. Poses still needed: %n",
+               ? tr("Wait for standstill, keep the tool free of contact, and record the pose. Then rotate "
+                    "the wrist, by jogging or with Next pose, and record three more poses.")
+               : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n",
                     nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }
 
 void PayloadEstimator::refresh() {
-    const QString take = tr("Take pose %1").arg(readings_.size() + 1);
+    const QString take = tr("Record pose %1").arg(readings_.size() + 1);
     take_->setText(take);
     take_->setAccessibleName(take);
     take_->setEnabled(state_.hasData() && !taking_);

@@ -220,7 +220,7 @@ private Q_SLOTS:
             const auto q = onPoint(tool, point, turn);
             QVERIFY(q.has_value());
             feed(liveState(*q));
-            QCOMPARE(button("tcp.teacher.take")->text(), QString("Take pose %1").arg(++taken));
+            QCOMPARE(button("tcp.teacher.take")->text(), QString("Record pose %1").arg(++taken));
             QVERIFY(!button("tcp.teacher.make")->isEnabled());
             click("tcp.teacher.take");
         }
@@ -298,7 +298,7 @@ private Q_SLOTS:
             feed(liveState(*onPoint(tool, point + way, {0, 0, 0})));
             click("tcp.teacher.takeTurn");
         }
-        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation taken"),
+        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation recorded"),
                  qPrintable(label("tcp.teacher.turnFeedback")));
         click("tcp.teacher.make");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
