@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1は行われませんでした。%2</translation>
+        <translation>%1は完了しませんでした。%2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -174,7 +174,7 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>シミュレートされたロボットで台本どおりのデモを実行し、ファイルをこのフォルダーに残して終了します。</translation>
+        <translation>シミュレートされたロボットでデモのスクリプトを実行し、ファイルをこのフォルダーに残して終了します。</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
@@ -278,19 +278,19 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>%1 s でアームとモデルが分かれます：%2 が %3 ずれています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：%2 が %3 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>%1 s でアームとモデルが分かれます：TCP が %2 ずれています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：TCP が %2 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>%1 s でアームとモデルが分かれます：%2 の電流が予想と %3 違います</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：%2 の電流が %3 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：TCP に %2 の力がかかっています</translation>
     </message>
     <message>
         <source>The motion matches the model of a %1</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>See the preceding messages of the program.</source>
-        <translation>このプログラムの、これより前のメッセージを見てください。</translation>
+        <translation>プログラムの以前のメッセージを確認してください。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -2095,7 +2095,7 @@
     </message>
     <message>
         <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を取ります。</translation>
+        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を記録します。</translation>
     </message>
     <message>
         <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
@@ -3326,7 +3326,7 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>部品を供給器から取り、トレーの六つの場所の一つに置きます。場所はトレーの座標系で与えられ、一緒に動きます。</translation>
+        <translation>部品を供給器から取り、トレーの六つのセルの一つに置きます。セルはトレーの座標系で定義され、一緒に動きます。</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
@@ -3417,7 +3417,7 @@
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>設定としてはファイルが大きすぎます。</translation>
+        <translation>設定ファイルとしては大きすぎます。</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -4849,7 +4849,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>アームとモデルが分かれる時点にカーソル A を置きます</translation>
+        <translation>アームとモデルがずれ始める時点にカーソル A を置きます</translation>
     </message>
 </context>
 <context>
@@ -5254,19 +5254,19 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Record the origin here</source>
-        <translation>ここを原点に取る</translation>
+        <translation>ここを原点として記録</translation>
     </message>
     <message>
         <source>Record the point on +X here</source>
-        <translation>ここを +X 上の点に取る</translation>
+        <translation>ここを +X 上の点として記録</translation>
     </message>
     <message>
         <source>Record the point towards +Y here</source>
-        <translation>ここを +Y 側の点に取る</translation>
+        <translation>ここを +Y 側の点として記録</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation>取る</translation>
+        <translation>記録</translation>
     </message>
     <message>
         <source>Create frame</source>
@@ -5274,19 +5274,19 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>The robot sent an invalid position. Record the point again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。点を取り直してください。</translation>
+        <translation>ロボットが有効な位置を送りませんでした。点を記録し直してください。</translation>
     </message>
     <message>
         <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
-        <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して取り直してください：遠いほど軸が正確です。</translation>
+        <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して記録し直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>
         <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
-        <translation>3 点目は原点から %1 しか離れていません。%2 以上離して取り直してください。</translation>
+        <translation>3 点目は原点から %1 しか離れていません。%2 以上離して記録し直してください。</translation>
     </message>
     <message>
         <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
-        <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して取り直してください。</translation>
+        <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して記録し直してください。</translation>
     </message>
     <message>
         <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
@@ -5294,7 +5294,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Jog the tip to the origin of the frame and record the point (P).</source>
-        <translation>先端を座標系の原点へジョグして取ってください (P)。</translation>
+        <translation>先端を座標系の原点へジョグして記録してください (P)。</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
@@ -5306,11 +5306,11 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Record  P</source>
-        <translation>取る  P</translation>
+        <translation>記録  P</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation>取り直す</translation>
+        <translation>再記録</translation>
     </message>
 </context>
 <context>
@@ -5351,7 +5351,7 @@ Clear the search to see everything.</source>
         <source>No frames yet.
 Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>座標系はまだありません。
-先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を取ってください。</translation>
+先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を記録してください。</translation>
     </message>
     <message>
         <source>new frame</source>
@@ -5391,7 +5391,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>Record the next point of the frame</source>
-        <translation>座標系の次の点を取る</translation>
+        <translation>座標系の次の点を記録</translation>
     </message>
     <message>
         <source>Create frame from points</source>
@@ -6941,7 +6941,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>場所をクリックすると除外／復帰します。最初の隅は左下です。</translation>
+        <translation>セルをクリックすると除外／復帰します。最初の隅は左下です。</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6988,7 +6988,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
-        <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
+        <translation>アームが動きました。静止させ、何にも触れず、姿勢を記録し直してください。</translation>
     </message>
     <message>
         <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
@@ -7004,11 +7004,11 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
-        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
+        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を記録してください。</translation>
     </message>
     <message>
         <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
+        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ記録してください。</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
@@ -7016,17 +7016,17 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
-        <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
+        <translation>アームを静止させ、何にも触れず、姿勢を記録します。次にジョグか「次の姿勢」で手首を回し、さらに三つ記録します。</translation>
     </message>
     <message numerus="yes">
         <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
+            <numerusform>手首を別の側に回して姿勢を記録してください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
         <source>Record pose %1</source>
-        <translation>姿勢 %1 を取る</translation>
+        <translation>姿勢 %1 を記録</translation>
     </message>
     <message>
         <source>Remove least accurate pose</source>
@@ -7358,7 +7358,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>この2つは同じ記録のものではありません。カーソル A と B をより短い範囲に置いてください。</translation>
+        <translation>これらの信号は異なる記録のものです。カーソル A と B をより短い範囲に置いてください。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7424,7 +7424,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると曲線に任せます。</translation>
+        <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると自動スケールになります。</translation>
     </message>
     <message>
         <source>Pause the plots</source>
@@ -7496,7 +7496,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>力を再びロボットの測定どおりに表示。%1</translation>
+        <translation>ロボットが測定した力を表示。%1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
@@ -9326,12 +9326,12 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>名前 1 件を隠しています：近づいてください</translation>
+        <translation>名前 1 件を隠しています：拡大してください</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>名前 %n 件を隠しています：近づいてください</numerusform>
+            <numerusform>名前 %n 件を隠しています：拡大してください</numerusform>
         </translation>
     </message>
     <message>
@@ -9367,7 +9367,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 は他と同じパケットで届きません。</translation>
+        <translation>%1 は他の信号と同じ RTDE パケットに含まれません。</translation>
     </message>
     <message>
         <source>Derived</source>
@@ -9383,7 +9383,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>この記録に行がありません。</translation>
+        <translation>記録は空です。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9395,7 +9395,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 を最後まで計算できませんでした: %2</translation>
+        <translation>%1 を完全には計算できませんでした: %2</translation>
     </message>
 </context>
 <context>
@@ -9459,7 +9459,7 @@ Release the button to stop the arm.</source>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>記録、セッション、最後のメッセージ</translation>
+        <translation>記録、プロジェクト、最後のメッセージ</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9710,15 +9710,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     <name>tiller::TcpTeacher</name>
     <message>
         <source>Record pose</source>
-        <translation>姿勢を取る</translation>
+        <translation>姿勢を記録</translation>
     </message>
     <message>
         <source>Redo least accurate pose</source>
-        <translation>最も不正確な姿勢を取り直す</translation>
+        <translation>最も不正確な姿勢を再記録</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation>取る</translation>
+        <translation>記録</translation>
     </message>
     <message>
         <source>Keep TCP</source>
@@ -9730,7 +9730,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Record pose for the rotation</source>
-        <translation>回転用の姿勢を取る</translation>
+        <translation>回転用の姿勢を記録</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9758,20 +9758,20 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
+        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ記録してください。</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
+        <translation>ロボットが有効な位置を送りませんでした。姿勢を記録し直してください。</translation>
     </message>
     <message>
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
+        <translation>先端を固定された尖った点へジョグし、姿勢を記録します。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
     <message numerus="yes">
         <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
@@ -9780,55 +9780,55 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
-        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
+        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、記録してください。</translation>
     </message>
     <message>
         <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>回転を取りました。取り直すと置き換わります。</translation>
+        <translation>回転を記録しました。記録し直すと置き換わります。</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>現在の位置で姿勢を取ります。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
+        <translation>現在の位置で姿勢を記録します。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
         <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
-        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
+        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、記録してください。</translation>
     </message>
     <message>
         <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
-        <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
+        <translation>次に +X 側へ %1 以上動かし、記録してください。</translation>
     </message>
     <message>
         <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>回転を取りました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
+        <translation>回転を記録しました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
-        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を取り直してください。</translation>
+        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を記録し直してください。</translation>
     </message>
     <message>
         <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
-        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを記録し直してください。</translation>
     </message>
     <message>
         <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
-        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを記録し直してください。</translation>
     </message>
     <message>
         <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
-        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
+        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを記録し直してください。</translation>
     </message>
     <message>
         <source>The robot sent an invalid position. Record the three poses again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
+        <translation>ロボットが有効な位置を送りませんでした。三つを記録し直してください。</translation>
     </message>
     <message>
         <source>Redo last pose</source>
-        <translation>最後の姿勢を取り直す</translation>
+        <translation>最後の姿勢を再記録</translation>
     </message>
     <message>
         <source>Record pose %1</source>
-        <translation>姿勢 %1 を取る</translation>
+        <translation>姿勢 %1 を記録</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -9840,7 +9840,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
+        <translation>ロボットがデータを送っている間に姿勢を記録できます。</translation>
     </message>
 </context>
 <context>
@@ -9977,7 +9977,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the route controls instead of the values.</source>
-        <translation>数値の代わりにルートのキーを表示します。</translation>
+        <translation>数値の代わりにルートの操作を表示します。</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9985,7 +9985,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the values instead of the route controls.</source>
-        <translation>ルートのキーの代わりに数値を表示します。</translation>
+        <translation>ルートの操作の代わりに数値を表示します。</translation>
     </message>
 </context>
 <context>
@@ -10028,7 +10028,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>パターンの場所を選んでください。</translation>
+        <translation>パターンのセルを選んでください。</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -10064,7 +10064,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Import failed</source>
-        <translation>何も取り込みませんでした</translation>
+        <translation>インポートに失敗しました</translation>
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
@@ -10094,7 +10094,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Export failed</source>
-        <translation>何もエクスポートしませんでした</translation>
+        <translation>エクスポートに失敗しました</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written to %1</source>
@@ -10127,7 +10127,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Paste failed</source>
-        <translation>何も貼り付けませんでした</translation>
+        <translation>貼り付けに失敗しました</translation>
     </message>
     <message>
         <source>There are no waypoints on the clipboard.</source>
@@ -10172,11 +10172,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
-        <translation>位置：%1 動いた（%2、ベース座標系）</translation>
+        <translation>位置：%1 移動（%2、ベース座標系）</translation>
     </message>
     <message>
         <source>Joints: largest change %2 (%1)</source>
-        <translation>関節：%1 が最大で %2 回った</translation>
+        <translation>関節：最大変化 %2（%1）</translation>
     </message>
     <message>
         <source>joints have priority</source>
@@ -10232,7 +10232,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Actions: changed</source>
-        <translation>アクション：今と異なる</translation>
+        <translation>アクション：変更</translation>
     </message>
     <message>
         <source>Not changed since it was taught.</source>
@@ -10371,7 +10371,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>「%1」を %2 で与える</translation>
+        <translation>「%1」の座標系を %2 に変更</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -10778,7 +10778,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>パターンの場所を普通のウェイポイントにする</translation>
+        <translation>パターンをウェイポイントに変換</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -10817,7 +10817,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Type a command or keyword</source>
-        <translation>したいことを入力してください</translation>
+        <translation>コマンドまたはキーワードを入力</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -11348,7 +11348,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>このタブを手前に出します。</translation>
+        <translation>このタブを表示します。</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -11763,11 +11763,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。記憶されます。</translation>
+        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。配置は保存されます。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。記憶されます。</translation>
+        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。配置は保存されます。</translation>
     </message>
 </context>
 <context>

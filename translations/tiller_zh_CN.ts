@@ -278,19 +278,19 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>机械臂与模型在 %1 s 分离：%2 偏差 %3</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：%2 偏差 %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>机械臂与模型在 %1 s 分离：TCP 偏差 %2</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：TCP 偏差 %2</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>机械臂与模型在 %1 s 分离：%2 的电流偏差 %3</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：%2 的电流偏差 %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：有 %2 的力作用在 TCP 上</translation>
     </message>
     <message>
         <source>The motion matches the model of a %1</source>
@@ -1067,7 +1067,7 @@
     </message>
     <message>
         <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
-        <translation>按钮状态检查已启用：Tiller 每 10 ms 向显示服务器查询按钮或按钮是否仍被按下。</translation>
+        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。</translation>
     </message>
     <message>
         <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
@@ -1276,15 +1276,15 @@
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
-        <translation>最近 10 s：%1 个数据包，%2 迟到，%3 丢失</translation>
+        <translation>最近 10 s：%1 个数据包，%2 延迟，%3 丢失</translation>
     </message>
     <message>
         <source>Since connecting: %1 packets, %2 late, %3 lost</source>
-        <translation>连接以来：%1 个数据包，%2 迟到，%3 丢失</translation>
+        <translation>连接以来：%1 个数据包，%2 延迟，%3 丢失</translation>
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>数据包比预期时间晚半个周期以上到达时计为迟到。</translation>
+        <translation>数据包比预期时间晚半个周期以上到达时计为延迟。</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1296,7 +1296,7 @@
     </message>
     <message>
         <source>Late: %1 s</source>
-        <translation>迟到：%1 s</translation>
+        <translation>延迟：%1 s</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -1304,7 +1304,7 @@
     </message>
     <message>
         <source> · %1 late</source>
-        <translation> · %1 迟到</translation>
+        <translation> · %1 延迟</translation>
     </message>
     <message>
         <source> · %1 lost</source>
@@ -2887,7 +2887,7 @@
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>机器人数据迟到。正在等待新数据。</translation>
+        <translation>机器人数据延迟。正在等待新数据。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -4849,7 +4849,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>将光标 A 置于机械臂与模型分离处</translation>
+        <translation>将游标 A 置于机械臂与模型出现偏差处</translation>
     </message>
 </context>
 <context>
@@ -7326,7 +7326,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
-        <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
+        <translation>此范围内缺少采样：请放置游标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
@@ -7358,7 +7358,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>这些信号来自不同的录制：请用光标 A 和 B 选择更短的范围。</translation>
+        <translation>这些信号来自不同的录制：请用游标 A 和 B 选择更短的范围。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7460,7 +7460,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>力未归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+        <translation>无法将力归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
         <source>Paused · %1 s ago</source>
@@ -7496,7 +7496,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>重新按机器人测量值显示力。%1</translation>
+        <translation>按机器人测量值显示力。%1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
@@ -7524,7 +7524,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>没有导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+        <translation>无法导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
         <source>Exported the visible range to %1</source>
@@ -7724,7 +7724,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Layout ▾</source>
-        <translation>布置 ▾</translation>
+        <translation>布局 ▾</translation>
     </message>
     <message>
         <source>read a plot layout</source>
@@ -7786,11 +7786,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Exported the range between the cursors A and B to %1</source>
-        <translation>已将光标 A 和 B 之间的范围导出到 %1</translation>
+        <translation>已将游标 A 和 B 之间的范围导出到 %1</translation>
     </message>
     <message>
         <source>Values between the cursors A and B (*%1)</source>
-        <translation>光标 A 和 B 之间的值 (*%1)</translation>
+        <translation>游标 A 和 B 之间的值 (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -8712,7 +8712,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
-        <translation>无法读取的单元方块和平面：%1。与它们的碰撞不会被阻止。</translation>
+        <translation>无法读取的单元长方体和平面：%1。与它们的碰撞不会被阻止。</translation>
     </message>
 </context>
 <context>
@@ -9326,12 +9326,12 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>隐藏了 1 个名称：请靠近</translation>
+        <translation>隐藏了 1 个名称：请放大</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>隐藏了 %n 个名称：请靠近</numerusform>
+            <numerusform>隐藏了 %n 个名称：请放大</numerusform>
         </translation>
     </message>
     <message>
@@ -9391,11 +9391,11 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
+        <translation>历史内存不足以显示 %1：请在“布局”菜单中增加。</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>无法将 %1 计算到末尾：%2</translation>
+        <translation>无法完整计算 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -9459,7 +9459,7 @@ Release the button to stop the arm.</source>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>录制、会话和最后消息</translation>
+        <translation>录制、项目和最后一条消息</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9977,7 +9977,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the route controls instead of the values.</source>
-        <translation>显示路线的按键而不是数值。</translation>
+        <translation>显示路线的控件而不是数值。</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9985,7 +9985,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the values instead of the route controls.</source>
-        <translation>显示数值而不是路线的按键。</translation>
+        <translation>显示数值而不是路线的控件。</translation>
     </message>
 </context>
 <context>
@@ -10028,7 +10028,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>选择阵列的一个位置。</translation>
+        <translation>选择阵列的一个格位。</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -10044,7 +10044,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
-        <translation>取回较早的“%1”</translation>
+        <translation>恢复“%1”的早期版本</translation>
     </message>
     <message>
         <source>Import waypoints</source>
@@ -10371,7 +10371,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>在%2中给出“%1”</translation>
+        <translation>将“%1”的坐标系改为 %2</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -10778,7 +10778,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>把阵列位置变为普通路点</translation>
+        <translation>将阵列转换为路点</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -11019,7 +11019,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source> late, </source>
-        <translation> 迟到， </translation>
+        <translation> 延迟， </translation>
     </message>
     <message>
         <source> lost
@@ -11348,7 +11348,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>把此选项卡置于前面。</translation>
+        <translation>显示此选项卡。</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -11648,7 +11648,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Renames the current perspective.</source>
-        <translation>给当前视角布局另一个名称。</translation>
+        <translation>重命名当前视角布局。</translation>
     </message>
     <message>
         <source>Rename perspective</source>
@@ -11763,11 +11763,11 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；会被记住。</translation>
+        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；新的排列会保存。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；会被记住。</translation>
+        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；新的排列会保存。</translation>
     </message>
 </context>
 <context>
@@ -12001,7 +12001,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Size of controls</source>
-        <translation>按键和行的大小</translation>
+        <translation>控件大小</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -12109,7 +12109,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>恢复默认按键</translation>
+        <translation>恢复默认快捷键</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
