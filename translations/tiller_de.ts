@@ -705,8 +705,8 @@
         <translation>%1 antwortet, bietet aber keine Roboterdienste an</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt noch eine Minute.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
         <source>%1 responds</source>
@@ -773,7 +773,7 @@
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Aktivieren Sie den Dashboard-Server am Roboter: Einstellungen, Sicherheit, Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
     </message>
 </context>
@@ -4546,8 +4546,8 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Ein Quader oder eine Ebene braucht einen Namen.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Geben Sie einen Namen für den Quader oder die Ebene ein.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -5154,8 +5154,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Ein Koordinatensystem braucht einen Namen.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Geben Sie einen Namen für das Koordinatensystem ein.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6891,8 +6891,8 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Ein Muster braucht einen Namen.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Geben Sie einen Namen für das Muster ein.</translation>
     </message>
     <message>
         <source>A pattern with this name already exists. Choose another name.</source>
@@ -7081,8 +7081,8 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>In Gebrauch</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Eine Nutzlast braucht einen Namen.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Geben Sie einen Namen für die Nutzlast ein.</translation>
     </message>
     <message>
         <source>A payload named “%1” already exists. Choose another name.</source>
@@ -8052,8 +8052,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Home</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Eine Position braucht einen Namen.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Geben Sie einen Namen für die Position ein.</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -9087,7 +9087,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Meldungsfenster am Roboter: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>Das Programm auf dem Roboter wartet auf eine Antwort am Teach-Pendant: %1</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
     </message>
 </context>
@@ -9581,8 +9581,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>In Gebrauch</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Ein TCP braucht einen Namen.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Geben Sie einen Namen für den TCP ein.</translation>
     </message>
     <message>
         <source>A TCP named “%1” already exists. Choose another name.</source>
@@ -10368,8 +10368,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Ein Wegpunkt braucht einen Namen.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Geben Sie einen Namen für den Wegpunkt ein.</translation>
     </message>
     <message>
         <source>Waypoint %2 is already named “%1”. Choose another name.</source>

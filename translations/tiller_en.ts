@@ -697,7 +697,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -765,7 +765,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4545,7 +4545,7 @@ Right-click or press F2 to rename or scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
+        <source>Enter a name for the box or plane.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5151,7 +5151,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
+        <source>Enter a name for the frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6885,7 +6885,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
+        <source>Enter a name for the pattern.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7075,7 +7075,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
+        <source>Enter a name for the payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8045,7 +8045,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
+        <source>Enter a name for the position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9099,7 +9099,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9256,7 +9256,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9569,7 +9569,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
+        <source>Enter a name for the TCP.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10355,7 +10355,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
+        <source>Enter a name for the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

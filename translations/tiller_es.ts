@@ -705,8 +705,8 @@
         <translation>%1 responde, pero no ofrece servicios de robot</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita un minuto más.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Compruebe que es la dirección del robot. Un robot recién encendido puede necesitar un minuto más.</translation>
     </message>
     <message>
         <source>%1 responds</source>
@@ -773,7 +773,7 @@
         <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Active el servidor Dashboard en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>volver atrás: no queda movimiento registrado</translation>
     </message>
 </context>
@@ -4546,8 +4546,8 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Plano</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Una caja o un plano necesita un nombre.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Introduzca un nombre para la caja o el plano.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -5154,8 +5154,8 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Un sistema necesita un nombre.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Introduzca un nombre para el sistema.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6891,8 +6891,8 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Un patrón necesita un nombre.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Introduzca un nombre para el patrón.</translation>
     </message>
     <message>
         <source>A pattern with this name already exists. Choose another name.</source>
@@ -7081,8 +7081,8 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>En uso</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Una carga útil necesita un nombre.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Introduzca un nombre para la carga útil.</translation>
     </message>
     <message>
         <source>A payload named “%1” already exists. Choose another name.</source>
@@ -8052,8 +8052,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Una posición necesita un nombre.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Introduzca un nombre para la posición.</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -9087,7 +9087,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Aviso en el robot: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>El programa del robot espera una respuesta en la consola portátil: %1</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>«%1»: %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
     </message>
 </context>
@@ -9581,8 +9581,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>En uso</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Un TCP necesita un nombre.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Introduzca un nombre para el TCP.</translation>
     </message>
     <message>
         <source>A TCP named “%1” already exists. Choose another name.</source>
@@ -10368,8 +10368,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Alcance</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Un punto de paso necesita un nombre.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Introduzca un nombre para el punto de paso.</translation>
     </message>
     <message>
         <source>Waypoint %2 is already named “%1”. Choose another name.</source>

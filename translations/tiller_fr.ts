@@ -705,8 +705,8 @@
         <translation>%1 répond, mais n’offre aucun service de robot</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Vérifiez qu’il s’agit de l’adresse du robot. Un robot qui vient d’être allumé a besoin d’une minute de plus.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Vérifiez qu’il s’agit de l’adresse du robot. Un robot qui vient d’être allumé peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
         <source>%1 responds</source>
@@ -773,7 +773,7 @@
         <translation>ni le Dashboard (port %1) ni la Robot API (port %2) ne sont disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Activez le serveur Dashboard sur le robot : Réglages, Sécurité, Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
     </message>
 </context>
@@ -4546,8 +4546,8 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Plan</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Une boîte ou un plan a besoin d’un nom.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Saisissez un nom pour la boîte ou le plan.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -5154,8 +5154,8 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Un repère demande un nom.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Saisissez un nom pour le repère.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6891,8 +6891,8 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>Appliquer</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Un motif demande un nom.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Saisissez un nom pour le motif.</translation>
     </message>
     <message>
         <source>A pattern with this name already exists. Choose another name.</source>
@@ -7081,8 +7081,8 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>Utilisé</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Une charge utile demande un nom.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Saisissez un nom pour la charge utile.</translation>
     </message>
     <message>
         <source>A payload named “%1” already exists. Choose another name.</source>
@@ -8052,8 +8052,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Origine</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Une position demande un nom.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Saisissez un nom pour la position.</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -9087,7 +9087,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Message sur le robot : %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>Le programme du robot attend une réponse sur le pupitre : %1</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>« %1 » : %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
     </message>
 </context>
@@ -9581,8 +9581,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Utilisé</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Un TCP demande un nom.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Saisissez un nom pour le TCP.</translation>
     </message>
     <message>
         <source>A TCP named “%1” already exists. Choose another name.</source>
@@ -10368,8 +10368,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Portée</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Un point de passage demande un nom.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Saisissez un nom pour le point de passage.</translation>
     </message>
     <message>
         <source>Waypoint %2 is already named “%1”. Choose another name.</source>

@@ -705,7 +705,7 @@
         <translation>%1 は応答しますが、ロボットのサービスを提供していません</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
         <translation>ロボット自身のアドレスか確認してください。電源投入直後のロボットはもう 1 分かかります。</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>ロボットで Dashboard Server を有効にしてください：設定、セキュリティ、サービス。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
@@ -4544,8 +4544,8 @@ Right-click or press F2 to rename or scale.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>箱または平面には名前が必要です。</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>箱または平面の名前を入力してください。</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -5147,8 +5147,8 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>座標系には名前が必要です。</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>座標系の名前を入力してください。</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6881,8 +6881,8 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>適用</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>パターンには名前が必要です。</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>パターンの名前を入力してください。</translation>
     </message>
     <message>
         <source>A pattern with this name already exists. Choose another name.</source>
@@ -7068,8 +7068,8 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>ペイロードには名前が必要です。</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>ペイロードの名前を入力してください。</translation>
     </message>
     <message>
         <source>A payload named “%1” already exists. Choose another name.</source>
@@ -8034,8 +8034,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>ホーム</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>位置には名前が必要です。</translation>
+        <source>Enter a name for the position.</source>
+        <translation>位置の名前を入力してください。</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -9064,7 +9064,7 @@ Release the button to stop the arm.</source>
         <translation>ロボットのポップアップ：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>ロボットのプログラムがティーチペンダントでの応答を待っています：%1</translation>
     </message>
     <message>
@@ -9244,7 +9244,7 @@ Release the button to stop the arm.</source>
         <translation>「%1」：%2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
     </message>
 </context>
@@ -9556,8 +9556,8 @@ Release the button to stop the arm.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>TCP には名前が必要です。</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>TCP の名前を入力してください。</translation>
     </message>
     <message>
         <source>A TCP named “%1” already exists. Choose another name.</source>
@@ -10334,8 +10334,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>到達</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>ウェイポイントには名前が必要です。</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>ウェイポイントの名前を入力してください。</translation>
     </message>
     <message>
         <source>Waypoint %2 is already named “%1”. Choose another name.</source>

@@ -705,8 +705,8 @@
         <translation>%1 有应答，但不提供机器人服务</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>检查这是否为机器人的地址。刚开机的机器人还需要一分钟。</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>检查这是否为机器人的地址。刚开机的机器人可能还需要一分钟。</translation>
     </message>
     <message>
         <source>%1 responds</source>
@@ -773,7 +773,7 @@
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
@@ -4544,8 +4544,8 @@ Right-click or press F2 to rename or scale.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>长方体或平面需要名称。</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>请输入长方体或平面的名称。</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -5147,8 +5147,8 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>坐标系需要名称。</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>请输入坐标系的名称。</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6881,8 +6881,8 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>应用</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>阵列需要名称。</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>请输入阵列的名称。</translation>
     </message>
     <message>
         <source>A pattern with this name already exists. Choose another name.</source>
@@ -7068,8 +7068,8 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>有效负载需要名称。</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>请输入有效负载的名称。</translation>
     </message>
     <message>
         <source>A payload named “%1” already exists. Choose another name.</source>
@@ -8034,8 +8034,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>原位</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>位置需要名称。</translation>
+        <source>Enter a name for the position.</source>
+        <translation>请输入位置的名称。</translation>
     </message>
     <message>
         <source>A position named “%1” already exists. Choose another name.</source>
@@ -9064,7 +9064,7 @@ Release the button to stop the arm.</source>
         <translation>机器人上的弹窗：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>机器人上的程序在等待示教器上的答复：%1</translation>
     </message>
     <message>
@@ -9244,7 +9244,7 @@ Release the button to stop the arm.</source>
         <translation>“%1”：%2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
     </message>
 </context>
@@ -9556,8 +9556,8 @@ Release the button to stop the arm.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>TCP 需要名称。</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>请输入 TCP 的名称。</translation>
     </message>
     <message>
         <source>A TCP named “%1” already exists. Choose another name.</source>
@@ -10334,8 +10334,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>可达</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>路点需要名称。</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>请输入路点的名称。</translation>
     </message>
     <message>
         <source>Waypoint %2 is already named “%1”. Choose another name.</source>

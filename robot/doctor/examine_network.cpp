@@ -94,11 +94,10 @@ void examinePorts(Examiner& examiner) {
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {
-        examiner.found(
-            Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-            DoctorText::tr("%1 responds, but provides no robot services").arg(examiner.address),
-            DoctorText::tr("Check that this is the address of the robot. A robot that has just been switched "
-                           "on needs another minute."));
+        examiner.found(Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
+                       DoctorText::tr("%1 responds, but provides no robot services").arg(examiner.address),
+                       DoctorText::tr("Check that this is the address of the robot. A robot that has just "
+                                      "been switched on may need another minute."));
         return;
     }
     examiner.good(Condition::Host, DoctorText::tr("%1 responds").arg(examiner.address));

@@ -70,7 +70,7 @@ void examineRobotApi(Examiner& examiner) {
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
             DoctorText::tr("Enable the Dashboard Server on the robot: Settings, Security, Services. "
-                           "PolyScope X needs 10.11 or newer for the Robot API."));
+                           "PolyScope X requires 10.11 or newer for the Robot API."));
         return;
     }
     examiner.good(Condition::ServicePort,

@@ -77,7 +77,7 @@ void FrameModel::setTcp(const std::optional<Pose>& T_base_tcp) {
 
 QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     if (name.trimmed().isEmpty()) {
-        return tr("A frame needs a name.");
+        return tr("Enter a name for the frame.");
     }
     const QStringList reserved = {QStringLiteral("Base"),
                                   QStringLiteral("Tool"),

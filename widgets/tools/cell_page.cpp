@@ -67,7 +67,7 @@ PartModel* cellModel(ProjectDocument& document) {
     };
     content.nameProblem = [&document](int, const QString& name) {
         const project::CellGeometry& cell = document.cell();
-        return name.isEmpty() ? CellPage::tr("A box or plane needs a name.")
+        return name.isEmpty() ? CellPage::tr("Enter a name for the box or plane.")
                : cell.boxes.findByName(name) != nullptr || cell.planes.findByName(name) != nullptr
                    ? CellPage::tr("The cell already contains “%1”. Choose another name.").arg(name)
                    : QString();

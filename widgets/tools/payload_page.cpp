@@ -44,7 +44,7 @@ PartModel* payloadModel(ProjectDocument& document) {
         return figures;
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? PayloadPage::tr("A payload needs a name.")
+        return name.isEmpty() ? PayloadPage::tr("Enter a name for the payload.")
                : document.tooling().payloads.findByName(name) != nullptr
                    ? PayloadPage::tr("A payload named “%1” already exists. Choose another name.").arg(name)
                    : QString();

@@ -42,7 +42,7 @@ PartModel* positionModel(ProjectDocument& document) {
         return QStringList{joints.join(QStringLiteral("  "))};
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? PositionsPage::tr("A position needs a name.")
+        return name.isEmpty() ? PositionsPage::tr("Enter a name for the position.")
                : document.positions().list.findByName(name) != nullptr
                    ? PositionsPage::tr("A position named “%1” already exists. Choose another name.").arg(name)
                    : QString();

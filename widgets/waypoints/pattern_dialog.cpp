@@ -180,7 +180,7 @@ void PatternDialog::takeCorner(int corner) {
 
 QString PatternDialog::problem() const {
     if (name_->text().trimmed().isEmpty()) {
-        return tr("A pattern needs a name.");
+        return tr("Enter a name for the pattern.");
     }
     const project::Pattern* other = document_.patterns().findByName(name_->text().trimmed());
     if (other != nullptr && other->id != pattern_.id) {

@@ -315,7 +315,7 @@ bool WaypointModel::setName(int row, const QString& text) {
         return true;
     }
     if (text.isEmpty()) {
-        Q_EMIT editRefused(tr("A waypoint needs a name."));
+        Q_EMIT editRefused(tr("Enter a name for the waypoint."));
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {

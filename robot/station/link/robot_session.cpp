@@ -644,7 +644,7 @@ void RobotSession::reportControllerMessages() {
             case MessageKind::RequestValue:
                 Q_EMIT message(
                     Severity::Warning,
-                    tr("The program on the robot is waiting for an answer on the teach pendant: %1")
+                    tr("The program on the robot is waiting for a response on the teach pendant: %1")
                         .arg(m.text),
                     Origin::Robot);
                 break;
