@@ -50,7 +50,7 @@ QList<QPair<QString, QString>> actionMenus() {
             {"view", MenuText::tr("View")},
             {"perspective", MenuText::tr("Perspectives")},
             {"panel", MenuText::tr("Move panels")},
-            {"app", MenuText::tr("Program Tiller")}};
+            {"app", MenuText::tr("Application")}};
 }
 
 ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {

@@ -23,7 +23,7 @@ const QString kInfoHelp = QStringLiteral(
     "  --json               prints one JSON object instead of text\n"
     "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 wrong arguments.\n");
+    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 invalid arguments.\n");
 
 double lengthOf(const recording::Recording& file) {
     const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})

@@ -47,8 +47,8 @@ const QString kRecordHelp = QStringLiteral(
     "  --trigger CONDITION  records only while the condition is true, in numbered files FILE_001,\n"
     "                       FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
     "                       'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'\n"
-    "  --before SECONDS     with a trigger: recorded time before it (0 to 60, default 0)\n"
-    "  --after SECONDS      with a trigger: recorded time after it (default 0)\n"
+    "  --before SECONDS     with a trigger: also records this time before it (0 to 60, default 0)\n"
+    "  --after SECONDS      with a trigger: also records this time after it (default 0)\n"
     "  --files N            with a trigger: stops after N files\n"
     "  --attach FILE        stores a file, such as the project, inside the .mcap file\n"
     "  --no-ros             omits joint state, wrench and transform for ROS tools from the .mcap file\n"
@@ -60,8 +60,8 @@ const QString kRecordHelp = QStringLiteral(
     "  --help               shows this text\n"
     "\n"
     "If the connection is lost, it is restored automatically, and the file contains the gap with its\n"
-    "length. Data are saved twice a second; a crash loses no more than that. Exit code: 0 the file is\n"
-    "complete, 1 it is not, or there are no data, 2 wrong arguments.\n");
+    "length. Data are saved twice a second; a crash loses at most half a second. Exit code: 0 the file\n"
+    "is complete, 1 the file is incomplete or there are no data, 2 invalid arguments.\n");
 
 struct RecordOptions {
     receive::ReceiverOptions receiver;
@@ -129,7 +129,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         return std::nullopt;
     }
     if (parser.isSet(outFile) && parser.isSet(outFolder)) {
-        wrongArguments(QStringLiteral("record: --out and --out-folder exclude each other"));
+        wrongArguments(QStringLiteral("record: --out and --out-folder cannot be combined"));
         return std::nullopt;
     }
     RecordOptions options;
@@ -137,9 +137,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         parser.isSet(outFolder) ? newFileIn(parser.value(outFolder), address) : parser.value(outFile);
     options.isMcap = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
     if (!options.isMcap && !path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        wrongArguments(path.isEmpty()
-                           ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
-                           : QStringLiteral("record: '%1' ends neither in .mcap nor in .csv").arg(path));
+        wrongArguments(path.isEmpty() ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
+                                      : QStringLiteral("record: '%1' must end in .mcap or .csv").arg(path));
         return std::nullopt;
     }
     if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {

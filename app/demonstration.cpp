@@ -211,7 +211,7 @@ QString Demonstration::summary() const {
         out << "log     " << trouble << '\n';
     }
     if (repeatedPresses_ > 0) {
-        out << tr("pressed again        %1 times: the motion had stopped before the key was released")
+        out << tr("pressed again        %1 times: the motion had stopped before the button was released")
                    .arg(repeatedPresses_)
             << '\n';
     }
@@ -233,7 +233,7 @@ QString Demonstration::summary() const {
 QWidget* Demonstration::find(const QString& key) {
     auto* widget = window_.findChild<QWidget*>(key);
     if (widget == nullptr) {
-        fail(tr("there is no key “%1” in the window").arg(key));
+        fail(tr("the window has no button “%1”").arg(key));
     }
     return widget;
 }

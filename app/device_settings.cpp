@@ -152,8 +152,8 @@ void DeviceSettings::listDevices() {
     used_->setEnabled(!devices_.devices().empty());
     there_->setText(devices_.devices().empty()
                         ? tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically.")
-                        : tr("Moves the arm only while the dead-man switch is held. Not stored: after a "
-                             "restart no device moves the arm."));
+                        : tr("Moves the arm only while the hold-to-run button is held. Not stored: after a "
+                             "restart, no device moves the arm."));
 }
 
 }  // namespace tiller::app

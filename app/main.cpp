@@ -76,7 +76,7 @@ void showSizeHint(app::MainWindow& window) {
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
                                         "This screen has a high resolution. Increase “Interface size” in "
-                                        "Settings to enlarge text, keys and plots."));
+                                        "Settings to enlarge text, controls and plots."));
     }
 }
 
@@ -179,9 +179,9 @@ int main(int argc, char* argv[]) {
     }
 
     if (unseen && line->demoDirectory.isEmpty()) {
-        print(stderr, QStringLiteral(
-                          "tiller: there is no display to open the window on. Start it in a desktop session, "
-                          "or run the demonstration without one: tiller --simulator --demo DIR"));
+        print(stderr,
+              QStringLiteral("tiller: no display is available. Start Tiller in a desktop session, or run the "
+                             "demonstration without a display: tiller --simulator --demo DIR"));
         return kNoDisplay;
     }
 

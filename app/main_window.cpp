@@ -178,8 +178,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         Q_EMIT session_->message(
             Severity::Info,
-            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they "
-                       "rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
+            armed ? tr("Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, "
+                       "they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
@@ -524,8 +524,8 @@ void MainWindow::connectDevices(const Clock& clock) {
     devices_->setClock(clock);
     connect(devices_, &DeviceJog::stoppedReporting, this, [this](const QString& name) {
         Q_EMIT session_->message(Severity::Warning,
-                                 tr("%1 stopped sending data while moving the arm. The arm was stopped. "
-                                    "Release the device; if the problem persists, reconnect it.")
+                                 tr("%1 stopped sending data while it was moving the arm. The arm was "
+                                    "stopped. Release the device; if the problem persists, reconnect it.")
                                      .arg(name));
     });
     connect(devices_, &DeviceJog::tuned, this, [this](const QString& kind, const DeviceTuning& tuning) {
@@ -999,7 +999,7 @@ void MainWindow::addViewActions() {
          {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
         actions_->add({"view." + name,
                        title,
-                       tr("Changes the colour theme now and for the next start."),
+                       tr("Changes the colour theme now and for later starts."),
                        {},
                        [this, name = name] {
                            setTheme(name);

@@ -45,7 +45,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     resize(880, 640);
     words_->setObjectName("report.words");
     words_->setAccessibleName(tr("What happened"));
-    words_->setPlaceholderText(tr("What did you do, what did you expect, what happened?"));
+    words_->setPlaceholderText(tr("What did you do? What did you expect? What happened?"));
     words_->setTabChangesFocus(true);
     words_->setFixedHeight(5 * words_->fontMetrics().lineSpacing());
     names_->setObjectName("report.names");

@@ -36,7 +36,7 @@ QString needsForeignProgram(const SessionState& state, RobotCommand command, boo
     const bool runs =
         state.runtimeState == RuntimeState::Playing || state.runtimeState == RuntimeState::Resuming;
     return runs == running ? QString()
-           : running       ? RobotActions::tr("No program runs on the robot.")
+           : running       ? RobotActions::tr("No program is running on the robot.")
                            : RobotActions::tr("A program is already running.");
 }
 
@@ -152,7 +152,8 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
     };
     table.add({"control.take",
                tr("Take control"),
-               tr("Starts the control program on the robot. Asks before it stops another program."),
+               tr("Starts the control program on the robot. Asks for confirmation before it stops another "
+                  "program."),
                {},
                [&session] { session.takeControl(); },
                [](const SessionState& s) {
@@ -204,10 +205,11 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                perform(RobotCommand::StopProgram),
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::StopProgram);
-                   return !why.isEmpty()                            ? why
-                          : s.control == ControlState::InControl    ? tr("Give control back first.")
-                          : s.runtimeState == RuntimeState::Stopped ? tr("No program runs on the robot.")
-                                                                    : QString();
+                   return !why.isEmpty()                         ? why
+                          : s.control == ControlState::InControl ? tr("Give control back first.")
+                          : s.runtimeState == RuntimeState::Stopped
+                              ? tr("No program is running on the robot.")
+                              : QString();
                }});
 }
 

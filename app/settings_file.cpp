@@ -205,15 +205,16 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     const double version = root.value(QLatin1String("version")).toDouble(0);
     if (version > kSettingsFormatVersion) {
         return Error{ErrorCode::VersionUnsupported,
-                     SettingsFile::tr("The file was written by a newer Tiller. Update Tiller to import it."),
+                     SettingsFile::tr(
+                         "The file was written by a newer version of Tiller. Update Tiller to import it."),
                      {}};
     }
     if (version != kSettingsFormatVersion) {
-        return corrupt(SettingsFile::tr("The file does not state its version."));
+        return corrupt(SettingsFile::tr("The file contains no version number."));
     }
     const QJsonValue values = root.value(QLatin1String("values"));
     if (!values.isObject() || values.toObject().size() > kMaxValues) {
-        return corrupt(SettingsFile::tr("The list of values is missing or too long."));
+        return corrupt(SettingsFile::tr("The list of settings is missing or too long."));
     }
     SettingsBundle bundle;
     bundle.writtenBy = root.value(QLatin1String("writtenBy")).toString().left(40);

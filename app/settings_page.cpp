@@ -158,8 +158,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     longestHold_->setSuffix(tr(" s"));
     longestHold_->setValue(preferences_.longestHold);
     longestHold_->setToolTip(
-        tr("After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to "
-           "a position: its duration plus 5 s."));
+        tr("After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move "
+           "to a position: its duration plus 5 s."));
     holdNote_ = note({}, "secondary");
     holdNote_->setObjectName("settings.holdNote");
 
@@ -173,8 +173,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Interface size"), size_);
     form->addRow(QString(), sizeNote_);
     form->addRow(tr("Size of controls"), density_);
-    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows lower than %1 px, joint "
-                                    "keys, tabs and title bars remain smaller.")
+    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows less than %1 px high, joint "
+                                    "buttons, tabs and title bars remain smaller.")
                                      .arg(kRoomForTouch),
                                  "secondary"));
     form->addRow(tr("Lengths"), lengths_);
@@ -264,9 +264,8 @@ void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
     anew_->setEnabled(!shown);
     languageNote_->setText(
-        shown
-            ? tr("Language of the window and of the connection check. Files and scripts do not depend on it.")
-            : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
+        shown ? tr("Language of the window and of the connection check. Files and scripts are not affected.")
+              : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
 }
 
 void SettingsPage::refuseNewWindow(const QString& reason) {
@@ -311,8 +310,8 @@ void SettingsPage::showCap() {
                                   "mode nor the enabling device of the pendant. The header shows a warning. "
                                   "The cap resets when Tiller is closed.")
                                    .arg(format::speed(Preferences::kOrdinaryCap))
-                             : tr("Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at "
-                                  "once and stops running motion."));
+                             : tr("Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes "
+                                  "effect at once and stops running motion."));
 }
 
 QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
@@ -372,10 +371,9 @@ QWidget* SettingsPage::buildShortcuts() {
     row->addWidget(defaults);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 12, 0, 0);
-    layout->addWidget(
-        note(tr("Press the new shortcut in the field; Backspace removes it. In control, Space and Esc "
-                "always stop the arm."),
-             "secondary"));
+    layout->addWidget(note(tr("Press the new shortcut in the field; Backspace removes it. While Tiller is in "
+                              "control, Space and Esc always stop the arm."),
+                           "secondary"));
     layout->addWidget(shortcuts_, 1);
     layout->addLayout(row);
     showShortcuts();

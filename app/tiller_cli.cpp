@@ -20,7 +20,7 @@ const QString kHelp = QStringLiteral(
     "\n"
     "Commands:\n"
     "  simulate             runs a simulated robot controller (see 'tiller-cli simulate --help')\n"
-    "  fault                triggers a fault on it (see 'tiller-cli fault --help')\n"
+    "  fault                triggers a fault on a simulated controller (see 'tiller-cli fault --help')\n"
     "  doctor ADDRESS       checks whether this PC can control a robot\n"
     "  record ADDRESS       records the data of a robot (see 'tiller-cli record --help')\n"
     "  project ACTION FILE  inspects, checks or converts a project (see 'tiller-cli project --help')\n"

@@ -70,12 +70,12 @@ void Tutorial::readAgain() {
 void Tutorial::addTo(ActionTable& table) {
     table.add({"app.firstSteps",
                tr("First steps"),
-               tr("Shows a checklist in the view, from power on to a recording."),
+               tr("Shows a checklist in the view, from powering on to recording."),
                {},
                [this] { showFirstSteps(); }});
     table.add({"app.practice",
                tr("Practice tasks"),
-               tr("Five tasks on the simulated robot, each with a check."),
+               tr("Five tasks on the simulated robot. Each task checks the result."),
                {},
                [this] { showPractice(); }});
 }

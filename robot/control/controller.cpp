@@ -184,7 +184,7 @@ Error Controller::Private::obstacle(const QString& context) const {
     if (status.roundTripMs > static_cast<double>(options.dataTimeout.count())) {
         return {
             ErrorCode::LinkLost, context,
-            QStringLiteral("commands take %1 ms to the robot and back").arg(status.roundTripMs, 0, 'f', 0)};
+            QStringLiteral("commands have a round-trip time of %1 ms").arg(status.roundTripMs, 0, 'f', 0)};
     }
     return {};
 }

@@ -44,19 +44,19 @@ Error errorOf(StopCause cause, MotionKind kind) {
                     QStringLiteral("a target was farther away than the arm can move in one step")};
         case StopCause::LinkLost:
             return {ErrorCode::LinkLost, context,
-                    QStringLiteral("the connection ended, or the control program no longer answered")};
+                    QStringLiteral("the connection ended, or the control program stopped responding")};
         case StopCause::DataStale:
             return {ErrorCode::LinkLost, context,
                     QStringLiteral(
-                        "the robot's data arrived too late; real-time priority helps on a busy computer")};
+                        "the robot's data arrived too late; use real-time priority on a busy computer")};
         case StopCause::ControlLost:
             return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
         case StopCause::Superseded:
-            return {ErrorCode::Stopped, context, QStringLiteral("another motion replaced it")};
+            return {ErrorCode::Stopped, context, QStringLiteral("another motion replaced this motion")};
         case StopCause::Contact:
             return {ErrorCode::Stopped, context, QStringLiteral("contact")};
         case StopCause::EventLoopStalled:
-            return {ErrorCode::Stopped, context, QStringLiteral("it was not refreshed in time")};
+            return {ErrorCode::Stopped, context, QStringLiteral("the motion was not refreshed in time")};
         case StopCause::LimitReached:
             if (kind == MotionKind::Torque) {
                 return {ErrorCode::LimitExceeded, context,
@@ -65,7 +65,7 @@ Error errorOf(StopCause cause, MotionKind kind) {
             }
             return {ErrorCode::Stopped, context, QStringLiteral("a limit was reached")};
         default:
-            return {ErrorCode::Stopped, context, QStringLiteral("it was stopped")};
+            return {ErrorCode::Stopped, context, QStringLiteral("the motion was stopped")};
     }
 }
 

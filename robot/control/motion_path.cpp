@@ -44,7 +44,7 @@ void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& 
 Result<void> checkPath(const MotionPath& path) {
     const QString context = QStringLiteral("check a path");
     if (path.empty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: the path is empty")};
     }
     for (std::size_t i = 0; i < path.size(); ++i) {
         const PathEntry& entry = path[i];
@@ -65,8 +65,8 @@ Result<void> checkPath(const MotionPath& path) {
         if (error.code == ErrorCode::None &&
             (entry.kind == PathEntry::Kind::MoveC) != entry.via.has_value()) {
             error = {ErrorCode::InvalidArgument, context,
-                     entry.via ? QStringLiteral("via: only a MoveC has one")
-                               : QStringLiteral("via: a MoveC needs a via point")};
+                     entry.via ? QStringLiteral("via: only MoveC has a via point")
+                               : QStringLiteral("via: MoveC requires a via point")};
         }
         if (error.code != ErrorCode::None) {
             error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(i + 1));

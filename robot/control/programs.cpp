@@ -105,7 +105,7 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
                 statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
-            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never observed running")};
+            bad = {ErrorCode::Timeout, context, QStringLiteral("the script was never observed running")};
         }
         return bad.code != ErrorCode::None;
     };
@@ -130,7 +130,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
                      QStringLiteral("name: letters, digits and _, not beginning with a digit")};
     }
     if (body.trimmed().isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: the body is empty")};
     }
     if (body.contains(QLatin1String("tiller_"))) {
         return Error{
@@ -155,7 +155,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
 Result<void> Programs::runScript(const Text& program, const Deadline& deadline, Supervision supervision) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: the program is empty")};
     }
     const bool attended = supervision == Supervision::Heartbeat;
     if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {

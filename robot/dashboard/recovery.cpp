@@ -138,21 +138,21 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::RestartSafety:
                     if (!consent.restartSafety) {
-                        return missing("the safety system has to be restarted, which needs your consent");
+                        return missing("the safety system has to be restarted, which requires your consent");
                     }
                     report(next);
                     done = client.restartSafety(deadline);
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
-                        return missing("the arm is off; powering it on needs your consent");
+                        return missing("the arm is off; powering it on requires your consent");
                     }
                     report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
-                        return missing("the brakes are on; releasing them needs your consent");
+                        return missing("the brakes are on; releasing them requires your consent");
                     }
                     report(next);
                     done = client.brakeRelease(deadline);

@@ -73,7 +73,7 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
         version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
     if (version < least) {
         examiner.found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-                       DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
+                       DoctorText::tr("The robot's software is too old. Update it to %1.%2 or newer.")
                            .arg(wanted.major)
                            .arg(wanted.minor));
     } else if (version < wanted) {
@@ -128,10 +128,10 @@ void examineRegisters(Examiner& examiner) {
             Condition::Protocol, Verdict::Bad,
             mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
             mute
-                ? DoctorText::tr("the RTDE port accepts connections but does not answer")
+                ? DoctorText::tr("the RTDE port accepts connections but does not respond")
                 : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr("Too many RTDE clients, or the controller has hung: close other programs, "
-                                  "then restart the controller.")
+            mute ? DoctorText::tr("Too many RTDE clients are connected, or the controller hangs: close other "
+                                  "programs, then restart the controller.")
                  : DoctorText::tr(
                        "Check the address: this is another device, or another program uses the port."));
         return;
@@ -157,7 +157,7 @@ void examineRegisters(Examiner& examiner) {
         examiner.found(Condition::UpperRegisters, Verdict::Attention,
                        QStringLiteral("registers.upper.absent"),
                        DoctorText::tr("this software version has no registers 24 to 47"),
-                       DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
+                       DoctorText::tr("Update the robot's software to 3.9, 5.3 or newer."));
     } else {
         examiner.good(Condition::UpperRegisters, DoctorText::tr("registers 24 to 47 are free"));
     }
@@ -212,7 +212,7 @@ void examineData(Examiner& examiner) {
     if (rate < kMinShare * wanted) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
                        DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
-                                      "other programs that load the robot or this PC."));
+                                      "other programs that put load on the robot or this PC."));
     } else {
         examiner.good(Condition::DataRate, detail);
     }
@@ -226,10 +226,11 @@ void examineData(Examiner& examiner) {
     // Relevant only with the permission for real-time priority, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops use it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delay real-time loops"),
+                       latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

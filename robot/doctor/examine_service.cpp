@@ -34,7 +34,7 @@ void examineDashboard(Examiner& examiner) {
         examiner.found(
             Condition::ServicePort, Verdict::Bad,
             mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
-            mute ? DoctorText::tr("the dashboard accepts connections but does not answer")
+            mute ? DoctorText::tr("the dashboard accepts connections but does not respond")
                  : DoctorText::tr("the service on port %1 is not a dashboard server")
                        .arg(examiner.patient.ports.dashboard),
             mute ? DoctorText::tr("Restart the robot's controller; if the problem persists, see its log.")
@@ -70,7 +70,7 @@ void examineRobotApi(Examiner& examiner) {
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
             DoctorText::tr("Enable the Dashboard Server on the robot: Settings, Security, Services. "
-                           "PolyScope X needs 10.11 or newer for the Robot API."));
+                           "PolyScope X requires 10.11 or newer for the Robot API."));
         return;
     }
     examiner.good(Condition::ServicePort,
@@ -115,7 +115,7 @@ void examineModel(Examiner& examiner) {
     if (!heard || !configuration) {
         examiner.found(
             Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
-            DoctorText::tr("the primary interface does not describe the arm"),
+            DoctorText::tr("the primary interface sends no data about the arm"),
             DoctorText::tr("Check that this is the address of the robot, and restart its controller."));
         return;
     }
@@ -130,7 +130,7 @@ void examineModel(Examiner& examiner) {
     examiner.found(
         Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
         DoctorText::tr("robot type %1 is not known to this version of Tiller").arg(configuration->robotType),
-        DoctorText::tr("Monitoring works. Limits and previews use the dimensions the robot reports; jog "
+        DoctorText::tr("Monitoring works. Limits and previews use the dimensions that the robot reports; jog "
                        "slowly at first."));
 }
 

@@ -213,9 +213,10 @@ struct Outputs::Link {
         for (const char* field : fields) {
             if (field != nullptr &&
                 std::find(feedback.absent.begin(), feedback.absent.end(), field) != feedback.absent.end()) {
-                return Error{ErrorCode::FieldUnknown, what,
-                             QStringLiteral("the receiver does not receive %1, which confirms the command")
-                                 .arg(QLatin1String(field))};
+                return Error{
+                    ErrorCode::FieldUnknown, what,
+                    QStringLiteral("the receiver does not receive %1, which is needed to confirm the command")
+                        .arg(QLatin1String(field))};
             }
         }
         return {};

@@ -82,7 +82,7 @@ struct LiveOutput::Worker {
         if (!options.udpAddress.isEmpty()) {
             if (!udpHost.setAddress(options.udpAddress)) {
                 return Error{ErrorCode::AddressInvalid, QStringLiteral("send to %1").arg(options.udpAddress),
-                             QStringLiteral("this is not an IP address, such as 127.0.0.1")};
+                             QStringLiteral("this is not an IP address; use an address such as 127.0.0.1")};
             }
             udp = std::make_unique<QUdpSocket>();
         }

@@ -63,14 +63,14 @@ QString CpuLatency::advice() {
     }
     if (errno == ENOENT) {
         return QStringLiteral(
-                   "This system has no %1 (a container, or a kernel without it): wake-ups take as long as "
-                   "its processors need.")
+                   "This system has no %1 (a container, or a kernel without it): wake-up times depend on the "
+                   "sleep states of its CPUs.")
             .arg(QLatin1String(kDevice));
     }
     return QStringLiteral(
-        "Permit it with a file /etc/udev/rules.d/99-tiller.rules with the line "
-        "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", a group \"realtime\" with "
-        "this user in it, and a restart.");
+        "To permit it, create the file /etc/udev/rules.d/99-tiller.rules with the line "
+        "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", add this user to the group "
+        "\"realtime\", and restart.");
 }
 
 #else

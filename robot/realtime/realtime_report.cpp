@@ -35,7 +35,7 @@ QString bindToCpus(const std::vector<int>& cpus) {
 }
 
 QString lockMemory() {
-    return QStringLiteral("Windows has no call that keeps a whole process in memory.");
+    return QStringLiteral("Windows cannot lock the memory of a whole process.");
 }
 
 bool isRealtimeKernel() {
@@ -50,7 +50,7 @@ QString bindToCpus(const std::vector<int>&) {
 }
 
 QString lockMemory() {
-    return QStringLiteral("macOS has no call that keeps a whole process in memory.");
+    return QStringLiteral("macOS cannot lock the memory of a whole process.");
 }
 
 bool isRealtimeKernel() {

@@ -118,9 +118,9 @@ Result<CsvTable> readCsv(const Text& path) {
             ++cells;
         });
         if (!failure && cells != table.columns.size()) {
-            failure = corrupt(
-                number,
-                QStringLiteral("%1 cells where the header has %2").arg(cells).arg(table.columns.size()));
+            failure = corrupt(number, QStringLiteral("the row has %1 cells, the header has %2")
+                                          .arg(cells)
+                                          .arg(table.columns.size()));
         }
         if (failure) {
             return *failure;

@@ -168,7 +168,7 @@ public:
         }
         if (!rest.empty()) {
             takeLine(rest);
-            problem(QStringLiteral("The last line has no end: its last number may have lost digits."));
+            problem(QStringLiteral("The last line is incomplete: its last number may be truncated."));
         }
         if (isBinary_) {
             return failure(QStringLiteral("this is not a table of numbers"));

@@ -132,7 +132,7 @@ Result<TextMessage> readLongText(ByteView payload) {
         }
         const std::size_t length = payload[at++];
         if (length > payload.size() - at) {
-            return malformed(kType, QStringLiteral("announces %1 characters, but %2 are left")
+            return malformed(kType, QStringLiteral("declares %1 characters, but only %2 remain")
                                         .arg(length)
                                         .arg(payload.size() - at));
         }

@@ -33,7 +33,8 @@ void Session::begin(Bytes& out) {
     for (const auto* list : lists) {
         if (joinNames(*list).size() > kMaxNameListSize) {
             fail(ErrorCode::InvalidArgument,
-                 QStringLiteral("a list of %1 RTDE fields is longer than the %2 bytes a controller takes")
+                 QStringLiteral(
+                     "a list of %1 RTDE fields is longer than the %2 bytes that a controller accepts")
                      .arg(list->size())
                      .arg(kMaxNameListSize));
             return;

@@ -102,7 +102,7 @@ void DashboardClient::send(const std::string& str) {
 std::string DashboardClient::receive() {
     const std::lock_guard lock(d_->mutex);
     if (d_->replies.empty()) {
-        throw std::logic_error("receive() needs a preceding send()");
+        throw std::logic_error("receive() requires a preceding send()");
     }
     std::string reply = std::move(d_->replies.front());
     d_->replies.pop_front();

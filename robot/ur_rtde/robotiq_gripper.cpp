@@ -45,7 +45,7 @@ struct RobotiqGripper::Private {
     int get(const std::string& name) {
         const auto value = client.get(name, tiller::urrtde::within(kGripperReplyTime));
         if (!value && value.error().code == ErrorCode::ProtocolError) {
-            throw std::runtime_error("gripper: unexpected answer \"" +
+            throw std::runtime_error("gripper: unexpected reply \"" +
                                      value.error().controllerMessage.toStdString() + "\" to GET " + name);
         }
         if (!value) {

@@ -229,7 +229,7 @@ uint32_t RTDEControlInterface::getRobotStatus() {
 bool RTDEControlInterface::setPayload(double mass, const List& cog) {
     check::number("mass", mass, 0, kMaxMass, "kg");
     if (!cog.empty()) {
-        check::listWithin("cog", cog, 3, kMaxLength, "m", "; is this one in millimetres?");
+        check::listWithin("cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
     }
     return d_->done(CommandId::SetPayload, 7, joined({mass}, cog.empty() ? List(3, 0.0) : cog));
 }
@@ -281,8 +281,9 @@ bool RTDEControlInterface::setExternalForceTorque(const List& external_force_tor
 namespace {
 List sensor(bool enable, double mass, const List& offset, const List& cog) {
     check::number("sensor_mass", mass, 0, kMaxMass, "kg");
-    check::listWithin("sensor_measuring_offset", offset, 3, kMaxLength, "m", "; is this one in millimetres?");
-    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", "; is this one in millimetres?");
+    check::listWithin("sensor_measuring_offset", offset, 3, kMaxLength, "m",
+                      ". Was it given in millimetres?");
+    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
     return joined(joined({enable ? 1.0 : 0.0, mass}, offset), cog);
 }
 }  // namespace
@@ -306,7 +307,7 @@ namespace {
 
 [[noreturn]] void throwUnanswered(const char* what) {
     throw std::runtime_error(std::string(what) +
-                             ": the robot did not answer. Check that the control program is running and the "
+                             ": the robot did not respond. Check that the control program is running and the "
                              "robot is not stopped.");
 }
 
@@ -585,7 +586,7 @@ bool RTDEControlInterface::endFreedriveMode() {
 int RTDEControlInterface::getFreedriveStatus() {
     const auto answer = d_->session.backend()->perform({CommandId::FreedriveStatus, 4, {}});
     if (!answer) {
-        throw std::runtime_error("getFreedriveStatus: the robot did not answer");
+        throw std::runtime_error("getFreedriveStatus: the robot did not respond");
     }
     return answer->result;
 }

@@ -161,7 +161,7 @@ void RTDEReceiveInterface::Private::start() {
             throw tiller::urrtde::Interrupted();
         }
         throw std::runtime_error(failed ? receiver.lastError().toString().toStdString()
-                                        : "the robot sends no data over RTDE: is it switched on?");
+                                        : "the robot sends no data over RTDE. Check that it is switched on.");
     }
     if (verbose) {
         for (const std::string& field : receiver.absentFields()) {

@@ -176,7 +176,8 @@ private Q_SLOTS:
         bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
         QVERIFY(stop.keysStop());
-        QVERIFY2(stop.toolTip().contains(QStringLiteral("Space and Esc stop")), qPrintable(stop.toolTip()));
+        QVERIFY2(stop.toolTip().contains(QStringLiteral("Space and Esc also stop")),
+                 qPrintable(stop.toolTip()));
         bench.window.session().releaseControl();
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
         QVERIFY(!stop.keysStop());

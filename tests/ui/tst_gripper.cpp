@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.remedy").contains("URCap"); }));
         QVERIFY(!key("gripper.open").isEnabled());
         QCOMPARE(key("gripper.open").toolTip(), text("gripper.remedy"));
-        QVERIFY(wasSaid("No gripper service answers"));
+        QVERIFY(wasSaid("No gripper service responds"));
     }
 
     void silentGripperIsShownAsUnknownWithoutDelay() {
@@ -246,7 +246,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return key("gripper.open").isEnabled(); }));
         gripper.mute = true;
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
-        QVERIFY2(text("gripper.remedy").contains("does not answer"), qPrintable(text("gripper.remedy")));
+        QVERIFY2(text("gripper.remedy").contains("does not respond"), qPrintable(text("gripper.remedy")));
         QVERIFY(!key("gripper.close").isEnabled());
         // Outputs are independent.
         auto* tab = bench_->window.findChild<IoTab*>();
@@ -254,7 +254,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return output(3); }));
         gripper.mute = false;
         QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
-        QVERIFY(until([this] { return wasSaid("The gripper answers again"); }));
+        QVERIFY(until([this] { return wasSaid("The gripper responds again"); }));
     }
 
     void anActivationWhosePlaceWasTakenIsNotReported() {

@@ -250,8 +250,9 @@ struct HoldRules::HoldRuleTable {
         return open ? tr("A dialog or a menu is open. Close it first.") : QString();
     }
     static QString anotherInput(const HoldRules& h, const QWidget*, const HoldSource&) {
-        return h.policy_->holding != nullptr && h.policy_->holding != &h ? tr("Another key is already held.")
-                                                                         : QString();
+        return h.policy_->holding != nullptr && h.policy_->holding != &h
+                   ? tr("Another button or key is already held.")
+                   : QString();
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
         return h.hasKeyStateProbe(grip) && h.policy_->witness->waitingNs() > kStallNs

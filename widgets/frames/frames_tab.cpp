@@ -82,7 +82,7 @@ void FramesTab::buildLayout() {
 
     auto* empty =
         new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or "
-                      "press 3 points to take origin, +X and +Y."));
+                      "press 3 points to record the origin, +X and +Y."));
     empty->setObjectName(QStringLiteral("frame.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);
@@ -235,8 +235,9 @@ void FramesTab::updateAvailability() {
     fromTcp_->setToolTip(live ? tr("Create a frame at the TCP with the axes of the tool (Shift+T)")
                               : obstacle);
     threePoints_->setEnabled(live);
-    threePoints_->setToolTip(live ? tr("Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)")
-                                  : obstacle);
+    threePoints_->setToolTip(
+        live ? tr("Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)")
+             : obstacle);
     touchUp_->setEnabled(live && selected);
     touchUp_->setToolTip(!live      ? obstacle
                          : selected ? tr("Move the selected frame to the TCP (Shift+U)")
@@ -288,7 +289,7 @@ void FramesTab::buildActions() {
         with(addCommand("threePoints", tr("Teach frame from three points"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { teachThreePoints(); }),
              "l")));
-    everywhere(with(addCommand("takePoint", tr("Take the next point of the frame"), QKeySequence(Qt::Key_P),
+    everywhere(with(addCommand("takePoint", tr("Record the next point of the frame"), QKeySequence(Qt::Key_P),
                                [this] { teacher_->takeNext(); }),
                     "lt"));
     everywhere(with(addCommand("make", tr("Create frame from points"),

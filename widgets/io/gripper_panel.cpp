@@ -137,7 +137,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
             return;
         }
         const double opening = position_->value() * format::metresPerUnit();
-        move(robotiq_.position(opening), tr("Gripper: to %1").arg(format::length(opening, 1)));
+        move(robotiq_.position(opening), tr("Gripper: move to %1").arg(format::length(opening, 1)));
     });
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
@@ -482,7 +482,7 @@ void GripperPanel::setHand(bool close) {
 
 QString GripperPanel::obstacleOfLink() const {
     if (robot_.isEmpty()) {
-        return tr("Connect to a robot first: each robot remembers its gripper.");
+        return tr("Connect to a robot first: the gripper is stored for each robot.");
     }
     if (state_.link != LinkState::Live) {
         return tr("No data from the robot.");
@@ -537,7 +537,7 @@ void GripperPanel::refreshRobotiq() {
     const QString fault = robotiq_.faultText();
     const bool noPort = io::kRobotiqPort + state_.portOffset > kMaxTcpPort && !address_;
     const QString unknown =
-        noPort ? tr("The gripper cannot be reached with this port offset.") : robotiq_.reason();
+        noPort ? tr("The gripper is not available with this port offset.") : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();
     const QString moving = !why.isEmpty() ? why
                            : activating   ? tr("Activating: the fingers open and close once.")

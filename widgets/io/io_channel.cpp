@@ -87,10 +87,11 @@ void IoChannel::describe() {
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
-               : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
-                                      : tr("\nClick to switch it %1. P: pulse. Right-click: pulse, rename.")
-                                            .arg(state_ == State::On ? tr("off") : tr("on"));
+        tip += stale_ ? tr("\nThe output cannot be switched while the robot sends no data.")
+               : !obstacle_.isEmpty()
+                   ? QLatin1Char('\n') + obstacle_
+                   : tr("\nClick to switch it %1. Press P to pulse it. Right-click to pulse or rename it.")
+                         .arg(state_ == State::On ? tr("off") : tr("on"));
     }
     setToolTip(tip);
 }

@@ -515,9 +515,9 @@ void JogColumn::buildBottom(QVBoxLayout* layout) {
         return key;
     };
     freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
-    homeKey_ = make(tr("Home"), "homeKey", tr("Moves every joint to the home position while held"));
+    homeKey_ = make(tr("Home"), "homeKey", tr("Moves all joints to the home position while held"));
     align_ = make(tr("Align"), "alignKey",
-                  tr("Rotates the tool to the nearest axis of the selected frame while held"));
+                  tr("Aligns the tool with the nearest axis of the selected frame while held"));
     back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
@@ -712,7 +712,7 @@ QString JogColumn::deviceObstacle() const {
         return reason;
     }
     // Only one motion at a time is allowed.
-    return isHolding() ? tr("Another key is already held.") : QString();
+    return isHolding() ? tr("Another button or key is already held.") : QString();
 }
 
 // ---- display ---------------------------------------------------------------------------------------
@@ -763,8 +763,9 @@ void JogColumn::zeroHere() {
 void JogColumn::setFreedriveAxes(FreedriveAxes axes) {
     freedrive_->guard().stop(StopCause::SelectionChanged);
     freedriveAxes_ = axes;
-    freedrive_->setToolTip(tr("Move the arm by hand while this key is held: %1. Right-click to select axes")
-                               .arg(freedriveAxesText(axes)));
+    freedrive_->setToolTip(
+        tr("Move the arm by hand while this button is held: %1. Right-click to select axes")
+            .arg(freedriveAxesText(axes)));
     freedrive_->setAccessibleName(tr("Freedrive, %1").arg(freedriveAxesText(axes)));
     freedrive_->setText(axes == FreedriveAxes::All ? tr("Freedrive") : tr("Freedrive…"));
 }
@@ -777,8 +778,8 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
         action->setChecked(axes == freedriveAxes_);
     }
     menu.addSeparator();
-    QAction* check = menu.addAction(tr("Check the payload first (until the next connection)"), this,
-                                    [this] { payloadChecked_ = !payloadChecked_; });
+    QAction* check = menu.addAction(tr("Check the payload before Freedrive (until the next connection)"),
+                                    this, [this] { payloadChecked_ = !payloadChecked_; });
     check->setCheckable(true);
     check->setChecked(payloadChecked_);
 }

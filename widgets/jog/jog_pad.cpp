@@ -93,7 +93,7 @@ private:
 
 JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
     setObjectName(QStringLiteral("jogPad"));
-    setAccessibleName(tr("Jog keys"));
+    setAccessibleName(tr("Jog buttons"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(8);

@@ -78,10 +78,10 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     // The other texts depend on the user's units; see refreshTexts().
     motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
-    motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the key is held"));
+    motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the button is held"));
     turn_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     turn_->setNames(QStringLiteral("jogTurn"), tr("Rotation"));
-    turn_->segment(kHoldSegment)->setToolTip(tr("Rotates while the key is held"));
+    turn_->segment(kHoldSegment)->setToolTip(tr("Rotates while the button is held"));
     speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
     speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
     speed_->setCurrentIndex(kStartSpeedClass);
@@ -146,7 +146,7 @@ void JogSelectors::chooseFrame(int segment) {
 void JogSelectors::showFrames() {
     frame_->setSegmentEnabled(
         static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Needs the 3D view"));
+        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Requires the 3D view"));
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
@@ -379,7 +379,7 @@ void JogSelectors::fillLengthMenu(QMenu& menu) {
     menu.addSeparator();
     menu.addAction(tr("Until contact, %1 N").arg(selection_.contactForce, 0, 'f', 0), this,
                    [this] { setUntilContact(selection_.contactForce); });
-    menu.addAction(tr("Until contact, other force…"), this, [this] { askFor(Entry::ContactForce); });
+    menu.addAction(tr("Other contact force…"), this, [this] { askFor(Entry::ContactForce); });
 }
 
 void JogSelectors::fillSpeedMenu(QMenu& menu) {

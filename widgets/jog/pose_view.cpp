@@ -172,10 +172,10 @@ void PoseView::describe() {
     const QString name = tr("TCP pose in %1").arg(frame_);
     setAccessibleName(name);
     setToolTip(name + QStringLiteral(", ") +
-               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click: "
-                              "displacement since the last key press")
-                         : tr("orientation as set in Settings. Δ: displacement since the last key press. "
-                              "Click: zero here")) +
+               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click to show "
+                              "the displacement since the start of the last motion")
+                         : tr("orientation as set in Settings. Δ: displacement since the start of the last "
+                              "motion. Click to zero here")) +
                QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }

@@ -22,7 +22,7 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kSpaceMouseTuning;
         shape.kind = kSpaceMouseKind;  // reports continuously while deflected
-        shape.deadManName = QCoreApplication::translate("SpaceMouse", "left key");
+        shape.deadManName = QCoreApplication::translate("SpaceMouse", "left button");
         shape.directions =
             QCoreApplication::translate("SpaceMouse", "The tool follows the motion of the cap.");
         return shape;

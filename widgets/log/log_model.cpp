@@ -178,7 +178,7 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
     return section == Time             ? tr("Time")
            : section == SeverityColumn ? tr("Severity")
            : section == Open           ? QString()
-                                       : tr("What happened");
+                                       : tr("Event");
 }
 
 void LogFilter::setLeastSeverity(Severity severity) {

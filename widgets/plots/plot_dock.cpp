@@ -392,7 +392,7 @@ void PlotDock::buildPagesMenu() {
               &PlotDock::setValuesShown);
     addSwitch("plots.layout.analysis", tr("Spectrum and XY"), !analysis_->isHidden(),
               &PlotDock::setAnalysisShown);
-    addSwitch("plots.layout.zero", tr("Zero the force shown"), view().isForceZeroed(),
+    addSwitch("plots.layout.zero", tr("Zero the displayed force"), view().isForceZeroed(),
               &PlotDock::setForceZeroed);
     menu->addAction(tr("Export the visible range…"), this, &PlotDock::askExport)
         ->setObjectName(QStringLiteral("plots.layout.export"));
@@ -423,7 +423,7 @@ void PlotDock::buildPagesMenu() {
     })->setEnabled(pages_->count() > 1);
     add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
     menu->addSeparator();
-    add(menu, "plots.layout.openRecording", tr("Open a recording…"), [this] { askForRecording(); });
+    add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
@@ -639,7 +639,7 @@ void PlotDock::endReplay() {
 void PlotDock::askForRecording() {
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
+        this, tr("Open recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
     if (!path.isEmpty()) {
         openRecording(path);
     }
@@ -754,7 +754,7 @@ void PlotDock::buildHeader() {
 
     pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
     connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view().window().follows()); });
-    zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the force shown"), this);
+    zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the displayed force"), this);
     zero_->setText(tr("Zero"));
     zero_->setCheckable(true);
     connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
@@ -875,7 +875,7 @@ void PlotDock::updateHeader() {
     QString words = view().readout();
     if (!window.follows()) {
         const QString behind = window.behind() >= 0.05
-                                   ? tr("Paused · %1 s back").arg(format::number(window.behind(), 1))
+                                   ? tr("Paused · %1 s ago").arg(format::number(window.behind(), 1))
                                    : tr("Paused");
         words = words.isEmpty() ? behind : words + QStringLiteral("   ") + behind;
     }
@@ -909,8 +909,8 @@ void PlotDock::updateHeader() {
                                           : tr("Record to a CSV file"));
     record_->setToolTip(
         recording_ ? recordingText(session_.state().recording)
-        : mcap     ? tr("Record robot data to an MCAP file. The arrow button sets signals and folder")
-                   : tr("Record robot data to a CSV file. The arrow button sets signals and folder"));
+        : mcap ? tr("Record robot data to an MCAP file. Use the arrow button to select signals and folder")
+               : tr("Record robot data to a CSV file. Use the arrow button to select signals and folder"));
     if (record_->property("recording").toBool() != recording_) {
         record_->setProperty("recording", recording_);
         styleHeader();

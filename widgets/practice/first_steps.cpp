@@ -80,7 +80,7 @@ QString FirstSteps::text(FirstStep step) {
         case FirstStep::ReleaseBrakes:
             return tr("Release brakes (header)");
         case FirstStep::Jog:
-            return tr("Take control, hold a pad key");
+            return tr("Take control, hold a jog button");
         case FirstStep::Teach:
             return tr("Teach here (T)");
         case FirstStep::GoTo:

@@ -494,7 +494,7 @@ void ProgramTab::exportScript() {
         return;
     }
     const auto written = writeFileAtomically(path, script.text.toUtf8());
-    showStatus(written ? tr("Written: %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
+    showStatus(written ? tr("Exported to %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
 }
 
 }  // namespace tiller

@@ -103,7 +103,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
         return {ModeLookText::tr("MOVING"),
                 Shape::Triangle,
                 Emphasis::Moving,
-                ModeLookText::tr("The robot confirms that the arm moves."),
+                ModeLookText::tr("The robot reports that the arm is moving."),
                 {}};
     }
     return lookOf(kRobotModes, mode, robotModeWords(mode),
@@ -251,10 +251,9 @@ QString linkConsequence(const LinkQuality& q) {
     }
     if (worth == Worth::Slow) {
         return ModeLookText::tr(
-            "Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.");
+            "Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.");
     }
-    return ModeLookText::tr(
-        "Good: the arm responds to keys at once, and stops within 250 ms if the link fails.");
+    return ModeLookText::tr("Good: the arm responds immediately and stops within 250 ms if the link fails.");
 }
 
 }  // namespace
@@ -383,7 +382,8 @@ QString nextStepAdvice(NextStep step) {
                 "move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
-                "Starts the control program on the robot. Asks before it stops another program.");
+                "Starts the control program on the robot. Asks for confirmation before it stops another "
+                "program.");
     }
     return {};
 }

@@ -37,7 +37,7 @@ Look verdictLook(doctor::Verdict verdict) {
         case doctor::Verdict::Good:
             return {PreflightPage::tr("Good"), StateChip::Shape::Dot, theme.axisTexts[1]};
         case doctor::Verdict::Attention:
-            return {PreflightPage::tr("Check"), StateChip::Shape::WarningTriangle, theme.warning};
+            return {PreflightPage::tr("Warning"), StateChip::Shape::WarningTriangle, theme.warning};
         case doctor::Verdict::Bad:
             return {PreflightPage::tr("Failed"), StateChip::Shape::Octagon, theme.alarm};
         case doctor::Verdict::Skipped:
@@ -188,9 +188,9 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
 }
 
 void PreflightPage::showNote() {
-    note_->setText(tr("Keep everyone out of reach of the arm.\nKeep the emergency stop at hand: STOP in this "
-                      "window is a software stop.\nStart slowly: the initial speed is %1.\nWatch the arm, "
-                      "not the screen, while you hold a key.\nRelease the key to stop the arm.")
+    note_->setText(tr("Keep everyone out of reach of the arm.\nKeep the emergency stop within reach: STOP in "
+                      "this window is a software stop.\nStart slowly: the initial speed is %1.\nWatch the "
+                      "arm, not the screen, while you hold a button.\nRelease the button to stop the arm.")
                        .arg(format::speed(kFirstSpeed)));
 }
 

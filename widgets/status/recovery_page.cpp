@@ -57,7 +57,7 @@ void StopPlot::show(const StopRecord& record, const Value& value, const std::fun
         peak = std::max(peak, std::abs(y));
     }
     peak_ = text(peak);
-    setAccessibleDescription(tr("Highest value %1 in the last five seconds").arg(peak_));
+    setAccessibleDescription(tr("Maximum in the last five seconds: %1").arg(peak_));
     update();
 }
 

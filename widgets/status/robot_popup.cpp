@@ -199,7 +199,7 @@ void RobotPopup::showNewest() {
     const bool whole = newest.text.size() <= kLongest;
     text_->setText(whole ? newest.text : newest.text.left(kLongest) + QChar(0x2026));
     const int others = count() - 1;
-    const QString more = others > 0 ? tr("%n more on the robot.", nullptr, others) : QString();
+    const QString more = others > 0 ? tr("%n more popup(s) on the robot.", nullptr, others) : QString();
     note_->setText((obstacle_.isEmpty()
                         ? tr("A waiting program continues when the popup is closed: keep clear of the arm.")
                         : obstacle_) +

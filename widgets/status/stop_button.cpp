@@ -35,7 +35,7 @@ void StopButton::setKeysStop(bool keys) {
     keysStop_ = keys;
     const QString what = tr("Software stop. Not an emergency stop. Power stays on.");
     setToolTip(what + QLatin1Char('\n') +
-               (keys ? tr("Space and Esc stop as well.")
+               (keys ? tr("Space and Esc also stop the arm.")
                      : tr("Click to stop. Space and Esc stop only while this window is in control.")));
     setAccessibleDescription(toolTip());
     update();

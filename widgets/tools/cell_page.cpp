@@ -56,7 +56,7 @@ PartModel* cellModel(ProjectDocument& document) {
     content.isInUse = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.enabled; });
     };
-    content.inUse = CellPage::tr("Drawn and checked");
+    content.inUse = CellPage::tr("Shown and checked for collisions");
     content.name = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.name; });
     };
@@ -67,7 +67,7 @@ PartModel* cellModel(ProjectDocument& document) {
     };
     content.nameProblem = [&document](int, const QString& name) {
         const project::CellGeometry& cell = document.cell();
-        return name.isEmpty() ? CellPage::tr("A box or plane needs a name.")
+        return name.isEmpty() ? CellPage::tr("Enter a name for the box or plane.")
                : cell.boxes.findByName(name) != nullptr || cell.planes.findByName(name) != nullptr
                    ? CellPage::tr("The cell already contains “%1”. Choose another name.").arg(name)
                    : QString();
@@ -195,8 +195,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , planeValues_(new QWidget)
     , point_(new VectorEditor(VectorEditor::Kind::Point, QStringLiteral("cell.point"),
                               {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
-                              {CellPage::tr("Point on the plane X"), CellPage::tr("Point on the plane Y"),
-                               CellPage::tr("Point on the plane Z")}))
+                              {CellPage::tr("Point on the plane, X"), CellPage::tr("Point on the plane, Y"),
+                               CellPage::tr("Point on the plane, Z")}))
     , normal_(new VectorEditor(
           VectorEditor::Kind::Direction, QStringLiteral("cell.normal"),
           {QStringLiteral("NX"), QStringLiteral("NY"), QStringLiteral("NZ")},
@@ -207,7 +207,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, it is neither drawn nor checked."));
+    enabled_->setToolTip(CellPage::tr("When off, the floor is neither shown nor checked for collisions."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
@@ -215,8 +215,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
     distance_->setToolTip(
-        CellPage::tr("Jogging stops at this distance from the cell and between parts of the arm. Moves that "
-                     "come closer are refused."));
+        CellPage::tr("Jogging stops at this distance from objects in the cell and between parts of the arm. "
+                     "Moves that come closer are refused."));
     auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));
@@ -437,7 +437,7 @@ void CellPage::takeCorner() {
     const Eigen::Vector3d here = state_.tcpPose.position;
     if (!corner_) {
         corner_ = here;
-        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner taken."),
+        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
                       CellPage::tr("Move the TCP to the opposite corner and press Other corner."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();

@@ -44,9 +44,9 @@ PartModel* payloadModel(ProjectDocument& document) {
         return figures;
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? PayloadPage::tr("A payload needs a name.")
+        return name.isEmpty() ? PayloadPage::tr("Enter a name for the payload.")
                : document.tooling().payloads.findByName(name) != nullptr
-                   ? PayloadPage::tr("Another payload is named “%1”. Choose another name.").arg(name)
+                   ? PayloadPage::tr("A payload named “%1” already exists. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -284,15 +284,16 @@ void PayloadPage::followCheck() {
                 tr("The arm moved. Wait for standstill, keep the tool free of contact, and check again."));
             break;
         case StandstillMean::Outcome::NoForce:
-            showProblem(tr("The robot sends no forces: the payload cannot be verified."));
+            showProblem(tr("The robot sends no force data: the payload cannot be verified."));
             break;
         case StandstillMean::Outcome::Done: {
             const Wrench left = mean_.remaining();
             const double force = left.force.norm();
             const double torque = left.torque.norm();
-            const QString felt = tr("With a payload of %1 kg, the arm measures %2 and %3.")
-                                     .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
-                                          format::newtonMetres(torque));
+            const QString felt =
+                tr("With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.")
+                    .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
+                         format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {
                 Q_EMIT message(Severity::Info, tr("The payload is correct. %1").arg(felt));
                 notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);

@@ -43,9 +43,9 @@ PartModel* tcpModel(ProjectDocument& document) {
         return figures;
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? TcpPage::tr("A TCP needs a name.")
+        return name.isEmpty() ? TcpPage::tr("Enter a name for the TCP.")
                : document.tooling().tools.findByName(name) != nullptr
-                   ? TcpPage::tr("Another TCP is named “%1”. Choose another name.").arg(name)
+                   ? TcpPage::tr("A TCP named “%1” already exists. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {

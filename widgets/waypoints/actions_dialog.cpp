@@ -54,7 +54,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
     auto* what = new QLabel(
-        tr("Actions run in this order when “Run route” reaches the waypoint, while its key is held."));
+        tr("Actions run in this order when “Run route” reaches the waypoint and its button is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
@@ -264,8 +264,8 @@ void ActionsDialog::refresh() {
     secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("Timeout in seconds")
                                                                     : tr("Seconds"));
     seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
-                             ? tr("After this time the wait fails with a message. 0: waits while the key is "
-                                  "held, for one hour at most")
+                             ? tr("After this time, the wait fails with a message. 0: waits while the button "
+                                  "is held, for at most one hour")
                              : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));

@@ -27,8 +27,8 @@ GoToButton::GoToButton(MotionPort port, Target target, QWidget* parent)
     setObjectName(QStringLiteral("waypoint.goTo"));
     setAccessibleName(tr("Go to, hold"));
     setToolTip(
-        tr("Moves the arm to the selected waypoint while the key is held (G), no faster than the "
-           "jog speed"));
+        tr("Moves the arm to the selected waypoint while the button or G is held, no faster than the jog "
+           "speed"));
     setWidestDetail(QStringLiteral("000 mm/s"));
     setMotion({
         .begin = [this] { return begin(); },

@@ -109,10 +109,9 @@ void PathControls::show() {
                                                   : tr("The robot sends no data: nothing to record.");
     record_->setEnabled(obstacle.isEmpty());
     record_->setToolTip(!obstacle.isEmpty() ? obstacle
-                        : recording
-                            ? tr("Stops recording and stores the path as waypoints")
-                            : tr("Records the path of the arm during Freedrive or jogging until pressed "
-                                 "again, and stores it as waypoints. The robot does not move."));
+                        : recording         ? tr("Stops recording and stores the path as waypoints")
+                                    : tr("Records the path of the arm during Freedrive or jogging and stores "
+                                         "it as waypoints. Press again to stop. The robot does not move."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
     // Keep the width of the longest text, so that adjacent elements do not move.

@@ -315,11 +315,11 @@ bool WaypointModel::setName(int row, const QString& text) {
         return true;
     }
     if (text.isEmpty()) {
-        Q_EMIT editRefused(tr("A waypoint needs a name."));
+        Q_EMIT editRefused(tr("Enter a name for the waypoint."));
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {
-        Q_EMIT editRefused(tr("Waypoint %2 is named “%1”. Choose another name.")
+        Q_EMIT editRefused(tr("Waypoint %2 is already named “%1”. Choose another name.")
                                .arg(text)
                                .arg(document_.waypoints().indexOfName(text) + 1));
         return false;

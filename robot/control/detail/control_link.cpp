@@ -336,7 +336,7 @@ Result<void> ControlLink::kickWatchdog() {
     }
     if (!watchdogUsable_) {
         return Error{ErrorCode::RegisterInUse, context,
-                     QStringLiteral("another client owns the register it needs")};
+                     QStringLiteral("another client owns the required register")};
     }
     kick_.store(true, std::memory_order_release);
     return {};

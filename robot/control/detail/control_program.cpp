@@ -182,8 +182,8 @@ Result<void> ControlProgram::awaitControl(const Deadline& deadline, const QStrin
     };
     if (!waitUntil(deadline, settled)) {
         bad = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-               QStringLiteral("The program was sent, but it does not answer. Is the robot in "
-                              "Remote control, and are scripts allowed on this port?")};
+               QStringLiteral("The program was sent, but it does not respond. Check that the robot is in "
+                              "Remote control and that it accepts scripts on this port.")};
     }
     return bad.code == ErrorCode::None ? Result<void>() : bad;
 }

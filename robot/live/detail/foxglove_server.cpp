@@ -99,7 +99,7 @@ Result<void> FoxgloveServer::listen(const QString& address, std::uint16_t port) 
     QHostAddress host;
     if (!host.setAddress(address)) {
         return Error{ErrorCode::AddressInvalid, QStringLiteral("listen on %1").arg(address),
-                     QStringLiteral("this is not an IP address, such as 127.0.0.1")};
+                     QStringLiteral("this is not an IP address; use an address such as 127.0.0.1")};
     }
     if (!listener_.listen(host, port)) {
         return Error{ErrorCode::Rejected, QStringLiteral("listen on %1 port %2").arg(address).arg(port),

@@ -97,7 +97,7 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
         if (i >= 3 || (corner.isNull() && !corners[i].isNull())) {
             fields_.addProblem(
                 fieldAt(fieldAt(where, "corners"), i),
-                i >= 3 ? QStringLiteral("is a surplus corner") : QStringLiteral("is not an id"));
+                i >= 3 ? QStringLiteral("is an extra corner") : QStringLiteral("is not an id"));
             break;
         }
         pattern.corners[static_cast<std::size_t>(i)] = corner;

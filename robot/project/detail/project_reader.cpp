@@ -63,7 +63,7 @@ template <class Entity>
 QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list) {
     const QUuid id = fields_.optionalId({}, root, key);
     if (!id.isNull() && list.find(id) == nullptr) {
-        fields_.addProblem(QLatin1String(key), QStringLiteral("nothing in this project has that id"));
+        fields_.addProblem(QLatin1String(key), QStringLiteral("no item of this project has that id"));
         return {};
     }
     return id;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Settings and queries of the connected robot: Robot.tool, Robot.queries and Robot.pulses. They need control, and none
-of them starts a motion."""
+"""Settings and queries of the connected robot: Robot.tool, Robot.queries and Robot.pulses. They require control and
+never start a motion."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -89,12 +89,12 @@ class Tool(_Part):
             self._native.trigger_protective_stop(timeout)
 
     def set_force_damping(self, damping: float, timeout: float | None = TIMEOUT) -> None:
-        """Damping of force mode, 0 ... 1."""
+        """Sets the damping of force mode, 0 ... 1."""
         with self._waiting():
             self._native.set_force_damping(damping, timeout)
 
     def set_force_gain_scaling(self, scaling: float, timeout: float | None = TIMEOUT) -> None:
-        """Gain of force mode, 0 ... 2."""
+        """Sets the gain of force mode, 0 ... 2."""
         with self._waiting():
             self._native.set_force_gain_scaling(scaling, timeout)
 
@@ -167,7 +167,7 @@ class Queries(_Part):
             return Pose(self._native.flange_pose(timeout))
 
     def freedrive_status(self, timeout: float | None = TIMEOUT) -> int:
-        """0: normal, 1: near a singularity, 2: too close to a singularity. Since PolyScope 5.10."""
+        """Freedrive status: 0 normal, 1 near a singularity, 2 too close to a singularity. Since PolyScope 5.10."""
         with self._waiting():
             return self._native.freedrive_status(timeout)
 

@@ -299,7 +299,7 @@ class Robot:
                 continue
             if links[1].is_busy():
                 raise RegisterInUse(f"take control of {self.address}",
-                                    "another Robot object of this program moves the arm: stop() or close() that one first")
+                                    "another Robot object of this program is moving the arm: call its stop() or close() first")
             with other._waiting():
                 links[1].release()
         with self._waiting():

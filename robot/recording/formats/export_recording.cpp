@@ -30,7 +30,7 @@ Result<ExportReport> exportRecording(const Recording& recording, const ExportCho
         return exportMcap(recording, choice);
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                 QStringLiteral("path: it ends neither in .csv, .h5, .hdf5 nor .mcap")};
+                 QStringLiteral("path: must end in .csv, .h5, .hdf5 or .mcap")};
 }
 
 }  // namespace tiller::recording

@@ -36,7 +36,7 @@ Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
         return mcapFormat();
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(name),
-                 QStringLiteral("path: it ends neither in .csv nor in .mcap")};
+                 QStringLiteral("path: must end in .csv or .mcap")};
 }
 
 }  // namespace tiller::recording

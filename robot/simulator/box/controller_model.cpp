@@ -40,17 +40,17 @@ struct StopMessage {
 StopMessage stopMessage(arm::StopReason reason) {
     switch (reason) {
         case arm::StopReason::JointPositionLimit:
-            return {150, "a joint came to the end of its range"};
+            return {150, "a joint reached the end of its range"};
         case arm::StopReason::PoseUnreachable:
             return {154, "the path leaves the arm's reach"};
         case arm::StopReason::Singularity:
-            return {154, "the path runs into a singular position"};
+            return {154, "the path passes through a singularity"};
         case arm::StopReason::JointSpeedLimit:
             return {153, "the path is faster than a joint can follow"};
         case arm::StopReason::Overload:
-            return {155, "the arm cannot hold its position, check the payload"};
+            return {155, "the arm cannot hold its position: check the payload"};
         case arm::StopReason::WrongPayload:
-            return {156, "wrong payload, or something pushes the arm as freedrive begins"};
+            return {156, "wrong payload, or the arm was pushed when freedrive started"};
         case arm::StopReason::TcpForceLimit:
             return {158, "the tool touched something hard"};
         case arm::StopReason::PathDeviation:

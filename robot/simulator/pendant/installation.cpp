@@ -151,7 +151,7 @@ std::optional<std::array<double, 6>> sixNumbers(const QString& text) {
 }
 
 QString Installation::shownName() const {
-    return file.isEmpty() ? QStringLiteral("no installation file is there")
+    return file.isEmpty() ? QStringLiteral("no installation file was found")
                           : QStringLiteral("the installation is '%1'").arg(file);
 }
 

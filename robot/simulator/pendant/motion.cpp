@@ -296,7 +296,7 @@ void Motion::writeMove(const XmlElement& node) {
 void Motion::writeWaypoint(const XmlElement& node) {
     const Definer move = definerOf(node);
     if (move.function.isEmpty()) {
-        t_.refuse(node, QStringLiteral("it is in no move that is simulated"));
+        t_.refuse(node, QStringLiteral("it is not in a move that is simulated"));
         return;
     }
     const bool isVariable = node.attribute("type") == QLatin1String("Variable");
@@ -461,7 +461,7 @@ void Motion::writeDirection(const XmlElement& node) {
         {"YMinus", {"[0,-1,0]", "Y-"}}, {"ZPlus", {"[0,0,1]", "Z+"}},   {"ZMinus", {"[0,0,-1]", "Z-"}}};
     const Definer move = definerOf(node);
     if (move.node == nullptr) {
-        t_.refuse(node, QStringLiteral("it is in no move"));
+        t_.refuse(node, QStringLiteral("it is not in a move"));
         return;
     }
     const Expressions::Frame frame = x_.frame(node, move.node);

@@ -92,7 +92,7 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
     addNodeTypes(
         root.value(QLatin1String("program")).toObject().value(QLatin1String("programContent")).toObject(),
         types);
-    QString reason = QStringLiteral("there is no URScript within, and no .script file beside it");
+    QString reason = QStringLiteral("it contains no URScript, and there is no .script file next to it");
     if (!types.isEmpty()) {
         reason += QStringLiteral("; its nodes are not translated: %1").arg(types.join(QStringLiteral(", ")));
     }

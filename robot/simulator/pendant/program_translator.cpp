@@ -848,7 +848,7 @@ void ProgramTranslator::writeCall(const XmlElement& node) {
     }
     const XmlElement* const sub = named->resolved();
     if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
-        t_.refuse(node, QStringLiteral("it refers to no subprogram"));
+        t_.refuse(node, QStringLiteral("it does not refer to a subprogram"));
         return;
     }
     const std::optional<std::size_t> place = addSubProgram(*sub);

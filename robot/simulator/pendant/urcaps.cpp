@@ -42,7 +42,7 @@ def tiller_gripper(position, force, speed, blocking):
   end
 end
 if not socket_open("127.0.0.1", 63352, "tiller_gripper"):
-  popup("The gripper does not answer", title="Gripper", error=True, blocking=True)
+  popup("The gripper does not respond", title="Gripper", error=True, blocking=True)
 end
 # node
 tiller_gripper({position}, {force}, {speed}, {blocking})

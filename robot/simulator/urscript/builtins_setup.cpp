@@ -122,7 +122,7 @@ Status estimatePayload(Call& c) {
     const std::vector<Vector6> wrenches = rowsAt(c, 1);
     const Eigen::Vector3d g = c.host.gravity();
     if (poses.size() != wrenches.size() || g.norm() < 1e-6) {
-        fault("estimate_payload: needs as many wrenches as poses, and gravity");
+        fault("estimate_payload: requires as many wrenches as poses, and gravity");
     }
     double mass = 0;
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -19,10 +19,11 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
     const QString source = shown.empty() ? QString() : store.recordingOf(shown.front());
     if (std::any_of(shown.begin(), shown.end(),
                     [&](int signal) { return store.recordingOf(signal) != source; })) {
-        return Error{context.code, context.context,
-                     QCoreApplication::translate("tiller::PlotDock",
-                                                 "The page shows several recordings, or a recording and live "
-                                                 "signals. Show only one of them on the page.")};
+        return Error{
+            context.code, context.context,
+            QCoreApplication::translate("tiller::PlotDock",
+                                        "The page shows several recordings, or a recording and live signals. "
+                                        "Show only one of them on the page, then export again.")};
     }
     const bool isCsv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
     if (source.isEmpty()) {

@@ -68,7 +68,7 @@ QString payloadDoubt(const SessionState& state) {
     }
     const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
     return FreedriveText::tr(
-               "The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct "
+               "The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct "
                "payload and TCP.")
         .arg(felt, format::number(state.payloadMass, 2));
 }

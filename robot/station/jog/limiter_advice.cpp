@@ -134,7 +134,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::ElbowSpeed:
                 return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
-                        LimiterAdviceText::tr("move less sideways")};
+                        LimiterAdviceText::tr("reduce sideways motion")};
             case control::LimiterKind::RotationSpeed:
                 return {LimiterAdviceText::tr("Rotation at its cap of %1").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};

@@ -60,7 +60,7 @@ Result<control::JogTarget> RetracePath::next() {
     const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
     if (left < kThere) {
         return Error{ErrorCode::Rejected,
-                     QCoreApplication::translate("RetracePath", "back: no recorded motion left"),
+                     QCoreApplication::translate("RetracePath", "back: no recorded motion left to retrace"),
                      {}};
     }
     const double speed = speed_(now_, trail_.back());

@@ -242,7 +242,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 QString RobotOutputs::pulseObstacle() const {
     return d_.link && d_.state.control == ControlState::InControl
                ? QString()
-               : tr("Pulses are timed by the robot and need control. Take control first, or switch the "
+               : tr("Pulses are timed by the robot and require control. Take control first, or switch the "
                     "output on and off.");
 }
 

@@ -590,7 +590,7 @@ void RobotSession::reportChanges() {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
         Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
-                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
+                       obstacle.isEmpty() ? tr("Safety mode is Normal again") : obstacle, Origin::Robot);
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
@@ -644,7 +644,7 @@ void RobotSession::reportControllerMessages() {
             case MessageKind::RequestValue:
                 Q_EMIT message(
                     Severity::Warning,
-                    tr("The program on the robot is waiting for an answer on the teach pendant: %1")
+                    tr("The program on the robot is waiting for a response on the teach pendant: %1")
                         .arg(m.text),
                     Origin::Robot);
                 break;

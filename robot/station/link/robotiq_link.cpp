@@ -132,7 +132,7 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
                "cable at the wrist."));
     } else {
         if (failures_ > 0) {
-            Q_EMIT session_.message(Severity::Info, tr("The gripper answers again"), Origin::Robot);
+            Q_EMIT session_.message(Severity::Info, tr("The gripper responds again"), Origin::Robot);
         }
         failures_ = 0;
         reason_.clear();
@@ -293,13 +293,13 @@ void RobotiqLink::post(const Command& command) {
 QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {
         case ErrorCode::ConnectionRefused:
-            return tr("No gripper service answers at %1:%2. Install Robotiq's URCap on the robot and select "
+            return tr("No gripper service responds at %1:%2. Install Robotiq's URCap on the robot and select "
                       "the gripper in its Installation.")
                 .arg(host_)
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
-                "The gripper does not answer. Check its cable at the wrist and its page in the robot's "
+                "The gripper does not respond. Check its cable at the wrist and its page in the robot's "
                 "Installation; restart the robot if the problem persists.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:

@@ -122,9 +122,8 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
     return sentence(
-        (action_.value
-             ? tr("%1 did not switch on within %2 s. Check the connected device, then press again.")
-             : tr("%1 did not switch off within %2 s. Check the connected device, then press again."))
+        (action_.value ? tr("%1 did not switch on within %2 s. Check the connected device, then try again.")
+                       : tr("%1 did not switch off within %2 s. Check the connected device, then try again."))
             .arg(ActionWords::terminal(action_), seconds));
 }
 

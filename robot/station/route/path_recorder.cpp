@@ -143,7 +143,7 @@ void PathRecorder::stop(int afterRow) {
 
 void PathRecorder::importFrom(const QString& path, int afterRow) {
     if (recording_ || busy_) {
-        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop that recording first."), {});
+        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop recording first."), {});
         return;
     }
     busy_ = true;

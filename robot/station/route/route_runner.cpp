@@ -163,7 +163,7 @@ QString RouteRunner::obstacle(Way way) const {
     }
     if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
         document_.waypoints().at(rowOf(0)).actions.empty()) {
-        return tr("A loop needs at least two waypoints. Select more waypoints, or turn the loop off.");
+        return tr("A loop requires at least two waypoints. Select more waypoints, or turn the loop off.");
     }
     // Do not start a route that cannot be completed.
     const bool whole = way == Way::Through && route_.isLoop();

@@ -22,8 +22,8 @@ public:
         {150, QT_TR_NOOP("Near a joint limit"), QT_TR_NOOP("A joint came close to the end of its range."),
          QT_TR_NOOP("Jog the joint back, and plan the move away from the limit.")},
         {151, QT_TR_NOOP("Near a tool orientation limit"),
-         QT_TR_NOOP("The tool turned close to the limit set in the safety configuration."),
-         QT_TR_NOOP("Turn the tool back, or change the waypoint.")},
+         QT_TR_NOOP("The tool orientation came close to the limit set in the safety configuration."),
+         QT_TR_NOOP("Rotate the tool back, or change the waypoint.")},
         {152, QT_TR_NOOP("Near a safety plane"), QT_TR_NOOP("The arm came close to a safety plane."),
          QT_TR_NOOP("Jog away from the plane, or change the waypoint.")},
         {153, QT_TR_NOOP("Position deviates from path"),
@@ -32,8 +32,9 @@ public:
              "Check for obstacles; check payload, centre of gravity and mounting; reduce the acceleration.")},
         {154, QT_TR_NOOP("Singularity"),
          QT_TR_NOOP("The linear move passes through a singularity of the arm."),
-         QT_TR_NOOP("Jog individual joints out of it; use MoveJ through this region.")},
-        {155, QT_TR_NOOP("Cannot hold position"), QT_TR_NOOP("The arm sagged or was pushed at standstill."),
+         QT_TR_NOOP("Jog individual joints away from it; use MoveJ to pass through this region.")},
+        {155, QT_TR_NOOP("Cannot hold position"),
+         QT_TR_NOOP("The arm sagged or was pushed while at standstill."),
          QT_TR_NOOP("Check payload, centre of gravity and mounting.")},
         {156, QT_TR_NOOP("Wrong payload or mounting"),
          QT_TR_NOOP(
@@ -59,7 +60,7 @@ public:
          QT_TR_NOOP("The running program requested the stop."),
          QT_TR_NOOP("See the preceding messages of the program.")},
         {210, QT_TR_NOOP("Robot is in Local control"),
-         QT_TR_NOOP("A script was sent, but the robot accepts commands from its teach pendant only."),
+         QT_TR_NOOP("A script was sent, but the robot accepts commands only from its teach pendant."),
          QT_TR_NOOP("Switch to Remote control on the teach pendant.")},
     });
 

@@ -22,8 +22,8 @@ public:
         const QString share = format::percent(limit.share);
         if (limit.isInside) {
             return limit.contact.distance <= collision::kTouching
-                       ? tr("%1 is in contact with %2, and the move brings it closer").arg(part, other)
-                       : tr("%1 is only %2 from %3, and the move brings it closer")
+                       ? tr("%1 is in contact with %2, and the move reduces the distance").arg(part, other)
+                       : tr("%1 is only %2 from %3, and the move reduces the distance")
                              .arg(part, format::shortLength(contact.distance), other);
         }
         return contact.distance <= collision::kTouching

@@ -190,8 +190,8 @@ void CustomControl::startProgram(RegisterLink& link) {
         }
         if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
             throw std::logic_error(
-                "The program does not run within 5 s: is the robot switched on, are its brakes released, and "
-                "may scripts be sent to it?");
+                "The program did not start within 5 s. Check that the robot is switched on, its brakes are "
+                "released, and it accepts scripts.");
         }
         return;
     }
@@ -449,7 +449,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         return hopeless(state) || stopsWaiting_ > 0 || !robot.holds(command.id);
     };
     if (hopeless(robot.state())) {
-        say("the robot is stopped, or the control program does not run");
+        say("the robot is stopped, or the control program is not running");
         clearUnlessStopping(robot);
         return std::nullopt;
     }

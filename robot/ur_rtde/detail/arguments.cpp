@@ -20,8 +20,8 @@ constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
 constexpr double kMinValue = 1e-6;  // of speeds and accelerations, because a move would never end with 0
 constexpr double kReach = 10.0;  // three times the reach of the largest arm; values in mm are usually larger
-constexpr const char* kDegrees = "; angles are in radians, is this one in degrees?";
-constexpr const char* kMillimetres = "; lengths are in metres, is this one in millimetres?";
+constexpr const char* kDegrees = "; angles are in radians. Was it given in degrees?";
+constexpr const char* kMillimetres = "; lengths are in metres. Was it given in millimetres?";
 
 std::string at(const std::string& name, std::size_t index) {
     return name + "[" + std::to_string(index) + "]";

@@ -45,7 +45,8 @@ ProgramServer::ProgramServer(int port) {
     if (::bind(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         ::listen(handle, 4) != 0) {
         native_socket::close(listener_);
-        throw std::runtime_error("ur_cap_port " + std::to_string(port) + " cannot be opened: is it in use?");
+        throw std::runtime_error("ur_cap_port " + std::to_string(port) +
+                                 " cannot be opened: check that it is not in use");
     }
     native_socket::prepare(listener_);
     thread_ = std::thread([this] { run(); });

@@ -176,14 +176,14 @@ private Q_SLOTS:
         QTest::newRow("nowhere") << QStringList{"run", file} << 2 << "--simulate or --robot";
         QTest::newRow("address") << QStringList{"run", file, "--robot", "a b"} << 2 << "not an address";
         QTest::newRow("input") << QStringList{"run", file, "--simulate", "--input", "TI2=on"} << 2
-                               << "--input takes";
+                               << "--input must have";
         QTest::newRow("no name") << QStringList{"run", file, "--simulate"} << 1
                                  << "--program NAME is missing";
         QTest::newRow("name") << QStringList{"script", file, "--program", "x"} << 1 << "no program 'x'";
         QTest::newRow("step") << QStringList{"script", file, "--program", "short", "--from", "9"} << 1
                               << "has 3 steps";
         QTest::newRow("not a step") << QStringList{"script", file, "--program", "short", "--from", "x"} << 2
-                                    << "--from takes";
+                                    << "--from must be";
         QTest::newRow("inside") << QStringList{"run",           file,     "--simulate", "--program",
                                                "Fill the tray", "--from", "6"}
                                 << 1 << "top-level step";

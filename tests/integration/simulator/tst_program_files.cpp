@@ -458,7 +458,8 @@ private Q_SLOTS:
         row("node of a URCap", mainProgram("<Contributed strategyURCapName=\"Welding\"/>"), "Welding");
         row("unknown part", mainProgram(good) + "<Riddle/>", "Riddle");
         row("variable from nowhere",
-            mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")), "no variable");
+            mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")),
+            "refer to a variable");
         row("variable waypoint in another frame",
             mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
                                      "<Waypoint type=\"Variable\" name=\"w1\"><variable "
@@ -482,7 +483,7 @@ private Q_SLOTS:
         row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
-            "no subprogram");
+            "refer to a subprogram");
         row("sub program that cannot be told",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),
@@ -536,7 +537,7 @@ private Q_SLOTS:
         row("loop without condition", withChildren("Loop type=\"While\"", line("sync()")), "Loop");
         row("no pin",
             "<Assignment><variable name=\"a\"/><expression><ExpressionIO/></expression></Assignment>",
-            "names no pin");
+            "does not name a pin");
         row("wait for no input", "<Wait type=\"DigitalInput\"/>", "Wait");
         row("set of no output", "<Set type=\"DigitalOutput\"/>", "Set");
         row("assignment to nothing", "<Assignment/>", "the variable is missing");

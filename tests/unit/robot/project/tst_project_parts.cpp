@@ -190,7 +190,7 @@ private Q_SLOTS:
         row("tools[0].name", "", "tools[0].name: is empty");
         row("tools[0].tcpOffset[2]", 150, "tools[0].tcpOffset[2]: is 150 m");
         row("tools[0].radius", 40, "tools[0].radius: is 40 m, outside 0 ... 1 m");
-        row("activeTool", nobody, "activeTool: nothing in this project has that id");
+        row("activeTool", nobody, "activeTool: no item of this project has that id");
         row("payloads[0].mass", -2, "payloads[0].mass: is -2 kg, outside 0 ... 50 kg");
         row("payloads[0].centre", QJsonArray{1, 2}, "payloads[0].centre: has 2 numbers, not 3");
         row("payloads[0].centre[0]", 50, "payloads[0].centre[0]: is 50 m, outside -5 ... 5 m");
@@ -198,7 +198,7 @@ private Q_SLOTS:
         row("activePayload", 7, "activePayload: is a number, not a text");
         row("positions[0].joints[1]", 90, "positions[0].joints[1]: is 90 rad");
         row("positions[1].id", QJsonValue::Undefined, "positions[1].id: is missing");
-        row("home", nobody, "home: nothing in this project has that id");
+        row("home", nobody, "home: no item of this project has that id");
         row("safeHeight", 0.3, "safeHeight: is a number, not an object");
         row("safeHeight.frame", nobody, "safeHeight.frame: no frame of this project");
         row("patterns[0].columns", 0, "patterns[0].columns: is 0, outside 1 ... 200");

@@ -165,8 +165,9 @@ void TestCsv::corruptFilesAreExplained_data() {
     QTest::newRow("empty") << QByteArray() << "line 1: there is no header";
     QTest::newRow("blank header") << QByteArray("\n1\n") << "line 1: there is no header";
     QTest::newRow("word") << QByteArray("a,b\n1,2\n3,four\n") << "line 3: \"four\" is not a number";
-    QTest::newRow("comma number") << QByteArray("a,b\n1,2,3\n") << "line 2: 3 cells where the header has 2";
-    QTest::newRow("short row") << QByteArray("a,b\n1\n") << "line 2: 1 cells where the header has 2";
+    QTest::newRow("comma number") << QByteArray("a,b\n1,2,3\n")
+                                  << "line 2: the row has 3 cells, the header has 2";
+    QTest::newRow("short row") << QByteArray("a,b\n1\n") << "line 2: the row has 1 cells, the header has 2";
     QTest::newRow("tail") << QByteArray("a\n1x\n") << "line 2: \"1x\" is not a number";
     QTest::newRow("binary") << QByteArray("a\n\x00\xff\n", 5) << "line 2:";
 }

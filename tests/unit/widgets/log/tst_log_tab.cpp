@@ -71,15 +71,15 @@ private Q_SLOTS:
             tab_->append(severity, text, Origin::Robot);
             time_ = time_.addSecs(1);
         };
-        say(Severity::Info, "Safety is normal again");
+        say(Severity::Info, "Safety mode is Normal again");
         say(Severity::Error, "Emergency stop");
         say(Severity::Error, "Emergency stop");
-        say(Severity::Info, "Safety is normal again");
+        say(Severity::Info, "Safety mode is Normal again");
         QCOMPARE(rows(), 3);
         QCOMPARE(tab_->shownText(),
-                 QString("2024-09-17 14:02:11.000\tInfo\tSafety is normal again\n"
+                 QString("2024-09-17 14:02:11.000\tInfo\tSafety mode is Normal again\n"
                          "2024-09-17 14:02:12.000\tError\t(×2 until 14:02:13.000) Emergency stop\n"
-                         "2024-09-17 14:02:14.000\tInfo\tSafety is normal again\n"));
+                         "2024-09-17 14:02:14.000\tInfo\tSafety mode is Normal again\n"));
         QStringList times;
         for (int row = 0; row < rows(); ++row) {
             times << cell(row, LogModel::Time);

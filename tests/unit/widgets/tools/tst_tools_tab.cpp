@@ -100,7 +100,7 @@ private Q_SLOTS:
         const QModelIndex name = table->model()->index(1, PartModel::Name);
         QVERIFY(!table->model()->setData(name, "tool 1", Qt::EditRole));
         QVERIFY(notice("tcp.page")->text().isEmpty());
-        QVERIFY(notice("tcp.page")->title().contains("is named"));
+        QVERIFY(notice("tcp.page")->title().contains("already exists"));
         action("tcp.action.rename")->trigger();
         auto* editor = tab_->findChild<QLineEdit*>("tcp.editor");
         QVERIFY(editor != nullptr);
@@ -220,7 +220,7 @@ private Q_SLOTS:
             const auto q = onPoint(tool, point, turn);
             QVERIFY(q.has_value());
             feed(liveState(*q));
-            QCOMPARE(button("tcp.teacher.take")->text(), QString("Take pose %1").arg(++taken));
+            QCOMPARE(button("tcp.teacher.take")->text(), QString("Record pose %1").arg(++taken));
             QVERIFY(!button("tcp.teacher.make")->isEnabled());
             click("tcp.teacher.take");
         }
@@ -298,7 +298,7 @@ private Q_SLOTS:
             feed(liveState(*onPoint(tool, point + way, {0, 0, 0})));
             click("tcp.teacher.takeTurn");
         }
-        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation taken"),
+        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation recorded"),
                  qPrintable(label("tcp.teacher.turnFeedback")));
         click("tcp.teacher.make");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));

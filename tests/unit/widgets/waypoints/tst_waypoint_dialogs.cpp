@@ -262,7 +262,7 @@ private Q_SLOTS:
         select({0});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
             QVERIFY(!dialog.findChild<QPushButton*>("pattern.accept")->isEnabled());
-            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("Select a waypoint"));
+            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("select a waypoint"));
             dialog.findChild<QSpinBox*>("pattern.columns")->setValue(200);
             dialog.findChild<QSpinBox*>("pattern.rows")->setValue(200);
             dialog.findChild<QComboBox*>("pattern.corner.column")->setCurrentIndex(2);

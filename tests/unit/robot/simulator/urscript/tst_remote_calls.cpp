@@ -142,7 +142,7 @@ private Q_SLOTS:
         run.frames(3);
         run.host.sockets["\nrpc-1"].state = SocketHost::State::Closed;
         QCOMPARE(run.frames(2), Interpreter::State::Failed);
-        QCOMPARE(run.error(), "No XML-RPC server answers at 127.0.0.1:40405");
+        QCOMPARE(run.error(), "No XML-RPC server responds at 127.0.0.1:40405");
     }
     void wrongUses() {
         QCOMPARE(evaluate("rpc_factory(\"soap\", \"http://a\")"),
