@@ -95,7 +95,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
                               DeviceTuning::kMaxExponent, 0.1, 1, {});
     curve->setPrefix(tr("exponent "));
-    curve->setToolTip(tr("1: linear. Higher: finer near the centre, faster at full deflection."));
+    curve->setToolTip(tr("1: linear. Higher values: finer near the centre, faster at full deflection."));
     auto* dominant = new QCheckBox(tr("Dominant axis only"));
     dominant->setObjectName("settings." + kind + ".dominant");
     dominant->setAccessibleName(tr("%1: dominant axis only").arg(title));

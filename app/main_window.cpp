@@ -952,14 +952,15 @@ void MainWindow::addProjectActions() {
                    }});
     actions_->add({"project.sample",
                    tr("Open sample project…"),
-                   tr("Opens a copy of one of three projects to try on the simulated robot."),
+                   tr("Opens a copy of a sample project to try on the simulated robot."),
                    {},
                    [this] { showSamples(); }});
-    actions_->add({"project.adapt",
-                   tr("Adapt project to this robot…"),
-                   tr("Converts a project of another robot model: keep the poses or the joints."),
-                   {},
-                   [this] { fit_->ask(); }});
+    actions_->add(
+        {"project.adapt",
+         tr("Adapt project to this robot…"),
+         tr("Converts a project of another robot model, keeping either the poses or the joint positions."),
+         {},
+         [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves to this file now and saves all further changes automatically."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
@@ -1031,7 +1032,7 @@ void MainWindow::addViewActions() {
                    }});
     actions_->add({"app.importSettings",
                    tr("Import settings…"),
-                   tr("Imports settings from a file after showing what will be replaced."),
+                   tr("Shows which settings a file will replace, then imports them."),
                    {},
                    [this] {
                        stopMotion(control::StopCause::DialogOpened);
@@ -1044,7 +1045,7 @@ void MainWindow::addViewActions() {
     new HelpKey(*help, *this);
     actions_->add({"app.report",
                    tr("Report a problem…"),
-                   tr("Saves versions, log and settings to one file for support, after showing its content."),
+                   tr("Shows versions, log and settings, then saves them to one file for support."),
                    {},
                    [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),

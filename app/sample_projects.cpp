@@ -46,8 +46,8 @@ SampleDialog::SampleDialog(QWidget* parent) : QDialog(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(14);
-    auto* about = new QLabel(tr("Each project is taught for a UR5e and runs on the simulated robot. You work "
-                                "on a copy: choose a new file to save it."),
+    auto* about = new QLabel(tr("Each project was taught with a UR5e and runs on the simulated robot. You "
+                                "work on a copy: choose a new file to save it."),
                              this);
     about->setObjectName(QStringLiteral("sampleAbout"));
     about->setProperty("role", QStringLiteral("secondary"));

@@ -86,7 +86,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
                                tr("Save all settings to one file, for another computer or as a backup"),
                                &SettingsPage::exportWanted));
     buttons->addWidget(fileKey("settingsImport", tr("Import settings…"),
-                               tr("Import settings from a file after showing what will be replaced"),
+                               tr("Show which settings a file will replace, then import them"),
                                &SettingsPage::importWanted));
     buttons->addStretch(1);
     buttons->addWidget(close);

@@ -301,7 +301,7 @@
         <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>Arm und Modell weichen ab dem ersten Messwert ab: Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Die gemessenen Kräfte passen nicht zur Nutzlast, oder der Arm wurde beim Start von Freedrive geschoben.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Ein Gelenk benötigte mehr Drehmoment, als die Bewegung erfordert.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Entfernen Sie das Hindernis; war keines da, prüfen Sie die Nutzlast.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Plötzlicher Sprung der Sollposition</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Ein Programm hat einen Geschwindigkeitssprung befohlen.</translation>
     </message>
     <message>
@@ -573,8 +573,8 @@
         <translation>Die Software des Roboters ist zu alt. Aktualisieren Sie sie auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Einige Werte und die Register zum Steuern fehlen. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -697,7 +697,7 @@
         <translation>Prüfen Sie, ob der Roboter eingeschaltet und das Kabel eingesteckt ist und keine Firewall die Verbindung blockiert.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>Tastenprüfung aktiv: Tiller prüft alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist.</translation>
     </message>
     <message>
@@ -2920,8 +2920,8 @@
         <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
-        <translation>Der Arm kann bewegt werden. Bewegungen von vor dem Stopp werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>Der Arm kann bewegt werden. Durch den Stopp unterbrochene Bewegungen werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -4019,7 +4019,7 @@
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Wählen Sie ein Ziel im Bewegungsbereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
     </message>
     <message>
@@ -5900,7 +5900,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Gemessen vom Stoppbefehl bis zum Stillstand. Ursache: %1</translation>
     </message>
     <message>
@@ -5939,8 +5939,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Der Display-Server antwortet nicht: Das Loslassen der Taste könnte nicht erkannt werden.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden.</translation>
     </message>
 </context>
 <context>
@@ -6555,7 +6555,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Handgelenk-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Langsam nahe der Handgelenk-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Ellbogen-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Langsam nahe der Ellbogen-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Schulter-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Langsam nahe der Schulter-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1 wird wieder gespeichert</translation>
     </message>
     <message>
@@ -9399,7 +9399,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Abgeleitet</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
@@ -11130,7 +11130,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Exponent </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1: linear. Höher: feiner nahe der Mitte, schneller bei voller Auslenkung.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Öffnet eine Kopie eines von drei Projekten zum Ausprobieren am simulierten Roboter.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Öffnet eine Kopie eines Beispielprojekts zum Ausprobieren am simulierten Roboter.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11454,8 +11454,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importiert Einstellungen aus einer Datei und zeigt vorher, was ersetzt wird.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Zeigt, welche Einstellungen eine Datei ersetzt, und importiert sie dann.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Problem melden…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Speichert Versionen, Protokoll und Einstellungen in eine Datei für den Support und zeigt vorher ihren Inhalt.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Zeigt Versionen, Protokoll und Einstellungen und speichert sie dann in einer Datei für den Support.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt an diesen Roboter anpassen…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Rechnet ein Projekt eines anderen Robotermodells um: Posen oder Gelenke beibehalten.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Rechnet ein Projekt eines anderen Robotermodells um und behält die Posen oder die Gelenkpositionen bei.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11974,8 +11974,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
-        <translation>Jedes Projekt ist für einen UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Wählen Sie zum Speichern eine neue Datei.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Jedes Projekt wurde mit einem UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Wählen Sie zum Speichern eine neue Datei.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Einstellungen aus einer Datei importieren; vorher wird angezeigt, was ersetzt wird</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Zeigen, welche Einstellungen eine Datei ersetzt, und sie dann importieren</translation>
     </message>
     <message>
         <source>Colours</source>

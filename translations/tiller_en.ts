@@ -301,7 +301,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -625,7 +625,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -689,7 +689,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4019,7 +4019,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5884,7 +5884,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5935,7 +5935,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6549,7 +6549,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6557,7 +6557,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6565,7 +6565,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8632,7 +8632,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9387,7 +9387,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11115,7 +11115,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11439,7 +11439,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11475,7 +11475,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11522,7 +11522,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11558,7 +11558,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11959,7 +11959,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12122,7 +12122,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

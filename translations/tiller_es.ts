@@ -301,7 +301,7 @@
         <translation>Nada que comparar: el brazo estuvo apagado o guiado a mano durante toda la grabación.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>El brazo y el modelo difieren desde la primera muestra: compruebe la carga útil, el modelo de robot y si algo toca el brazo.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Las fuerzas medidas no corresponden a la carga útil, o el brazo fue empujado al iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Una articulación necesitó más par del que requiere el movimiento.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Quite el obstáculo; si no lo había, compruebe la carga útil.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Cambio brusco de la posición objetivo</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Cambio brusco de la velocidad objetivo</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Un programa ordenó un salto de velocidad.</translation>
     </message>
     <message>
@@ -573,8 +573,8 @@
         <translation>El software del robot es demasiado antiguo. Actualícelo a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Faltan algunos valores y los registros para el control. Actualice el robot a %1.%2 o posterior.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -697,7 +697,7 @@
         <translation>Compruebe que el robot está encendido, que el cable está conectado y que ningún cortafuegos bloquea la conexión.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Dé a este PC una dirección en la red del robot (los mismos tres primeros números) y compruebe el cable.</translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller detecta que se sueltan las teclas mediante eventos de la ventana.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>Comprobación de teclas activa: Tiller comprueba cada 10 ms en el servidor gráfico si el botón o la tecla sigue pulsado.</translation>
     </message>
     <message>
@@ -2920,8 +2920,8 @@
         <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
-        <translation>El brazo se puede mover. Los movimientos anteriores a la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>El brazo se puede mover. Los movimientos interrumpidos por la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -4019,7 +4019,7 @@
         <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Elija un objetivo dentro del alcance del brazo y una velocidad dentro del límite.</translation>
     </message>
     <message>
@@ -5900,7 +5900,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Medida desde la orden de parada hasta el reposo. Causa: %1</translation>
     </message>
     <message>
@@ -5939,8 +5939,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>El servidor gráfico no responde: no se podría detectar cuándo se suelta la tecla.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta una tecla.</translation>
     </message>
 </context>
 <context>
@@ -6555,7 +6555,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>La trayectoria entra en la singularidad de muñeca tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de muñeca al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>La trayectoria entra en la singularidad de codo tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de codo al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>La trayectoria entra en la singularidad de hombro tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de hombro al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Suelte el botón para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>Se reanudó el guardado de %1</translation>
     </message>
     <message>
@@ -9399,7 +9399,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Derivadas</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
@@ -11130,7 +11130,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>exponente </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1: lineal. Mayor: más fino cerca del centro, más rápido al final.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto de ejemplo…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Abre una copia de uno de tres proyectos para probarla en el robot simulado.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Abre una copia de un proyecto de ejemplo para probarla en el robot simulado.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11454,8 +11454,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importa ajustes de un archivo después de mostrar qué se sustituirá.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Muestra qué ajustes sustituirá un archivo y después los importa.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Informar de un problema…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Guarda versiones, registro y ajustes en un archivo para el soporte, después de mostrar su contenido.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Muestra versiones, registro y ajustes y después los guarda en un archivo para el soporte.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Adaptar el proyecto a este robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Convierte un proyecto de otro modelo de robot: conserva las poses o las articulaciones.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convierte un proyecto de otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11974,8 +11974,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto de ejemplo</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
-        <translation>Cada proyecto está enseñado para un UR5e y funciona en el robot simulado. Usted trabaja con una copia: elija un archivo nuevo para guardarla.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Cada proyecto se enseñó con un UR5e y funciona en el robot simulado. Usted trabaja con una copia: elija un archivo nuevo para guardarla.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Importar ajustes de un archivo después de mostrar qué se sustituirá</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Mostrar qué ajustes sustituirá un archivo y después importarlos</translation>
     </message>
     <message>
         <source>Colours</source>

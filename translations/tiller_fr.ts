@@ -301,7 +301,7 @@
         <translation>Rien à comparer : le bras était hors tension ou guidé à la main pendant tout l’enregistrement.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>Le bras et le modèle diffèrent dès le premier échantillon : vérifiez la charge utile, le modèle de robot et tout contact avec le bras.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Les forces mesurées ne correspondent pas à la charge utile, ou le bras a été poussé au démarrage de Freedrive.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Une articulation a demandé plus de couple que le mouvement n’en exige.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Enlevez l’obstacle ; s’il n’y en avait pas, vérifiez la charge utile.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Saut soudain de la position cible</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Un programme a commandé un saut de position.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Saut soudain de la vitesse cible</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Un programme a commandé un saut de vitesse.</translation>
     </message>
     <message>
@@ -573,8 +573,8 @@
         <translation>Le logiciel du robot est trop ancien. Mettez-le à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Des valeurs et les registres de commande manquent. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -697,7 +697,7 @@
         <translation>Vérifiez que le robot est allumé, que le câble est branché et qu’aucun pare-feu ne bloque la connexion.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Donnez à ce PC une adresse dans le réseau du robot (les mêmes trois premiers nombres) et vérifiez le câble.</translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller détecte le relâchement des touches par les événements de la fenêtre.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>Contrôle de touche actif : Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé.</translation>
     </message>
     <message>
@@ -2920,8 +2920,8 @@
         <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
-        <translation>Le bras peut être déplacé. Les mouvements d’avant l’arrêt ne reprennent pas : chaque mouvement demande un nouvel appui.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>Le bras peut être déplacé. Les mouvements interrompus par l’arrêt ne reprennent pas : chaque mouvement exige un nouvel appui.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -4019,7 +4019,7 @@
         <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Choisissez une cible à la portée du bras et une vitesse sous le plafond.</translation>
     </message>
     <message>
@@ -5900,7 +5900,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Mesuré de la commande d’arrêt à l’arrêt complet. Cause : %1</translation>
     </message>
     <message>
@@ -5939,8 +5939,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Le serveur d’affichage ne répond pas : le relâchement de la touche ne pourrait pas être détecté.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>Le serveur d’affichage ne répond pas : le relâchement d’une touche ne peut pas être détecté.</translation>
     </message>
 </context>
 <context>
@@ -6555,7 +6555,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>La trajectoire entre dans la singularité du poignet après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Lent près de la singularité du poignet à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>La trajectoire entre dans la singularité du coude après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Lent près de la singularité du coude à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>La trajectoire entre dans la singularité de l’épaule après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lent près de la singularité de l’épaule à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>Enregistrement de %1 repris</translation>
     </message>
     <message>
@@ -9399,7 +9399,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Dérivés</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
@@ -11130,7 +11130,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>exposant </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1 : linéaire. Plus haut : plus fin près du centre, plus rapide en fin de course.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet d’exemple…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Ouvre une copie de l’un des trois projets à essayer sur le robot simulé.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Ouvre une copie d’un projet d’exemple à essayer sur le robot simulé.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11454,8 +11454,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importe les réglages d’un fichier après avoir montré ce qui sera remplacé.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Affiche les réglages qu’un fichier remplacera, puis les importe.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Signaler un problème…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Enregistre versions, journal et réglages dans un fichier pour l’assistance, après avoir montré son contenu.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Affiche versions, journal et réglages, puis les enregistre dans un fichier pour l’assistance.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adapter le projet à ce robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Convertit un projet d’un autre modèle de robot : conserve les poses ou les articulations.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convertit un projet d’un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11974,8 +11974,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet d’exemple</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
-        <translation>Chaque projet est appris pour un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : choisissez un nouveau fichier pour l’enregistrer.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Chaque projet a été appris avec un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : choisissez un nouveau fichier pour l’enregistrer.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Importer les réglages d’un fichier après avoir montré ce qui sera remplacé</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Afficher les réglages qu’un fichier remplacera, puis les importer</translation>
     </message>
     <message>
         <source>Colours</source>

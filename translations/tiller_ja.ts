@@ -301,7 +301,7 @@
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>アームとモデルは最初のサンプルから一致していません：ペイロード、ロボットの機種、アームへの接触を確認してください。</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>力がペイロードと合わないか、フリードライブ開始時に何かがアームを押しました。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>障害物を取り除いてください。なければペイロードを確認してください。</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>目標位置の急変</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>プログラムが不連続な位置を指令しました。</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>目標速度の急変</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>プログラムが不連続な速度を指令しました。</translation>
     </message>
     <message>
@@ -573,7 +573,7 @@
         <translation>ロボットのソフトウェアが古すぎます。%1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
@@ -697,7 +697,7 @@
         <translation>ロボットの電源とケーブルを確認し、間にファイアウォールがないことを確認してください。</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation>このプラットフォームではキー状態を確認できません（%1）：キーを離したことはウィンドウのイベントで検出します。</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。</translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@
         <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation>アームを動かせます。停止前の動作は再開しません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
@@ -4018,7 +4018,7 @@
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>アームの範囲内の目標と上限内の速度を選んでください。</translation>
     </message>
     <message>
@@ -5892,7 +5892,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>停止指令から静止までの実測値。原因：%1</translation>
     </message>
     <message>
@@ -5931,7 +5931,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>別のボタンまたはキーが押されています。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
     </message>
 </context>
@@ -6547,7 +6547,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>経路の %1 で手首の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6555,7 +6555,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>経路の %1 で肩の特異点近くのため低速</translation>
     </message>
     <message>
@@ -8623,7 +8623,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
@@ -9374,7 +9374,7 @@ Release the button to stop the arm.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
@@ -11091,7 +11091,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1：均一。大きいほど中央付近は緩やか、端で速くなります。</translation>
     </message>
     <message>
@@ -11319,8 +11319,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>見本プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>シミュレートされたロボットで試せる三つのプロジェクトの一つをコピーとして開きます。</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>シミュレートされたロボットで試せる見本プロジェクトのコピーを開きます。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11415,7 +11415,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation>置き換えられる内容を表示してから、ファイルの設定を取り込みます。</translation>
     </message>
     <message>
@@ -11497,7 +11497,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>問題を報告…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation>バージョン、ログ、設定を1つのファイルにまとめます。先に内容を表示します。</translation>
     </message>
     <message>
@@ -11533,7 +11533,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>プロジェクトをこのロボットに合わせる…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation>別のロボットモデルのプロジェクトを変換します：姿勢または関節を維持します。</translation>
     </message>
     <message>
@@ -11933,7 +11933,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>見本プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
         <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存するには新しいファイルを指定してください。</translation>
     </message>
     <message>
@@ -11984,7 +11984,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation>置き換えられる内容を表示してから、ファイルの設定を取り込む</translation>
     </message>
     <message>

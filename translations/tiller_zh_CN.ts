@@ -301,7 +301,7 @@
         <translation>无可比较内容：整个录制期间机械臂未上电或被手动引导。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload and the robot model, and that nothing touches the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>机械臂与模型从第一个样本起就不一致：请检查有效负载、机器人型号以及机械臂是否被触碰。</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>测得的力与有效负载不符，或自由驱动开始时机械臂被推动。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>某个关节所需的力矩超出运动所需。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>移除障碍物；若没有障碍物，检查有效负载。</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>目标位置突变</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>目标速度突变</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>程序指令了速度跳变。</translation>
     </message>
     <message>
@@ -573,7 +573,7 @@
         <translation>机器人的软件版本过旧。请更新到 %1.%2 或更高版本。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
@@ -697,7 +697,7 @@
         <translation>检查机器人是否已开机、网线是否插好，以及防火墙是否阻止连接。</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
     </message>
     <message>
@@ -1066,7 +1066,7 @@
         <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件检测按键松开。</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller checks every 10 ms with the display server that the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。</translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@
         <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation>机械臂可以移动。停止前的运动不会恢复：每次运动都需要重新按下。</translation>
     </message>
     <message>
@@ -4018,7 +4018,7 @@
         <translation>在示教器右上角把机器人切换到远程控制。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>选择机械臂范围内的目标和上限内的速度。</translation>
     </message>
     <message>
@@ -5892,7 +5892,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>从停止命令到静止的测量值。原因：%1</translation>
     </message>
     <message>
@@ -5931,7 +5931,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation>显示服务器不响应：无法检测按键是否松开。</translation>
     </message>
 </context>
@@ -6547,7 +6547,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>路径在 %1 处进入手腕奇异点</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近手腕奇异点而减速</translation>
     </message>
     <message>
@@ -6555,7 +6555,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>路径在 %1 处进入肘部奇异点</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肘部奇异点而减速</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>路径在 %1 处进入肩部奇异点</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肩部奇异点而减速</translation>
     </message>
     <message>
@@ -8623,7 +8623,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
@@ -9374,7 +9374,7 @@ Release the button to stop the arm.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
@@ -11091,7 +11091,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1：线性。数值越大：中心附近越精细，满偏转时越快。</translation>
     </message>
     <message>
@@ -11319,8 +11319,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>打开示例项目…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>打开三个示例项目之一的副本，在模拟机器人上试用。</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>打开一个示例项目的副本，在模拟机器人上试用。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11415,7 +11415,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation>显示将被替换的内容后，从文件导入设置。</translation>
     </message>
     <message>
@@ -11497,7 +11497,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>报告问题…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation>显示内容后，将版本、日志和设置保存到一个文件，供技术支持使用。</translation>
     </message>
     <message>
@@ -11533,7 +11533,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>使项目适应此机器人…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation>转换其他型号机器人的项目：保持位姿或关节。</translation>
     </message>
     <message>
@@ -11933,7 +11933,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>打开示例项目</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
         <translation>每个项目都是为 UR5e 示教的，可在模拟机器人上运行。您使用的是副本：保存时请选择新文件。</translation>
     </message>
     <message>
@@ -11984,7 +11984,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation>显示将被替换的内容后，从文件导入设置</translation>
     </message>
     <message>

@@ -77,12 +77,11 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
                            .arg(wanted.major)
                            .arg(wanted.minor));
     } else if (version < wanted) {
-        examiner.found(
-            Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
-            DoctorText::tr(
-                "Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
-                .arg(wanted.major)
-                .arg(wanted.minor));
+        examiner.found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+                       DoctorText::tr("Some values and the registers for control are missing. Update the "
+                                      "robot's software to %1.%2 or newer.")
+                           .arg(wanted.major)
+                           .arg(wanted.minor));
     } else {
         examiner.good(Condition::Software, text);
     }

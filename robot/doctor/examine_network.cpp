@@ -87,10 +87,8 @@ void examinePorts(Examiner& examiner) {
                    : DoctorText::tr("no network route to %1").arg(examiner.address),
             silent ? DoctorText::tr("Check that the robot is switched on, the cable is plugged in, and no "
                                     "firewall blocks the connection.")
-                   : DoctorText::tr(
-                         "Give this PC an address in the robot's network (the same first three numbers), and "
-                         "check "
-                         "the cable."));
+                   : DoctorText::tr("Assign this PC an address in the robot's network (the same first three "
+                                    "numbers), and check the cable."));
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {

@@ -256,7 +256,7 @@ struct HoldRules::HoldRuleTable {
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
         return h.hasKeyStateProbe(grip) && h.policy_->witness->waitingNs() > kStallNs
-                   ? tr("The display server does not respond: the release of the key could not be detected.")
+                   ? tr("The display server does not respond: the release of a key cannot be detected.")
                    : QString();
     }
 

@@ -147,8 +147,8 @@ std::int64_t XcbKeyStateProbe::waitingNs() const {
 QString XcbKeyStateProbe::description() const {
     return isThere()
                ? QCoreApplication::translate("KeyStateProbe",
-                                             "Key-state check active: Tiller checks every 10 ms with the "
-                                             "display server that the button or key is still pressed.")
+                                             "Key-state check active: Tiller checks with the display server "
+                                             "every 10 ms whether the button or key is still pressed.")
                : QCoreApplication::translate(
                      "KeyStateProbe",
                      "Key-state check unavailable: no second connection to the display server. Tiller relies "

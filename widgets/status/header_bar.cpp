@@ -252,7 +252,7 @@ void HeaderBar::showLastStop() {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,
-            advice(tr("Measured from stop command to standstill. Cause: %1")
+            advice(tr("Measured from the stop command to standstill. Cause: %1")
                        .arg(texts::stopCauseText(last.cause))));
     } else {
         lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,

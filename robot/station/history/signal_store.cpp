@@ -393,7 +393,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
     constexpr qsizetype kTimestamp = 10;  // length of "timestamp" including its comma
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
-        problem_ = tr("The robot cannot send so many signals at once: remove other signals first.");
+        problem_ = tr("The robot cannot send this many signals at once: remove other signals first.");
         return false;
     }
     for (const QString& field : std::as_const(fields)) {

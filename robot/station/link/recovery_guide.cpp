@@ -32,7 +32,7 @@ RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
                 state.monitorOnly ? texts::monitorOnlyObstacle()
                 : !guide.takesControl
                     ? RecoveryGuideText::tr(
-                          "The arm can be moved. Motions from before the stop do not resume: each motion "
+                          "The arm can be moved. Motions interrupted by the stop do not resume: each motion "
                           "requires a new press.")
                     : RecoveryGuideText::tr(
                           "The arm is ready. Take control to move it, or continue on the teach pendant.");

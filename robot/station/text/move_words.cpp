@@ -57,13 +57,13 @@ public:
         switch (limit.singular) {
             case Singular::Wrist:
                 return ends ? tr("The path enters the wrist singularity after %1 of its length").arg(share)
-                            : tr("Slow near the wrist singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the wrist singularity at %1 of the path").arg(share);
             case Singular::Elbow:
                 return ends ? tr("The path enters the elbow singularity after %1 of its length").arg(share)
-                            : tr("Slow near the elbow singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the elbow singularity at %1 of the path").arg(share);
             case Singular::Shoulder:
                 return ends ? tr("The path enters the shoulder singularity after %1 of its length").arg(share)
-                            : tr("Slow near the shoulder singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the shoulder singularity at %1 of the path").arg(share);
             case Singular::None:
                 break;
         }

@@ -55,7 +55,7 @@ QString advice(ErrorCode code) {
         case ErrorCode::RemoteControlRequired:
             return TextsText::tr("Switch the robot to Remote control at the top right of the teach pendant.");
         case ErrorCode::LimitExceeded:
-            return TextsText::tr("Choose a target within the range of the arm and a speed within the cap.");
+            return TextsText::tr("Choose a target within the range of the arm and a speed below the cap.");
         case ErrorCode::NoSolution:
             return TextsText::tr("The arm cannot reach this pose: move the point closer or rotate the tool.");
         case ErrorCode::ScriptError:
