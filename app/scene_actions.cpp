@@ -14,7 +14,7 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         Qt::Key key;
         StandardView from;
     };
-    // Function keys: letters and digits are used for teaching and by the armed keyboard.
+    // Function keys are used, because letters and digits are needed for teaching and by the armed keyboard.
     const Side sides[] = {{"view.look.home", tr("Default view, perspective"),
                            tr("Look from between front and side, slightly above, with everything visible."),
                            Qt::Key_F5, StandardView::Home},
