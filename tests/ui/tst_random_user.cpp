@@ -3,7 +3,7 @@
 // Ten thousand random user actions on the real window, with a simulated controller and its faults. The checks
 // themselves are tested first.
 //
-// \n TILLER_STEPS  total number of steps; default 10 000; a row has at most 1000
+// TILLER_STEPS  total number of steps; default 10 000; a row has at most 1000
 // TILLER_SEED   seed of the first row; each further row uses the next number
 // A failure prints the settings that repeat the row. The steps are then the same as far as the timing of the
 // computer allows, because robot, sockets and timers are real.

@@ -4,7 +4,7 @@
 // file must contain every packet in order. If the connection drops one packet in a hundred, the file must
 // contain every gap with its length.
 //
-// \n TILLER_RECORD_SECONDS  duration of each row; default 10; 600 for the ten minutes of the name. Qt Test
+// TILLER_RECORD_SECONDS  duration of each row; default 10; 600 for the ten minutes of the name. Qt Test
 // limits a
 //                        row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 

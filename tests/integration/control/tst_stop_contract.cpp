@@ -8,13 +8,13 @@
 // With --all, runs everything and 200 random combinations of options. The rows can be divided among several
 // processes, with rows named as by Qt Test:
 //
-// \n     tst_stop_contract --all
+//     tst_stop_contract --all
 //     tst_stop_contract --all everyMotionEndsInTime:data=late everyMotionEndsInTime:data=doubled
 //     tst_stop_contract --all --combinations 100 200 randomCombinationsToo
 //
 // One case, as named in a failure:
 //
-// \n     tst_stop_contract --cell "jog a joint" safeguard 0.5 "data=late stops=scaled"
+//     tst_stop_contract --cell "jog a joint" safeguard 0.5 "data=late stops=scaled"
 
 #include <QElapsedTimer>
 #include <algorithm>

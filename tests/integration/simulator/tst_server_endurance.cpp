@@ -4,7 +4,7 @@
 // no crash, no leaked descriptor and no blocked control period, and a proper client must be served as before.
 // The default run is short. Longer runs:
 //
-// \n     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
+//     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
 //     tst_server_endurance --inputs 1000000 --seed 7
 
 #include <QDir>

@@ -4,7 +4,7 @@
 // time, and only a new command may move it again. The test runs in real time if the process is killed or
 // suspended or the cable is cut; otherwise in virtual time.
 //
-// \n     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
+//     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
 //     tst_face_contract --all                  with each of these assumptions, one after the other
 #include <ur_rtde/dashboard_client.h>
 
