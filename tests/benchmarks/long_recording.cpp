@@ -5,8 +5,8 @@
 // deleted afterwards. Prints processor time and wall time. Does not check limits.
 //
 // long_recording [--hours H] [--folder F] [--zooms N] [--keep]
-//   --hours   duration of the recording; default 0.5. Eight hours need 10 GB of disk space, and minutes to
-// create
+//   --hours   duration of the recording; default 0.5. Eight hours need 10 GB of disk space, and creating the
+//             file takes minutes
 //   --folder  folder of the file; an existing long.mcap with this duration is reused
 
 #include <QApplication>

@@ -7,20 +7,16 @@
 //
 // The rule in detail:
 // - All controls (buttons, fields, sliders, boxes, chips) of the clicked window are checked if they were
-// visible
-//   and enabled just before the press.
+//   visible and enabled just before the press.
 // - A control has moved if an edge of its rectangle in the window has moved by more than kUnnoticed.
 // - A moved control counts if its old or new position is visible within kReach of the pointer. Controls that
 //   disappear or appear have not moved.
 // - Effects of the click itself are allowed: the watch ends when the clicked window closes, or when a dialog
-// or
-//   menu opens or closes. A click on a button that folds, scrolls, filters or resizes its surroundings allows
-//   changes only in this part of the window (see the list in containerOf()). Tabs are not in the list. The
-// new
-//   page has different content, and everything else must not move.
+//   or menu opens or closes. A click on a button that folds, scrolls, filters or resizes its surroundings
+//   allows changes only in this part of the window (see the list in containerOf()). Tabs are not in the list.
+//   The new page has different content, and everything else must not move.
 // - Other actions (keys, mouse wheel, dragging, resizing the window) end the watch by end(). A moved pointer,
-// a
-//   lost connection and any behaviour of the robot do not end it.
+//   a lost connection and any behaviour of the robot do not end it.
 
 #include <QElapsedTimer>
 #include <QList>

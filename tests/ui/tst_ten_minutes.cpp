@@ -5,8 +5,7 @@
 // contain every gap with its length.
 //
 // TILLER_RECORD_SECONDS  duration of each row; default 10; 600 for the ten minutes of the name. Qt Test
-// limits a
-//                        row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
+//                        limits a row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 
 #include <QDir>
 #include <QFileInfo>
