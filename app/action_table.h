@@ -83,8 +83,8 @@ private:
     QWidget& owner_;
     QList<QAction*> actions_;
     std::vector<Rule> rules_;
-    QMap<QString, QKeySequence>
-        chosen_;  ///< shortcuts selected by the user; also applied to actions added later
+    /// Shortcuts selected by the user; also applied to actions added later.
+    QMap<QString, QKeySequence> chosen_;
 };
 
 }  // namespace tiller::app

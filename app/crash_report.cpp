@@ -52,8 +52,8 @@ constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 struct CrashNotes {
     std::array<char, 4096> path{};
     std::array<std::array<char, kLineLength>, kLines> lines{};
-    volatile std::sig_atomic_t next =
-        0;  ///< number of all lines so far; modulo kLines it is the index in the ring
+    /// Number of all lines so far; modulo kLines it is the index in the ring.
+    volatile std::sig_atomic_t next = 0;
     std::array<char, kStack> stack{};  ///< separate stack of the handler, for stack overflows
 };
 CrashNotes crashNotes;

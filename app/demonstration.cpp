@@ -99,20 +99,18 @@ void Demonstration::addSteps() {
                       },
                       [this, state] { return distanceMm(state().tcpPose, jogStart_) >= kJogMm; }, 10'000,
                       pressAgain(jogKey)});
-    steps_.push_back(
-        {tr("release"), [this, jogKey] { release(jogKey); },
-         [this, state] {
-             if (jogStop_.count == 0 || state().moving) {
-                 return false;
-             }
-             jogEnd_ = state().tcpPose;
-             return true;
-         },
-         10'000,
-         [this, jogKey] {  // after an unexpected stop, press again; the release that follows is measured
-             press(jogKey);
-             QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
-         }});
+    steps_.push_back({tr("release"), [this, jogKey] { release(jogKey); },
+                      [this, state] {
+                          if (jogStop_.count == 0 || state().moving) {
+                              return false;
+                          }
+                          jogEnd_ = state().tcpPose;
+                          return true;
+                      },
+                      10'000, [this, jogKey] {  // after an unexpected stop; the next release is measured
+                          press(jogKey);
+                          QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
+                      }});
     steps_.push_back({tr("teach the second waypoint"), [this] { click(QStringLiteral("waypoint.teach")); },
                       [this] { return window_.waypointCount() == 2; }});
     const QString goKey = QStringLiteral("waypoint.goTo");

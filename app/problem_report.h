@@ -27,8 +27,8 @@ struct ReportPart {
 struct ReportSources {
     SettingsBundle settings;
     SessionState state;
-    QStringList
-        knownNames;  ///< names of robots, inputs, outputs and files, and addresses that must be removed
+    /// Names of robots, inputs, outputs and files, and addresses that must be removed.
+    QStringList knownNames;
     QString log;
     std::optional<StopRecord> lastStop;
     QByteArray crash;

@@ -66,8 +66,8 @@ QStringList symbolsOf(int code, bool numLock) {
         case kKeypad3:
             return {"KP_Next"};
         case kLetterF:
-            return {"f", "F", "Cyrillic_a",
-                    "Cyrillic_A"};  // by key position if the layout has no Latin letters
+            // By key position if the layout has no Latin letters.
+            return {"f", "F", "Cyrillic_a", "Cyrillic_A"};
         case kLetterG:
             return {"g", "G", "Cyrillic_pe", "Cyrillic_PE"};
         default:

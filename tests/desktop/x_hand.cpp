@@ -199,8 +199,8 @@ std::optional<Typed> XHand::find(char character) const {
     XkbGetState(d_->display, XkbUseCoreKbd, &state);
     std::optional<Typed> found;
     for (int level = 0; level < 2 && !found; ++level) {
-        for (int code = map->min_key_code; code <= 61 && !found;
-             ++code) {  // up to key AB10, the end of the letter block
+        // Up to key AB10, the end of the letter block.
+        for (int code = map->min_key_code; code <= 61 && !found; ++code) {
             const int groups = XkbKeyNumGroups(map, code);
             const int group = groups == 0 ? 0 : std::min(int(state.group), groups - 1);
             if (groups > 0 && level < XkbKeyGroupWidth(map, code, group) &&

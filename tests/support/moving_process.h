@@ -123,8 +123,8 @@ public:
     }
     /// True if the process has printed these words since the last call.
     bool hasSaid(const QByteArray& words) {
-        process_.waitForReadyRead(
-            0);  // keep reading, because the robot would otherwise disconnect the observer
+        // Keep reading, because the robot would otherwise disconnect the observer.
+        process_.waitForReadyRead(0);
         return process_.readAll().contains(words);
     }
     void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }

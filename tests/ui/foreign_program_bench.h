@@ -53,8 +53,8 @@ inline constexpr const char* kWays[] = {"STOP", "Esc", "Space", "device"};
 
 struct ForeignProgramBench : WindowBench {
     DeviceReading pad;
-    std::shared_ptr<QStringList> said =
-        std::make_shared<QStringList>();  ///< shared, because the window outlives this object
+    /// Shared, because the window outlives this object.
+    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();
     QStringList& errors = *said;
     std::unique_ptr<script::ScriptClient> pendant;
 

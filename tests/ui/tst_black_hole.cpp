@@ -190,8 +190,8 @@ void TestBlackHole::askForEverything(Waits& waits) {
             continue;
         }
         measure(action->objectName(), [action] {
-            action->setEnabled(
-                true);  // also triggers disabled functions, because no function may wait for the robot
+            // Also triggers disabled functions, because no function may wait for the robot.
+            action->setEnabled(true);
             action->trigger();
         });
         measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });

@@ -111,8 +111,8 @@ private Q_SLOTS:
         cap->setFocus();
         cap->selectAll();
         QTest::keyClicks(cap, "500");
-        QCOMPARE(page->preferences().speedCap,
-                 Preferences::kOrdinaryCap);  // no change before editing is finished
+        // No change before editing is finished.
+        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);
         QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));

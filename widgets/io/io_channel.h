@@ -40,8 +40,8 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    static constexpr int kHeight =
-        30;  ///< row height for a mouse [px]; for touch, rows are as high as buttons
+    /// Row height for a mouse [px]; for touch, rows are as high as buttons.
+    static constexpr int kHeight = 30;
 
 Q_SIGNALS:
     void nameChanged();

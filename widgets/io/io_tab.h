@@ -107,8 +107,8 @@ private:
         std::int64_t sinceNs = 0;
     };
     QMap<int, Pending> pending_;
-    std::pair<int, bool> unconfirmed_{-1,
-                                      false};  ///< the output shown in the notice, and the requested state
+    /// The output shown in the notice, and the requested state.
+    std::pair<int, bool> unconfirmed_{-1, false};
 };
 
 }  // namespace tiller

@@ -25,9 +25,8 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
     // Frame and speeds are the same as for a pad button. Only the direction is that of the device.
     control::JogTarget target = cartesianJog(selection, {0, 1}, factor, limits);
     const auto held = [](const Eigen::Vector3d& wish, double most) -> Eigen::Vector3d {
-        return wish *
-               (most /
-                std::max(1.0, wish.norm()));  // diagonal motion is not faster than motion along an axis
+        // Diagonal motion is not faster than motion along an axis.
+        return wish * (most / std::max(1.0, wish.norm()));
     };
     target.twist.linear = held(deflection.axes.head<3>(), std::min(speed.tcp * factor, limits.tcpSpeed));
     target.twist.angular =

@@ -252,8 +252,8 @@ void JogColumn::applyState(const SessionState& state) {
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
     pose_->setTcp(state.tcpOffset);
-    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed
-                                                     : Twist());  // stale data: keep the last speed
+    // Stale data: keep the last speed.
+    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());
     lightKeys();
     if (shownJog_) {
         showJog();  // in the tool frame the direction rotates with the tool

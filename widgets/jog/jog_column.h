@@ -201,8 +201,8 @@ private:
     Eigen::Matrix3d limiterIn_ = Eigen::Matrix3d::Zero();
     control::Limiter limiterSeen_;
     JointPositions speedsAt_;  ///< position of the arm for which the speeds were computed
-    bool speedsKnown_ =
-        false;  ///< true if the displayed speeds match the selection, the slider and the position
+    /// True if the displayed speeds match the selection, the slider and the position.
+    bool speedsKnown_ = false;
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;
     int finger_ = 0;  ///< touchHeight() of the current layout

@@ -69,12 +69,10 @@ private:
 
     bool owned_ = false;  ///< true if the last state was in control or taking control
     bool inControl_ = false;
-    std::optional<std::int64_t>
-        controlLostNs_;  ///< time of the loss of control; empty if control was released
-    std::optional<std::int64_t>
-        lastMotionNs_;              ///< time of the last motion while in control, or shortly after
-    bool dark_ = false;             ///< true without data: the motion of the arm is unknown
-    bool movedBeforeDark_ = false;  ///< the arm moved when the data ended, or shortly before
+    std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; empty if control was released
+    std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after
+    bool dark_ = false;                          ///< true without data: the motion of the arm is unknown
+    bool movedBeforeDark_ = false;               ///< the arm moved when the data ended, or shortly before
     std::optional<std::int64_t> stoppedDarkNs_;  ///< time of the first stop since the data ended
 };
 

@@ -75,8 +75,8 @@ private:
 
     int signal_;
     QPen pen_;
-    std::vector<double>
-        dashes_;             // dash pattern of the pen [columns]: lengths of dashes and gaps, alternating
+    // Dash pattern of the pen [columns]: lengths of dashes and gaps, alternating.
+    std::vector<double> dashes_;
     double dashLength_ = 0;  // total length of the dash pattern [columns]
     bool visible_ = true;
     double offset_ = 0;

@@ -272,8 +272,8 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
     // The coverage is a linear function of the row number. It is computed incrementally in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    constexpr double kFar =
-        20000;  // beyond any row, but small enough that the incremental value does not overflow
+    // Beyond any row, but small enough that the incremental value does not overflow.
+    constexpr double kFar = 20000;
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {

@@ -60,8 +60,8 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        if (!store_.isRecorded(
-                signal)) {  // A recorded signal receives no new data that could cross a threshold.
+        // A recorded signal receives no new data that could cross a threshold.
+        if (!store_.isRecorded(signal)) {
             addThresholds(menu, pane, signal, pane.valueAt(place.y()));
             menu.addSeparator();
         }

@@ -51,8 +51,8 @@ private:
     SessionState state_;
     bool following_ = false;
     std::array<bool, kFirstSteps.size()> done_{};
-    std::optional<JointPositions>
-        movedFrom_;  ///< start of a motion by this application; empty if none is active
+    /// Start of a motion by this application; empty if none is active.
+    std::optional<JointPositions> movedFrom_;
 };
 
 }  // namespace tiller

@@ -63,8 +63,8 @@ private:
     ProjectDocument& document_;
     QWidget* over_;
     QPointer<QMessageBox> question_;
-    std::optional<RobotModelId>
-        askedFor_;  ///< the robot model in the question that was asked for this project
+    /// The robot model in the question that was asked for this project.
+    std::optional<RobotModelId> askedFor_;
     /// The TCP of the robot that the user chose to keep for this project.
     std::optional<Pose> keptTcp_;
     bool noticed_ = false;  ///< true if a notice about the model is shown

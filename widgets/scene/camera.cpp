@@ -20,11 +20,11 @@ constexpr double kLowest = toRadians(2);
 constexpr double kHighest = toRadians(88);
 constexpr double kFocalLength = 2.2;  // as a multiple of the image height
 constexpr double kNear = 0.05;        // [m]
-constexpr double kNearest =
-    0.5;  // minimum distance of the eye from the target, as a multiple of the arm height
+// Minimum distance of the eye from the target, as a multiple of the arm height.
+constexpr double kNearest = 0.5;
 constexpr double kFarthest = 10;
-constexpr double kFarthestPan =
-    4;  // maximum distance of the target from the base, as a multiple of the arm height
+// Maximum distance of the target from the base, as a multiple of the arm height.
+constexpr double kFarthestPan = 4;
 
 }  // namespace
 

@@ -49,8 +49,8 @@ private:
     struct Face {
         std::array<double, 3> c;  ///< for each edge; a x + b y + c >= 0 inside the face
         std::array<float, 3> a, b;
-        std::array<float, 3>
-            nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], where [2] is the value at the first vertex
+        /// 1 / depth = [0] x + [1] y + [2], where [2] is the value at the first vertex.
+        std::array<float, 3> nearPlane;
         std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, but for red, green and blue
         float x0, y0;                               ///< position of the first vertex
         std::array<float, 3> least, most;  ///< minimum and maximum of red, green and blue over the vertices

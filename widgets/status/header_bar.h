@@ -95,8 +95,8 @@ private:
     std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
-    std::array<std::optional<std::array<int, 3>>, 2>
-        contentWidths_;           ///< cache per size (normal, tight); reset when fonts change
+    /// Cache per size (normal, tight); reset when fonts change.
+    std::array<std::optional<std::array<int, 3>>, 2> contentWidths_;
     bool stepLostFocus_ = false;  ///< true if the button was disabled or hidden while it had the focus
     QTimer linkPace_;
     QTimer places_;  ///< active while positions must not change

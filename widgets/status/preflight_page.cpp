@@ -276,8 +276,8 @@ void PreflightPage::sortRows() {
         }
         return 2;
     };
-    QVector<FindingRow*> sorted =
-        rows_;  // sorts a copy, because rows_ must remain in the order of the conditions
+    // Sorts a copy, because rows_ must remain in the order of the conditions.
+    QVector<FindingRow*> sorted = rows_;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const FindingRow* a, const FindingRow* b) { return rank(a) < rank(b); });
     for (int i = 0; i < sorted.size(); ++i) {

@@ -60,8 +60,8 @@ private:
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
     QString obstacle_;  ///< the reason why the popup can be closed only on the pendant
-    std::optional<qsizetype>
-        asked_;             ///< the popup that the robot was requested to close; empty after the response
+    /// The popup that the robot was requested to close; empty after the response.
+    std::optional<qsizetype> asked_;
     bool refused_ = false;  ///< true if the robot did not close the displayed popup
     QTimer unread_;
     QTimer nextUpdate_;

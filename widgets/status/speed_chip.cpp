@@ -26,8 +26,8 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
-    setFocusPolicy(
-        Qt::TabFocus);  // a click does not set the focus, so keys do not change the speed afterwards
+    // A click does not set the focus, so keys do not change the speed afterwards.
+    setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     settle_.setSingleShot(true);
     settle_.setInterval(kSettleMs);

@@ -144,8 +144,8 @@ void VectorEditor::updateValueTexts() {
         box.setRange(kind_ == Kind::Size ? kMinEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
-        shown_[i] =
-            box.value();  // the box rounds; with the rounded value, only edited values count as changed
+        // The box rounds; with the rounded value, only edited values count as changed.
+        shown_[i] = box.value();
     }
 }
 

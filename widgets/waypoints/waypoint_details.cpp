@@ -159,8 +159,8 @@ void WaypointDetails::setValuesVisible(bool shown) {
     policy.setRetainSizeWhenHidden(shown);
     pose_->setSizePolicy(policy);
     refresh();
-    layout()
-        ->activate();  // update at once, because the panel would otherwise use the size of the previous content
+    // Update at once, because the panel would otherwise use the size of the previous content.
+    layout()->activate();
 }
 
 int WaypointDetails::valuesHeight() const {

@@ -46,8 +46,8 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0,     -1.57, 1.57,
-                               -1.57, -1.57, 0};  ///< a typical position, used until data arrive
+    /// A typical position, used until data arrive.
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};
     Pose liveTcp_;
 };
 

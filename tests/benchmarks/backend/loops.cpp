@@ -93,8 +93,8 @@ std::size_t cyclesIn(double seconds) {
 struct CircleResult {
     explicit CircleResult(double seconds) : cycles(2 * cyclesIn(seconds)) {}
     Spans cycles;
-    Histogram
-        reaction;  ///< time from the package that a target is based on to the package with which the target is sent
+    /// Time from the package that a target is based on to the package with which the target is sent.
+    Histogram reaction;
     double worstOffMm = 0;
     std::uint64_t stale = 0;  ///< cycles without a packet in time
     Error error;

@@ -155,8 +155,8 @@ public:
     }
     /// The replies received so far.
     struct Answers {
-        bool expected =
-            false;        ///< true if the controller is in control, or would be if the newest data were fresh
+        /// True if the controller is in control, or would be if the newest data were fresh.
+        bool expected = false;
         double time = 0;  ///< ControllerStatus::answeredTime
         std::uint64_t inputs = 0;
     };

@@ -99,8 +99,8 @@ const ContractEvent& lostInLocal();
 const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {
-    bool applies =
-        true;  ///< false if the controller does not have this motion, and the library reported that
+    /// False if the controller does not have this motion, and the library reported that.
+    bool applies = true;
     double standstillMs = 0;
     double driftMm = 0;    ///< distance from the event to standstill
     double resumedMm = 0;  ///< maximum distance after standstill

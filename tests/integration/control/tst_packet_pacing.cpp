@@ -382,8 +382,8 @@ private Q_SLOTS:
         const int before = loop.cycles;
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         const std::uint64_t asked = cell.clock.asked();
-        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20,
-                                 60000);  // wait until the control thread has polled
+        // Wait until the control thread has polled.
+        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);
         QCOMPARE(loop.cycles, before);
         QVERIFY(loop.latePacket());
         QCOMPARE(loop.cycles, before + 1);

@@ -191,8 +191,8 @@ void TestReceiveSimulator::refusedCpusAreReported() {
     to.cpus = {1000};
     receive::Receiver receiver(to);
     QVERIFY(receiver.start().ok());
-    QVERIFY(eventually(
-        [&] { return receiver.counters().packets >= 10; }));  // data are received despite the missing fields
+    // Data are received despite the missing fields.
+    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));
     QVERIFY2(receiver.priority().advice.contains(QStringLiteral("CPU")),
              qPrintable(receiver.priority().advice));
 }

@@ -76,8 +76,8 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get loaded program"),
                  "Loaded program: " + folder.filePath("wait_program.urp").toUtf8() + '\n');
         QCOMPARE(dashboard.ask("isProgramSaved"), QByteArray("true wait_program.urp\n"));
-        QCOMPARE(dashboard.ask("play"),
-                 QByteArray("Failed to execute: play\n"));  // the arm is not powered yet
+        // The arm is not powered yet.
+        QCOMPARE(dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
         dashboard.ask("brake release");
         QVERIFY(robot.untilMode(dashboard, "RUNNING"));
         QCOMPARE(dashboard.ask("play"), QByteArray("Starting program\n"));

@@ -229,8 +229,8 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("popup x"), QByteArray("showing popup\n"));
         robot.controller.setRemoteControl(true);
         robot.controller.drainSockets();
-        QCOMPARE(dashboard.ask("power on"),
-                 refusal);  // the permissions are determined when a client connects
+        // The permissions are determined when a client connects.
+        QCOMPARE(dashboard.ask("power on"), refusal);
         RawDashboard remote = robot.dashboard();
         QCOMPARE(remote.ask("power on"), QByteArray("Powering on\n"));
         // Switching to Local revokes the permissions, and switching back does not restore them.

@@ -148,9 +148,8 @@ private Q_SLOTS:
         console.send("clear\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         QCOMPARE(robot.dashboard().ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
-        QVERIFY(!simulator::Simulator()
-                     .inject("status")
-                     .ok());  // a simulator that is not running reports an error
+        // A simulator that is not running reports an error.
+        QVERIFY(!simulator::Simulator().inject("status").ok());
     }
 
     void aDelayHoldsEveryPackageForItsTime() {
@@ -421,8 +420,8 @@ private Q_SLOTS:
         RawRtde rtde = robot.rtde();
         const RawRtde::Package text = rtde.request('V', bigEndian(quint16(2)));
         QCOMPARE(text.type, 'M');
-        QCOMPARE(text.payload[0],
-                 char(2));  // a new connection uses version 1, where the level precedes the text
+        // A new connection uses version 1, where the level precedes the text.
+        QCOMPARE(text.payload[0], char(2));
         QVERIFY(text.payload.contains("SafetySetup has not been confirmed yet"));
         QCOMPARE(rtde.next().type, 'V');
     }

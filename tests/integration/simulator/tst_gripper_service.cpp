@@ -51,8 +51,8 @@ private Q_SLOTS:
         GripperClient gripper(robot);
         gripper.send("SET SPE 100\n");
         QCOMPARE(gripper.take(3), QByteArray("ack"));
-        QVERIFY(gripper.takeAll()
-                    .isEmpty());  // no newline after the reply, because clients compare the exact text
+        // No newline after the reply, because clients compare the exact text.
+        QVERIFY(gripper.takeAll().isEmpty());
         QCOMPARE(gripper.get("SPE"), QByteArray("SPE 100\n"));
         QVERIFY(gripper.set("FOR 12 POS 300"));
         QCOMPARE(gripper.get("FOR"), QByteArray("FOR 12\n"));

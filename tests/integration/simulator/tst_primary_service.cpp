@@ -292,8 +292,8 @@ private Q_SLOTS:
                 primary.send(script);
                 robot.controller.drainSockets();
             }
-            robot.controller.stepSeconds(
-                script.contains("movel") ? 15 : 1);  // a line moves to the end of the reach
+            // A line moves to the end of the reach.
+            robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);
             int shown = 1;
             QList<int> told;
             for (const QByteArray& package : primary.packages()) {

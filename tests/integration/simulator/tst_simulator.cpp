@@ -167,8 +167,8 @@ private Q_SLOTS:
         robot.controller.step();
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::RobotEmergencyStop);
         QCOMPARE(robot.controller.truth().runtimeState, RuntimeState::Stopped);
-        QVERIFY(robot.controller.truth().qd[0] >
-                0.8);  // category 1: a controlled stop instead of an abrupt one
+        // Category 1: a controlled stop instead of an abrupt one.
+        QVERIFY(robot.controller.truth().qd[0] > 0.8);
         QVERIFY(
             robot.stepUntil([&] { return robot.controller.truth().robotMode == RobotMode::PowerOff; }, 1));
         QVERIFY(robot.controller.truth().qd.values.norm() < 0.05);

@@ -176,8 +176,8 @@ private Q_SLOTS:
                                "$6.0   unknown_function()\n# place\n  sync()\nend\n";
         client.setScriptFile(file);
         client.setScriptInjection("# place\n", "  set_standard_digital_out(3, True)\n");
-        client.setScriptInjection(
-            "# place\n", "  set_standard_digital_out(2, True)\n");  // replaces the previous injection
+        // Replaces the previous injection.
+        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");
         const QString text = QString::fromStdString(client.getScript());
         QVERIFY(text.contains("set_standard_digital_out(2, True)"));
         QVERIFY(!text.contains("unknown_function"));

@@ -28,8 +28,8 @@ struct Way {
     const char* name;
     double fast;  ///< TCP speed at which the motion is ended [m/s]
     bool hand;    ///< true if an external force moves the arm
-    bool
-        finishes;  ///< true if the motion continues when disconnect() is called with the option to let it finish
+    /// True if the motion continues when disconnect() is called with the option to let it finish.
+    bool finishes;
     bool yields = false;  ///< true if the arm yields to forces
 };
 

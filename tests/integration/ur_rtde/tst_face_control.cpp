@@ -276,8 +276,8 @@ $6.0   P = 6
         QVERIFY(near(pose(), above, 1e-2));
         const List higher = with(above, 2, 0.03);
         QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
-        QVERIFY(
-            control_->servoC(higher, 0.1, 1.0, 0.0));  // the calls run one after the other without hanging
+        // The calls run one after the other without hanging.
+        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
         QVERIFY(
             cell_->until([&](const simulator::SimulatedState& t) { return near(poseOf(t), higher, 5e-3); }));
         QVERIFY(control_->servoStop());

@@ -156,8 +156,8 @@ private Q_SLOTS:
     }
 
     void upperRegistersAreFollowed() {
-        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true,
-                                   -1);  // no realtime priority is requested
+        // No realtime priority is requested.
+        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);
         QCOMPARE(upper.getOutputIntRegister(36), 0);
         QCOMPARE(upper.getOutputDoubleRegister(43), 0.0);
         QVERIFY_EXCEPTION_THROWN(upper.getOutputIntRegister(12), std::range_error);
