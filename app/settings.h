@@ -31,7 +31,7 @@ public:
     /// file  the settings file; empty: the default location
     explicit Settings(QString file = {});
 
-    /// tell  called after a failed write, and not again until a write has succeeded
+    /// Sets a function that is called after a failed write, and not again until a write has succeeded.
     void setWriteFailed(std::function<void(const Error&)> tell) { writeFailed_ = std::move(tell); }
 
     /// Remembered robots, newest first, without the simulated robot.
