@@ -62,7 +62,7 @@ SizedApplication::SizedApplication(int argc, char** argv, int percent)
     if (wanted == kInterfaceSizes.front() || screen == nullptr) {
         return;
     }
-    // The screen is not known earlier. It may be smaller than at the last start.
+    // The screen is known only at this point. It may be smaller than at the last start.
     if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
         application_.reset();
         begin(fitting);

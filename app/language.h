@@ -12,7 +12,7 @@ namespace tiller::app {
 
 struct Language {
     QString code;  ///< code used in file names, e.g. "de", "zh_CN"
-    QString name;  ///< name in the language itself
+    QString name;  ///< native name of the language
 };
 
 /// Available languages, English first.

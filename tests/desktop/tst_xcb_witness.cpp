@@ -36,7 +36,7 @@ private:
 private Q_SLOTS:
     void init() {
         server_ = std::make_unique<Child>();
-        // Xvfb prints the free number that it has chosen.
+        // Xvfb prints the display number that it has selected.
         QVERIFY(server_->start(QStringLiteral("Xvfb"),
                                {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                 QStringLiteral("0"), QStringLiteral("320x200x24")},

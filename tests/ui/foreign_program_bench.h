@@ -21,8 +21,8 @@
 
 namespace tiller::test {
 
-/// Maximum robot time until the robot has read the stop command and starts to decelerate, without the
-/// deceleration [ms].
+/// Maximum robot time until the robot has read the stop command and starts to decelerate [ms]. Excludes the
+/// deceleration.
 inline constexpr int kAtOnceMs = 20;
 inline constexpr int kBrakingMs = 1000;
 inline constexpr int kForeignPatienceMs = 20'000;

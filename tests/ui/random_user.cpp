@@ -231,7 +231,7 @@ bool RandomUser::begin() {
         fail(started.error().toString());
         return false;
     }
-    // The checks would not know a second simulated robot.
+    // The checks do not cover a second simulated robot.
     if (QAction* another = window_.actions().find(QStringLiteral("robot.simulator"))) {
         another->setEnabled(false);
     }

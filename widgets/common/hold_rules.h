@@ -45,7 +45,7 @@ struct HoldSource {
         Nobody,  ///< a short step that runs to its end without being held
     };
     By by = By::Mouse;
-    QList<KeyCode> keys = {};  ///< By::Keys: the keys that are all pressed
+    QList<KeyCode> keys = {};  ///< By::Keys: all keys that hold the motion
 };
 
 /// Settings and state shared by all hold-to-run buttons of a window. Owned by the window; outlives the

@@ -34,8 +34,8 @@ public:
     /// Emits made() if the points define a frame.
     void finish();
 
-    /// The frame of the recorded points. If only one point is missing, the TCP position is used instead of
-    /// it.
+    /// The frame of the recorded points. If only one point is missing, the TCP position is used for the
+    /// missing point.
     std::optional<Pose> preview() const;
     QString feedback() const;
 

@@ -94,7 +94,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
-    // At the bottom, so that hiding the band does not move a button under the pointer.
+    // The band is at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
     new BottomOverlay(*notice_, *this, {scroll});

@@ -122,7 +122,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     ofLine->addWidget(details_, 1);
     ofLine->addWidget(open_, 0, Qt::AlignVCenter);
     layout->addLayout(ofLine);
-    // At the bottom, so that hiding the band does not move a button under the pointer.
+    // The band is at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(band_);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below the plots of a recording that shows the progress of the comparison between arm and model, or
+// A band below the plots of a recording. It shows the progress of the comparison between arm and model, or
 // the time of the first deviation.
 
 #include <QFrame>

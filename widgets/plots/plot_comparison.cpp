@@ -90,7 +90,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         divergence::Choice choice;
         choice.limits = limits_;
         choice.model = model;
-        // Open the file separately, because the plots have their own instance open.
+        // Open the file separately, because the plots use their own instance.
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;

@@ -50,7 +50,7 @@ struct PlotLayout {
     divergence::Limits modelLimits{};  ///< limits for the comparison of arm and model
 
     QByteArray toJson() const;
-    /// Values out of range are limited to the range.
+    /// Values outside their range are clamped.
     /// Errors  FileCorrupt
     static Result<PlotLayout> fromJson(const QByteArray& json);
     friend bool operator==(const PlotLayout&, const PlotLayout&) = default;

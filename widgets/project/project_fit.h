@@ -63,7 +63,7 @@ private:
     ProjectDocument& document_;
     QWidget* over_;
     QPointer<QMessageBox> question_;
-    /// The robot model in the question that was asked for this project.
+    /// The robot model that the last question for this project was about.
     std::optional<RobotModelId> askedFor_;
     /// The TCP of the robot that the user chose to keep for this project.
     std::optional<Pose> keptTcp_;

@@ -2,8 +2,8 @@
 #pragma once
 
 // The 3D view in perspective. It shows the arm, the tool frame, the ghost of a target with its path, the
-// trace of the TCP, waypoints, and the direction of a jog. The view only displays; no function of it moves
-// the robot. Arm, ghost and waypoints are kept visible until the user changes the view.
+// trace of the TCP, waypoints, and the direction of a jog. The view does not move the robot. Arm, ghost and
+// waypoints are kept visible until the user changes the view.
 
 #include <Eigen/Core>
 #include <QImage>

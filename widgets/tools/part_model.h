@@ -45,7 +45,7 @@ Q_SIGNALS:
 
 private:
     Content content_;
-    int rows_ = 0;  ///< number of rows that the views know
+    int rows_ = 0;  ///< number of rows reported to the views
 };
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A client with the start-up, sockets and expectations of Universal Robots' C++ client library, and a control
-// script with the features of the library's script, with the simulated controller: streams, commands, scripts
-// and their messages.
+// Tests a client with the start-up, sockets and expectations of Universal Robots' C++ client library, and a
+// control script with the features of the library's script. Both are run with the simulated controller:
+// streams, commands, scripts and their messages.
 
 #include <QTest>
 #include <cmath>

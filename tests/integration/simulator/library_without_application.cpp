@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A program without a QCoreApplication. It controls a robot in another process, in a thread that ends, and
-// then simulates a robot. With the argument "threads", it also simulates the robot in such a thread. It
-// prints "done" if both worked, without Qt warnings (except with "threads", which Qt warns about) and without
-// errors of memory checkers.
+// A program without a QCoreApplication. First it controls a robot in another process from a thread that then
+// ends. Afterwards it simulates a robot. With the argument "threads", it also simulates the robot in such a
+// thread. It prints "done" if both worked, without Qt warnings (except with "threads", which Qt warns about)
+// and without errors of memory checkers.
 #include <sys/wait.h>
 #include <unistd.h>
 
