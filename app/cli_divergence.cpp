@@ -40,7 +40,7 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 invalid arguments.\n");
 
-/// Output format of a quantity: its name, and its unit with the factor from SI.
+/// Output format of a quantity: its name, its unit, and the conversion factor from SI.
 struct Spelling {
     const char* key;
     const char* name;

@@ -58,7 +58,7 @@ int fault(const QStringList& arguments) {
     socket.write(arguments.mid(2).join(' ').replace('\n', ' ').toUtf8() + '\n');
     while (!socket.canReadLine() && socket.waitForReadyRead(kWaitTimeoutMs)) {
     }
-    // Only the answer to `help` has several lines.
+    // Only the reply to `help` has several lines.
     QByteArray answer = socket.readAll();
     if (answer.isEmpty()) {
         return complain(QStringLiteral("%1 port %2 does not respond").arg(address[0]).arg(port), kFailed);

@@ -141,7 +141,7 @@ int info(const QStringList& arguments) {
         return complain(opened.error().toString(), kFailed);
     }
     const recording::Recording& file = *opened.value();
-    // Damaged parts are only detected when they are read.
+    // Damaged parts are detected only when they are read.
     std::vector<std::size_t> first{0};
     constexpr std::uint64_t kRowsAtOnce = 65536;
     for (std::uint64_t row = 0; row < file.rows(); row += kRowsAtOnce) {

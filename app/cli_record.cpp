@@ -74,9 +74,9 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-/// Returns an unused file name in the folder.
+/// Returns the path of a new file in the folder.
 QString newFileIn(const QString& folder, QString address) {
-    // These characters are not allowed in file names on all systems.
+    // Some systems do not allow these characters in file names.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
@@ -87,7 +87,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Returns the options; empty if an error was printed.
+/// Returns the options; empty after an error was printed.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});

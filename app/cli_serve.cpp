@@ -46,7 +46,7 @@ const QString kServeHelp = QStringLiteral(
     "the robot is lost. Exit code: 0 ended by Ctrl-C or SIGTERM, 1 no data or port not available, 2 invalid\n"
     "arguments.\n");
 
-/// Prints each refused origin only once, so that many refused pages do not fill the terminal.
+/// Prints each rejected origin only once, so that many rejected requests do not fill the terminal.
 class RefusedOrigins {
 public:
     void show(const QString& origin) {
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// The origin is chosen by the peer, so control characters are removed.
+    /// Removes control characters, because the peer determines the origin text.
     static QString printable(QString text) {
         std::replace_if(
             text.begin(), text.end(), [](QChar c) { return !c.isPrint(); }, QChar(u'?'));

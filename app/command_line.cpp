@@ -36,7 +36,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
                                   "folder");
     const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
                                      "file");
-    // Option name of earlier versions.
+    // Name of the option in earlier versions.
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
     const QCommandLineOption theme("theme", CommandLineText::tr("Colour theme: light or dark."), "name");
@@ -54,7 +54,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // The file manager passes files as positional arguments.
+    // File managers pass files as positional arguments.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
@@ -87,7 +87,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
-        // The demonstration moves the arm automatically and is not allowed on a real robot.
+        // The demonstration moves the arm automatically, so it must not run on a real robot.
         return wrong(CommandLineText::tr(
             "--demo works only on the simulated robot and cannot be combined with --robot"));
     }

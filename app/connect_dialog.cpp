@@ -52,7 +52,8 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // Users with a remembered robot see this part first; new users have no remembered robot.
+    // The part for robots is first if a robot is remembered. New users have no remembered robot, so their
+    // first part is the simulator.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();
     layout->addWidget(remembered.isEmpty() ? simulator : robot);
@@ -73,7 +74,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     project->setObjectName("openProject");
     project->setToolTip(tr("Opens waypoints from a file without a robot: everything except motion works."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
-        button->setAutoDefault(false);  // the focus must not change the default button
+        button->setAutoDefault(false);  // a focus change must not change the default button
     }
     buttons->addWidget(project);
     buttons->addStretch();

@@ -59,7 +59,8 @@ void Demonstration::start() {
         finish();
         return;
     }
-    // The demonstration generates mouse events only: no button is physically pressed.
+    // The demonstration only generates mouse events. No button is physically pressed, so a key-state check
+    // would fail.
     window_.setKeyStateProbe(KeyStateProbe::none());
     timer_.start();
 }
@@ -106,7 +107,7 @@ void Demonstration::addSteps() {
                           jogEnd_ = state().tcpPose;
                           return true;
                       },
-                      10'000, [this, jogKey] {  // an unexpected stop; the following release is measured
+                      10'000, [this, jogKey] {  // after an unexpected stop; the next release is measured
                           press(jogKey);
                           QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
                       }});

@@ -78,7 +78,8 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
              {},
              [&column, force] { column.selectors().setUntilContact(force); }});
     }
-    // Also available in the context menus of the column, for users without a right mouse button.
+    // Also available in the context menus of the column. This command is for users who do not have a right
+    // mouse button.
     table.add({"jog.speed.other",
                tr("Other jog speed…"),
                tr("Sets the TCP speed. Rotation and joint speeds change in proportion."),

@@ -95,7 +95,8 @@ constexpr QSize kStart{1600, 900};
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 
-/// The margin around a panel; header and status bar extend to the window edges.
+/// Adds a margin around a panel. Header and status bar have no margin, because they extend to the window
+/// edges.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     auto* frame = new QWidget;
     auto* layout = new QVBoxLayout(frame);
@@ -104,15 +105,15 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     return frame;
 }
 
-/// The dock of the jog column: fixed and not closable.
+/// The dock of the jog column. It cannot be moved or closed.
 class FixedDock : public QDockWidget {
 public:
     FixedDock(QWidget* content, const QString& name, const QString& title, QWidget* parent)
         : QDockWidget(title, parent) {
         setObjectName(name);
         setFeatures(NoDockWidgetFeatures);
-        // A title bar without height. A plain widget has no size hint, which QDockWidget treats as -1, so that the
-        // content is one pixel too low.
+        // A title bar without height. A plain widget would have no size hint. QDockWidget would use -1 for
+        // its height, and the content would be one pixel too low.
         auto* bar = new QWidget(this);
         auto* layout = new QHBoxLayout(bar);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -124,7 +125,8 @@ protected:
     void closeEvent(QCloseEvent* event) override { event->ignore(); }
 };
 
-/// STOP must be visible immediately, even on a small screen. Excludes title bar and borders.
+/// Initial size of the window without title bar and borders. STOP must be visible immediately, even on a
+/// small screen.
 QSize startSize() {
     const QScreen* screen = QGuiApplication::primaryScreen();
     return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
@@ -199,7 +201,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    // Saved after a delay, because a process that is killed cannot save anything at its end.
+    // Saved shortly after each change, because a killed process cannot save anything at its end.
     layoutTimer_.setSingleShot(true);
     layoutTimer_.setInterval(kKeepLayoutMs);
     connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
@@ -211,19 +213,19 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
-    // Ignore signals of the panels during destruction.
+    // Signals of the panels must be ignored during destruction.
     disconnect(stage_, nullptr, nullptr, nullptr);
     const QWidgetList parts = findChildren<QWidget*>();
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // The session emits its last signals while all parts exist. It is destroyed last.
+    // The session is destroyed last, but must emit its last signals while all other parts exist.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // Unsaved changes are saved when the store is destroyed; this is not displayed.
+    // The store saves unsaved changes in its destructor. The window must not display this.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -242,15 +244,16 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     stage_ = new DockStage;
-    // Panels that need more space than available scroll instead of shrinking the jog column.
+    // If the panels need more space than available, they scroll. The jog column must not shrink.
     auto* area = new NoFocusScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setWidget(stage_);
-    // The bar of a docked panel is part of the gap above it.
+    // The one-pixel bar of a docked panel is part of the gap above the panel.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
-    // Reparenting a panel applies the style sheet to all its children again, so containers get their parent first.
+    // Reparenting a panel applies the style sheet to all its children again, so each container gets its
+    // parent first.
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
     tabsDock_ =
         new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Program, Frames, Tools, I/O, Log"), stage_);
@@ -274,7 +277,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Not restored earlier, because floating panels would be shown before the window.
+    // Restored only when the window is shown; otherwise floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -302,7 +305,7 @@ Panel* MainWindow::buildTabs() {
     tabs_->setAccessibleName(tr("Waypoints, Program, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    // The panel is at least as wide as all titles.
+    // The panel must be at least as wide as all tab titles.
     tabs_->setUsesScrollButtons(false);
     tabs_->setElideMode(Qt::ElideNone);
     for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
@@ -327,7 +330,7 @@ void MainWindow::fillTabs() {
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
-        tabs_->updateGeometry();  // the title of the selected tab is bold, and wider
+        tabs_->updateGeometry();  // the title of the selected tab is bold and therefore wider
         showPaths();
     });
 }
@@ -378,7 +381,8 @@ void MainWindow::connectParts() {
     });
 
     const auto followView = [this] {
-        // In the scene Y is up and Z towards the viewer; in the jog frame Y is away from the viewer and Z up.
+        // In the scene, Y points up and Z points towards the viewer. In the jog frame, Y points away from the
+        // viewer and Z points up.
         const Eigen::Matrix3d R = scene_->view().viewRotation();
         Eigen::Matrix3d R_base_view;
         R_base_view << R.col(0), -R.col(2), R.col(1);
@@ -438,7 +442,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
-/// Undo and redo may affect a tab that is not in front.
+/// Shows the tab that an undo or redo affects, because it may not be the current tab.
 void MainWindow::showStep(const ProjectStep& step) {
     Q_EMIT session_->message(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
@@ -622,7 +626,7 @@ void MainWindow::connectSimulator() {
 }
 
 void MainWindow::simulateCell() {
-    // An empty cell only clears objects that were added by a project.
+    // With an empty cell, only objects that were added by a project must be removed.
     if (document_->cell().isEmpty() && !cellIsSimulated_) {
         return;
     }
@@ -641,7 +645,7 @@ void MainWindow::connectRobot(const RobotAddress& address) {
     session_->connectTo(address);
 }
 
-// Only robots that responded, so that mistyped addresses are not offered.
+// Stores only robots that responded, so that mistyped addresses are not offered.
 void MainWindow::rememberRobot(const SessionState& state) {
     if (toRemember_ && state.link == LinkState::Live) {
         settings_.rememberRobot(*std::exchange(toRemember_, std::nullopt));
@@ -812,8 +816,8 @@ void MainWindow::selectTab(const QString& name) {
     }
 }
 
-// ---- attention
-// -----------------------------------------------------------------------------------------------------
+// ---- operator attention
+// -------------------------------------------------------------------------------------
 
 void MainWindow::changeEvent(QEvent* event) {
     if ((event->type() == QEvent::ActivationChange && !isActiveWindow()) ||
@@ -825,7 +829,7 @@ void MainWindow::changeEvent(QEvent* event) {
     }
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
-        // A minimized window is not painted, even if the platform requests it.
+        // Do not paint a minimized window, even if the platform requests it.
         setUpdatesEnabled(!isMinimized());
     }
 }
@@ -840,9 +844,11 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
-    // The project is complete only when a path that is being recorded has become waypoints.
+    // A path that is being recorded must first be converted to waypoints; before that, the project is
+    // incomplete.
     if (waypoints_->storePath()) {
-        // Until then everything works, STOP above all.
+        // The window closes after the path is stored. In the meantime all functions, including STOP, remain
+        // available.
         connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
                 Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         event->ignore();
@@ -855,7 +861,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
-    // Floating panels on other screens are minimized as well.
+    // Also minimize floating panels on other screens.
     for (PanelDock* dock : stage_->docks()) {
         if (dock->isFloating()) {
             dock->hide();
@@ -883,7 +889,7 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // One undo history for the whole project.
+        // The whole project has one common undo history.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
@@ -911,7 +917,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The menu of the robot is the main menu; it also contains the other menus.
+    // The menu of the robot is the main menu, and it also contains the other menus.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -1062,7 +1068,7 @@ void MainWindow::showHelp() {
         open->close();
     }
     const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
-    // The children of a modal dialog remain usable.
+    // Use the modal dialog as the parent, because only its children remain usable.
     auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
     auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
                               over != nullptr ? static_cast<QWidget*>(over) : this);
@@ -1110,7 +1116,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // Not modal, because STOP and the state must remain accessible.
+    // The page is not modal, because STOP and the state must remain accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 
@@ -1151,7 +1157,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope's name for a program without a file, e.g. one sent by another client.
+    // PolyScope uses this name for a program without a file, e.g. a program sent by another client.
     const QString program =
         state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
@@ -1211,7 +1217,7 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
     connect(page, &SettingsPage::newWindowWanted, this, [this, page] { reopenWindow(*page); });
-    // The page shows the previous settings.
+    // The page would still show the previous settings.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();
@@ -1273,7 +1279,7 @@ void MainWindow::offerCrashReport(const QString& path) {
     if (readCrashReport(path).isEmpty()) {
         return;
     }
-    // A copy, so that a second crash does not overwrite the first report.
+    // Read from a copy, so that a second crash does not overwrite the first report.
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;
@@ -1324,7 +1330,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     keyboard_->setLock(session_->isMonitorOnly() ? texts::monitorOnlyObstacle() : QString());
     holdPolicy_.longestNs = preferences.longestHold * kNsPerSecond;
-    // A copy: receivers of the signal may modify the original.
+    // Use a copy, because receivers of the signal may modify the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
         devices_->tune(it.key(), *it);

@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;  ///< key that is combined with Shift
+    Qt::Key key;  ///< used in combination with Shift
     const char* tab;
     StagePlan plan;
 };
@@ -188,7 +188,7 @@ void Perspectives::remove(const QString& id) {
     saved_.removeIf([&id](const SavedPerspective& saved) { return idOf(saved) == id; });
     write();
     if (current_ == id) {
-        // Only the selection changes, not the arrangement.
+        // The selection changes. The arrangement does not.
         current_ = QString::fromLatin1(builtIns().front().id);
         changed_ = true;
         Q_EMIT currentChanged();

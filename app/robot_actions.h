@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands for the robot: connection, power, recovery, control and programs on the robot, each with the
-// reason why it is disabled.
+// The commands for the robot: connection, power, recovery, control, and programs on the robot. Each has a
+// reason if it is disabled.
 
 #include <QCoreApplication>
 #include <functional>
@@ -20,7 +20,7 @@ struct RobotActionHooks {
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;
-    /// Stops any motion by software.
+    /// Stops all motion by software.
     std::function<void()> stop;
 };
 

@@ -46,7 +46,7 @@ bool isKey(const QString& key) {
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
 
-/// Empty for types that the format does not support.
+/// Returns an empty optional for types that the format does not support.
 std::optional<QJsonValue> toJson(const QVariant& value) {
     switch (value.typeId()) {
         case QMetaType::Bool:
@@ -104,7 +104,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // Integers stay integers, because readers of an index expect "1", not "1.0".
+            // Keep integers, because readers of an index expect "1" instead of "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);

@@ -32,12 +32,12 @@
 namespace tiller::app {
 namespace {
 
-/// Height for an editor in each row.
+/// Row height that fits an editor [px].
 int keyRowHeight() {
     return std::max(40, keyHeight(currentDensity()) + 4);
 }
 
-/// With large rows the content exceeds the smallest screen.
+/// Makes the page scroll, because with large rows its content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
     auto* area = new NoFocusScrollArea;
     area->setAccessibleName(name);
@@ -53,7 +53,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Aligned with its field, because a row of the form may be higher than the text.
+    // Aligned with the field, because a row of the form may be taller than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -229,7 +229,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // Languages are listed by their native names, for users who cannot read the current language.
+    // Languages are listed by their native names, so that users who cannot read the current language find
+    // theirs.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
@@ -304,7 +305,7 @@ void SettingsPage::changeEvent(QEvent* event) {
 void SettingsPage::showCap() {
     const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
-    // The style sheet evaluates the property only when the style is set.
+    // The style sheet evaluates the property only when it is set again.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
                                   "mode nor the enabling device of the pendant. The header shows a warning. "
@@ -394,7 +395,8 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // Only one key combination: a second key within a second would create a sequence of two.
+            // Use only the first key combination. A second key within a second would create a sequence of
+            // two.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli: what Tiller can do without a window. Links no widgets.
+// tiller-cli provides the functions of Tiller that do not need a window. It does not link any widgets.
 
 #include <QCoreApplication>
 

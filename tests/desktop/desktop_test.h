@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Common parts of the tests on a real display: before each test function a running cell, in control, with no
-// key held; and the evaluation of the arm's motion after the last key was released.
+// Common parts of the tests on a real display. Before each test function, they provide a running cell in
+// control with no key held. They also evaluate the arm's motion after the last key was released.
 
 #include <QObject>
 #include <QTest>
@@ -19,7 +19,7 @@ inline constexpr int kSkipped = 77;
 
 /// Jog contract: maximum time of motion after the release of the last key [s].
 inline constexpr double kContract = 0.25;
-/// Longer than the start of a motion takes, in robot time [s].
+/// Robot time [s] that is longer than the start of a motion takes.
 inline constexpr double kGetsGoing = 3.0;
 
 inline QByteArray words(const Standstill& stop) {
@@ -46,11 +46,11 @@ protected:
     virtual QSize screen() const { return {1280, 800}; }
     XHand& hand() { return cell_->hand(); }
     ArmWatch& arm() { return cell_->arm(); }
-    /// For tests that leave the cell in a broken state: the next test gets a new cell.
+    /// For tests that leave the cell in an unusable state. The next test then gets a new cell.
     void useUp() { usedUp_ = true; }
 
-    /// Presses and waits until the arm is moving. On a busy machine a press may be refused because of late
-    /// data: then it is repeated after `release`.
+    /// Presses and waits until the arm is moving. On a busy computer, a press may be rejected because of late
+    /// data. It is then repeated after `release`.
     void holdBy(const std::function<void()>& press, const std::function<void()>& release) {
         for (int attempt = 0; attempt < 5; ++attempt) {
             QVERIFY(cell().until([&] { return cell().place("jog.X+").enabled; }));
@@ -62,7 +62,7 @@ protected:
         }
         QFAIL("nothing moved while it was held: this proves nothing");
     }
-    /// Verifies that the arm comes to a standstill within the contract and does not move again.
+    /// Verifies that the arm stops within the time of the contract and does not move again.
     void verifyStands(double contract = kContract) {
         const Standstill stop = arm().standstill(contract);
         qInfo("%s", words(stop).constData());
@@ -104,8 +104,8 @@ private:
 
 }  // namespace tiller::test
 
-/// Prints the missing requirement and exits with ctest's code for "skipped" if the machine has no display for
-/// tests.
+/// If the computer has no display for tests, prints the missing requirement and exits with ctest's code for
+/// "skipped".
 #define TILLER_DESKTOP_MAIN(Test)                                       \
     int main(int argc, char* argv[]) {                                  \
         QCoreApplication application(argc, argv);                       \

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All pairs of values of key, layout, modifier and order. The complete matrix takes half an hour and is a
-// separate run:
+// Tests all pairs of values of key, layout, modifier and order. The complete matrix takes half an hour and is
+// a separate run:
 //   tst_key_matrix --all [--layout NAME] [--key NAME] [--file FILE]
-// It prints one line per cell, and a table at the end. With a file, cells that the file already contains are
+// It prints one line per cell and a table at the end. With a file, cells that the file already contains are
 // skipped, so that an interrupted run can be continued.
 
 #include <QCommandLineParser>
@@ -17,8 +17,8 @@
 namespace tiller::test {
 namespace {
 
-/// Returns true if a cell deserves a second run: a busy machine may be late once, but not twice. An arm that
-/// keeps moving fails at once.
+/// Returns true if a cell should be run again, because a busy computer may be late once but not twice. An arm
+/// that keeps moving fails at once.
 bool deservesAnother(const CellOutcome& outcome) {
     return outcome.kind == CellOutcome::Kind::Late || outcome.kind == CellOutcome::Kind::Broken ||
            outcome.kind == CellOutcome::Kind::DidNotMove;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Type checkers accept the stubs, the package, and a program that uses both. Checkers that are not installed are
+"""Type checkers must accept the stubs, the package, and a program that uses both. Checkers that are not installed are
 skipped."""
 import os
 import shutil
@@ -68,7 +68,7 @@ class TestTypes(unittest.TestCase):
         return self.run_checker([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", *what])
 
     def pyright(self):
-        """Checks all files of the folder, to which the stubs, the package and the examples are copied."""
+        """Checks all files of the folder after the stubs, the package and the examples were copied to it."""
         own = os.path.join(os.environ["TILLER_SOURCE"], "build", "npm", "node_modules", ".bin")
         checker = shutil.which("pyright", path=own + os.pathsep + os.environ["PATH"])
         if checker is None:

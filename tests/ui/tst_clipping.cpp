@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// No text is clipped: every dialog and every page of the window, on the smallest screen, in both densities.
-// Repeated at 150 and 200 %, in every language and in a pseudo language: see CMakeLists.txt.
+// No text is clipped in any dialog or page of the window, on the smallest screen, in both densities. The test
+// is repeated at 150 and 200 %, in every language, and in a pseudo language (see CMakeLists.txt).
 
 #include <QDialog>
 #include <QDockWidget>
@@ -54,7 +54,7 @@ struct Bench : WindowBench {
         preferences.density = row == "touch" ? Density::Touch : Density::Mouse;
         window.applyPreferences(preferences);
     }
-    /// The dialog opened by a command.
+    /// Returns the dialog that a command has opened.
     QDialog* open(const char* id) {
         QAction* action = window.actions().find(QLatin1String(id));
         action->setEnabled(true);
@@ -99,7 +99,7 @@ private:
         return currentDensity() == Density::Touch ? QStringLiteral("touch") : QStringLiteral("mouse");
     }
     static void look(QWidget& window, const QString& name) {
-        // Layouts settle after the texts have been set.
+        // The layouts are complete only some time after the texts have been set.
         QTest::qWait(50);
         keepPicture(window, name + '-' + densityName());
         QTRY_VERIFY2(clipped(window).isEmpty(), qPrintable(name + ":\n" + clipped(window).join('\n')));
@@ -137,8 +137,8 @@ private:
 private Q_SLOTS:
     void initTestCase() {
         initResources();
-        // A language code, or "pseudo" for texts longer than in any language, or "mirrored" for
-        // right-to-left.
+        // A language code, "pseudo" for texts longer than in any language, or "mirrored" for a right-to-left
+        // layout.
         const QString language = qEnvironmentVariable("TILLER_LANGUAGE");
         if (language == "pseudo" || language == "mirrored") {
             QCoreApplication::installTranslator(&pseudo_);
@@ -181,7 +181,7 @@ private Q_SLOTS:
             bench.window.showTab(tab);
             lookAtWindow(bench, tab);
         }
-        // A step with a problem, which every field of a move shows.
+        // Select a step with a problem. It shows every field of a move.
         bench.window.showTab("program");
         project::ProgramList programs;
         project::ProgramStep move = program::newStep(*program::findStepKind("moveL"));
@@ -252,7 +252,7 @@ private Q_SLOTS:
         later->findChild<QLineEdit*>("robotHost")->setText(QStringLiteral("300.1"));
         look(*later, "connect");
         later->close();
-        // A robot with many problems has the longest page.
+        // A robot with many problems results in the longest page.
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
         auto* page = bench.window.findChild<PreflightPage*>();
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
@@ -260,7 +260,7 @@ private Q_SLOTS:
         page->close();
     }
 
-    // On a screen with a height of 720 pixels, with the sizes for mouse operation.
+    // Uses a screen with a height of 720 pixels and the sizes for mouse operation.
     void theMenuOfTheWaypointsIsOneColumn() {
         if (qApp->primaryScreen()->size().height() < kSmallest.height()) {
             QSKIP("at this scale the screen of the offscreen platform is smaller");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scripted demonstration, as run by a new user without a display: the real program in a separate process.
+// The scripted demonstration, run by a new user without a display: the real application in a separate
+// process.
 
 #include <QFile>
 #include <QImage>
@@ -33,7 +34,7 @@ private Q_SLOTS:
         for (const char* name : {"screenshot-light.png", "screenshot-dark.png"}) {
             const QImage picture(folder.filePath(name));
             QCOMPARE(picture.size(), QSize(1920, 1080));
-            // An image with a single colour would be an empty window.
+            // An image with a single colour means an empty window.
             QSet<QRgb> colours;
             for (int y = 0; y < picture.height(); y += 7) {
                 for (int x = 0; x < picture.width(); x += 7) {
@@ -67,7 +68,7 @@ private Q_SLOTS:
         program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});
         QVERIFY(program.waitForFinished(150'000));
         QCOMPARE(program.exitCode(), 0);
-        // The lines of listing 4 in the publication that read the file.
+        // The lines of listing 4 in the publication, which read the file.
         const char* script = R"(
 import sys, pandas as pd
 demo = pd.read_csv(sys.argv[1])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gripper page in the real window, with real sockets and the simulated gripper, which may also stop
+// The gripper page in the real window, with real sockets and a simulated gripper. The gripper may also stop
 // responding or disconnect.
 
 #include <QComboBox>
@@ -28,10 +28,10 @@ using namespace tiller::test;
 
 namespace {
 
-/// Indexes in the list of grippers, which starts with "None".
+/// Indices in the list of grippers, which starts with "None".
 enum Choice { kTwoF85 = 1, kTwoF140, kHandE, kOneOutput, kTwoOutputs };
 
-/// An active gripper that holds an object; it can be made to stop responding.
+/// An active gripper that holds an object. It can be made to stop responding.
 struct HoldingGripper {
     std::atomic<bool> mute{false};
 
@@ -65,7 +65,7 @@ private:
     bool wasSaid(const QString& words) {
         return std::any_of(said_.begin(), said_.end(), [&](const QString& s) { return s.contains(words); });
     }
-    /// Real time also passes: the gripper is queried in a separate thread.
+    /// Real time also passes, because a separate thread queries the gripper.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 5000; ++i) {
             if (condition()) {
@@ -76,7 +76,7 @@ private:
         }
         return condition();
     }
-    /// Waits in real time; robot time does not advance.
+    /// Waits in real time. Robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
         bench_ = std::make_unique<WindowBench>(robot);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::qWait(300);
         QVERIFY(text("gripper.holds").contains("object"));
-        // The gripper can still be opened, just as an output can be switched.
+        // The gripper can still be opened, like an output can still be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
         QVERIFY2(text("gripper.remedy").contains("does not respond"), qPrintable(text("gripper.remedy")));
         QVERIFY(!key("gripper.close").isEnabled());
-        // Outputs are independent.
+        // Outputs are independent of the gripper.
         auto* tab = bench_->window.findChild<IoTab*>();
         tab->output(3)->click();
         QVERIFY(until([this] { return output(3); }));
@@ -299,7 +299,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(16) && output(17); }));
         QVERIFY(until([this] { return text("gripper.state") == "open requested"; }));
         QVERIFY(until([this] { return wasSaid("Gripper: open (TO 0: off, TO 1: on)"); }));
-        // The display shows the state reported by the robot, independent of its cause.
+        // The display shows the state reported by the robot, regardless of its cause.
         bench_->window.session().outputs().setDigitalOutput(16, true);
         QVERIFY(until([this] { return text("gripper.state") == "both outputs on"; }));
     }

@@ -34,7 +34,7 @@ private:
     Widget& find(const char* name) {
         return bench_->find<Widget>(name);
     }
-    /// Real time also passes: settings are made by a worker.
+    /// Real time also passes, because a worker sends the settings.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 2000; ++i) {
             if (condition()) {
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
     void settingAnOutputStopsNoProgramAndNoMove() {
-        // Home takes a while; the arm is moved by our own program.
+        // Home takes some time. The arm is moved by the window's own program.
         press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
         release(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(400);
-        // The same manually while the program is idle: the session stays in control.
+        // Switch the output manually while the program is idle. The session must stay in control.
         tab().output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         QVERIFY(until([this] { return tab().output(3)->state() == IoChannel::State::On; }));
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(4); }));
     }
 
-    // The robot measures the time: a window that hangs does not leave an output on.
+    // The robot measures the duration, so that a window that hangs does not leave an output on.
     void aPulseEndsWithAWindowThatHangs() {
         IoChannel* channel = tab().output(4);
         channel->setFocus();
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
     }
 
-    // A click switches the output, then P pulses it, as the tooltip says.
+    // A click switches the output, and then P pulses it, as described in the tooltip.
     void aClickOnARowGivesItTheKeyForPulses() {
         IoChannel* channel = tab().output(4);
         QTest::mouseClick(channel, Qt::LeftButton);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return !output(4); }));
     }
-    // The pulse was started by this window, so the monitor-only mode must not leave its output on.
+    // This window started the pulse, so monitor-only mode must not leave the output on.
     void monitorOnlyEndsARunningPulse() {
         QStringList warnings;
         QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY2(notice.text().contains("Take control"), qPrintable(notice.text()));
     }
 
-    // A program that is stopped externally cannot end its pulse: the window does it.
+    // A program that was stopped externally cannot end its pulse, so the window ends the pulse.
     void aPulseOfAStoppedProgramIsEnded() {
         tab().output(4)->setFocus();
         QTest::keyClick(tab().output(4), Qt::Key_P);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The functions of the plots and tabs can be found in the palette by their names, and run by Return.
+// The palette finds the functions of the plots and tabs by their names, and Return runs them.
 
 #include <QApplication>
 #include <QDir>
@@ -40,7 +40,7 @@ struct Bench : WindowBench {
         }
         return palette;
     }
-    /// Types the words and runs the first match, which has to be this command.
+    /// Types the words and runs the first match, which must be this command.
     void run(const QString& words, const QString& id) {
         app::CommandPalette* palette = type(words);
         QVERIFY(palette != nullptr);
@@ -48,7 +48,7 @@ struct Bench : WindowBench {
         QCOMPARE(palette->listed().first()->objectName(), id);
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
         QTRY_VERIFY(window.findChild<app::CommandPalette*>() == nullptr);
-        window.activateWindow();  // there is no window manager here
+        window.activateWindow();  // the test has no window manager
         QVERIFY(QTest::qWaitForWindowActive(&window));
     }
     QString tab() {
@@ -131,7 +131,7 @@ private Q_SLOTS:
     void thePlotsPauseAndGoOnFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        bench.cell.advanceMs(1500);  // Space only stops for a second after a motion
+        bench.cell.advanceMs(1500);  // for a second after a motion, Space only stops
         const PlotView& view = bench.find<PlotDock>("plots").view();
         QVERIFY(view.window().follows());
         bench.run("pause plots", "plots.action.pause");
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tab(), QString("io"));
         QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"));
         const auto isOn = [&bench] { return (bench.window.session().state().digitalOutputs & 1U) != 0; };
-        // No selection yet.
+        // No row is selected yet.
         bench.run("switch selected", "io.action.switch");
         bench.cell.advanceMs(200);
         QVERIFY(!isOn());
@@ -193,8 +193,8 @@ private Q_SLOTS:
         bench.run("switch selected", "io.action.switch");
         QVERIFY(bench.cell.advanceUntil(isOn, 2000));
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
-        // Not called with run(), because the editor would close on an activation that a window manager does
-        // not cause.
+        // Without run(), because the window activation in run() would close the editor. A window manager does
+        // not cause this activation.
         QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);

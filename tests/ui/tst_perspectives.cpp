@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels are moved, closed, floated and saved by name, and restored after a restart. In all perspectives the stop
-// controls keep their positions, and hold-to-run operation ends.
+// Panels are moved, closed, floated, saved by name, and restored after a restart. In all perspectives, the
+// stop controls keep their positions. Hold-to-run motions end when the arrangement changes.
 
 #include <QAction>
 #include <QDockWidget>
@@ -62,7 +62,7 @@ void run(app::MainWindow& window, const char* id) {
     action->trigger();
 }
 
-/// Position of the dock in the window.
+/// Position of a dock in the window.
 QRect placeOf(app::MainWindow& window, const char* name) {
     const PanelDock& dock = dockOf(window, name);
     return {dock.mapTo(&window, QPoint(0, 0)), dock.size()};
@@ -80,14 +80,14 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// Uses the shortcut, in the window that a window manager would have activated.
+/// Uses the shortcut in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
 }
 
-/// The parts of the window that move and stop the arm.
+/// Checks the parts of the window that move and stop the arm. Returns the missing ones.
 QStringList missing(app::MainWindow& window) {
     QStringList problems;
     const auto look = [&](const QWidget* widget, const QString& what) {
@@ -116,7 +116,7 @@ QStringList missing(app::MainWindow& window) {
     return problems;
 }
 
-/// Creates a settings file with a changed layout: plots float, the view is closed.
+/// Creates a settings file with a changed layout in which the plots float and the view is closed.
 void leaveChanged(const QString& file) {
     VirtualClock clock;
     app::MainWindow window(app::Settings(file), clock);
@@ -135,7 +135,7 @@ class TestPerspectives : public QObject {
     Q_OBJECT
 
 private:
-    /// Types into the dialog that asks for a name.
+    /// Enters a name in the dialog.
     static void answer(WindowBench& bench, const QString& name) {
         auto* dialog = bench.window.findChild<QDialog*>("perspectiveDialog");
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -222,7 +222,7 @@ private Q_SLOTS:
         teach->trigger();
         QVERIFY(teach->isChecked() && !bench.window.actions().find("perspective.plots")->isChecked());
         QTRY_VERIFY(standsAsInTeach(bench.window));
-        // The window is resized, the proportions remain.
+        // After the window is resized, the proportions remain.
         bench.window.resize(1920, 1080);
         constexpr int kWanted = 1080 * 36 / 100;
         QTRY_VERIFY(std::abs(placeOf(bench.window, "plotsDock").height() - kWanted) <= 12);
@@ -401,7 +401,7 @@ private Q_SLOTS:
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.first().contains("Teach"), qPrintable(warnings.first()));
         QVERIFY(missing(window).isEmpty());
-        // Reported once: layouts saved from now on are valid.
+        // The damage is reported only once, because layouts saved from now on are valid.
         window.close();
         QCOMPARE(app::Settings(file).arrangement().found, LastArrangement::Found::Usable);
     }
@@ -480,14 +480,14 @@ private Q_SLOTS:
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.close." + QString(dock)),
                           Qt::LeftButton);
         QVERIFY(!panel.isVisible());
-        // The command that floats it also shows it, and the perspective docks it again.
+        // The command that floats a panel also shows it, and selecting the perspective docks it again.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());
         chooseTeach(bench.window);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
-    // Content without enough space scrolls; the jog buttons keep their size.
+    // Content that does not have enough space scrolls. The jog buttons keep their size.
     void noArrangementPressesUponTheJogColumn() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
@@ -550,7 +550,7 @@ private Q_SLOTS:
         }
         QTest::mouseRelease(screen, Qt::LeftButton, {}, to + QPoint(19, 0));
         QTRY_VERIFY(!plots.isFloating());
-        // Next to the view or above it, no longer below.
+        // The panel is next to the view or above it, instead of below it.
         QTRY_VERIFY(placeOf(bench.window, "plotsDock").top() <= placeOf(bench.window, "viewDock").top());
         QTRY_VERIFY(!placeOf(bench.window, "plotsDock").intersects(placeOf(bench.window, "viewDock")));
         QVERIFY(bench.window.perspectives().isChanged());
@@ -571,7 +571,7 @@ private Q_SLOTS:
         for (const QAction* action : bench.window.actions().all()) {
             QVERIFY2(!action->objectName().contains("jogDock"), qPrintable(action->objectName()));
         }
-        // Every panel closed: jog and stop buttons are still available.
+        // With every panel closed, jog and stop buttons are still available.
         for (const char* id : {"view.toggle.viewDock", "view.toggle.tabsDock", "view.toggle.plotsDock"}) {
             run(bench.window, id);
         }
@@ -602,7 +602,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // The input is still held, and the motion does not resume.
+        // The input is still held, and the motion must not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
@@ -613,7 +613,7 @@ private Q_SLOTS:
         QTest::newRow("by its tab") << false;
         QTest::newRow("by its command") << true;
     }
-    // Tabbed panels: nothing moves, and the page in the panel does not change.
+    // With tabbed panels, nothing moves, and the page in the panel does not change.
     void holdEndsWhenAnotherPanelIsRaised() {
         QFETCH(bool, byCommand);
         WindowBench bench;
@@ -674,7 +674,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The notice and the view are destroyed with their panels, in any order.
+    // The notice and the view are destroyed together with their panels, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));
@@ -723,13 +723,13 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
         QVERIFY(standsStill(bench.cell));
         QTest::keyRelease(&panel, Qt::Key_Up);
-        // The shortcuts of the window work in the panel as well.
+        // The shortcuts of the window also work in the panel.
         QTest::keyClick(&panel, Qt::Key_F6, Qt::ShiftModifier);
         QTRY_VERIFY(standsAsInTeach(bench.window));
     }
 
 private:
-    /// A stick that is neutral for a moment and then pushed upwards.
+    /// Simulates a stick that is neutral for a moment and then pushed upwards.
     static void tiltStick(WindowBench& bench) {
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys(), &bench.window.jogColumn().axisJog());
         const auto hold = [&bench, pump = bench.cell.everyRefresh](double up) {

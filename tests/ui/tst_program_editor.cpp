@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard, problems, preview,
-// and stops from each of its controls.
+// The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard,
+// problems, preview, and stops from each of the controls.
 
 #include <QDragEnterEvent>
 #include <QDragMoveEvent>
@@ -56,7 +56,7 @@ private:
                     Qt::MatchExactly | Qt::MatchRecursive)
             .value(0);
     }
-    /// Builds the tray program and opens it.
+    /// Builds and opens the tray program.
     void openTray() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;
@@ -72,7 +72,7 @@ private:
         }
         return kinds.join(' ');
     }
-    /// Drops what was dragged from these rows, as the drag manager does. Ctrl copies.
+    /// Drops the data dragged from these rows, as the drag manager does. With Ctrl, the drop copies.
     void drop(QAbstractItemModel& from, const QModelIndexList& rows, const QPoint& at,
               Qt::DropAction action) {
         const std::unique_ptr<QMimeData> data(from.mimeData(rows));
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(shape(), QString("loop(wait)"));
         drop(*palette().model(), {paletteRow("MoveJ")}, belowAll(), Qt::CopyAction);
         QCOMPARE(shape(), QString("loop(wait) moveJ"));
-        // The first drop also added the program: one undo step.
+        // The first drop also added the program, in the same undo step.
         for (int i = 0; i < 3; ++i) {
             document().undo();
         }
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY2(shape().startsWith("moveJ gripper assign try"), qPrintable(shape()));
     }
 
-    // Mouse and keyboard reach the same program.
+    // The same program can be built by mouse and by keyboard.
     void aProgramIsBuiltWithTheKeyboard() {
         palette().setCurrentIndex(paletteRow("Loop"));
         palette().setFocus();
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(tree().viewport()->width() >= 150);
     }
 
-    // Palette and fields take turns in a narrow panel, and the tree keeps its place.
+    // In a narrow panel, palette and fields are shown alternately, and the tree keeps its position.
     void aNarrowPanelShowsOneSide() {
         openTray();
         window().resize(1280, 720);
@@ -255,7 +255,7 @@ private Q_SLOTS:
         const JointPositions before = cell().truth().q;
         QTRY_VERIFY(key("program.preview").isEnabled());
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
-        QCOMPARE(status(), QString("Simulating…"));  // the window went on
+        QCOMPARE(status(), QString("Simulating…"));  // the window was not blocked
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
                                   60'000);
         const QModelIndex inner = rowOf(steps()[3].steps[0].steps[1].id);
@@ -289,7 +289,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[1].id});
     }
 
-    // An endless program is followed for an hour of its time; an edit ends that at once.
+    // An endless program is simulated for one hour of its time. An edit ends the simulation at once.
     void anEditEndsThePreview() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QTRY_VERIFY2(status().startsWith("The program can run"), qPrintable(status()));
     }
 
-    // Every control of the tab has the focus once: Space and Esc stop the arm, as STOP does.
+    // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.
     void everyControlStopsTheArm_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("stopKey");

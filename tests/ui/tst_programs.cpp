@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs on the robot from the window: load, play, pause, stop; and a popup that blocks one.
+// Programs on the robot, controlled from the window: load, play, pause, stop, and a popup that blocks a
+// program.
 
 #include <QFile>
 #include <QInputDialog>
@@ -55,8 +56,8 @@ private:
         return true;
     }
 
-    /// A robot with this software version, or the default one, and a window connected to it.
-    /// `local`: start the robot in Local mode, as with --local.
+    /// A robot with this software version, or the default version, and a window connected to it.
+    /// local  starts the robot in Local mode, as with --local
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
@@ -64,7 +65,7 @@ private:
         simulator::SimulatorOptions options;
         if (software) {
             options.software = *software;
-            options.portOffset = 20'000;  // port 80 needs privileges
+            options.portOffset = 20'000;  // port 80 would need privileges
         }
         options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
         options.remoteControl = !local;
@@ -114,12 +115,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
     }
 
-    // Whether Local means that remote control is disabled, or that commands are refused, is known after the first
-    // attempt.
+    // Only the first attempt shows whether Local means that remote control is disabled or that commands are
+    // rejected.
     void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
         begin({}, true);
         bool wasInControl = false;
-        QObject here;  // object whose connections end with wasInControl
+        QObject here;  // its connections end before wasInControl is destroyed
         connect(&window_->session(), &RobotSession::stateChanged, &here,
                 [&wasInControl](const SessionState& now) {
                     wasInControl = wasInControl || now.control == ControlState::InControl;
@@ -224,7 +225,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         QTest::mouseClick(key, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
-        // Closed on the robot too: nothing blocks the program any more.
+        // The popup is also closed on the robot, so it does not block the program.
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
     }
@@ -239,7 +240,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY(key->hasFocus());
-        // Waits longer than the key keeps its stop function after a motion.
+        // Wait longer than the key keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
@@ -268,12 +269,12 @@ private Q_SLOTS:
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
         QTRY_VERIFY(key->isEnabled());
-        // A popup that the robot does not close is closed on the pendant.
+        // If the robot does not close a popup, the user must close it on the pendant.
         Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        // A new connection does not show it.
+        // The popup is not shown after a new connection.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
     }
@@ -285,7 +286,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == "Close", 20'000);
         key->click();
-        // The second popup arrives before the event loop processes the robot's answer.
+        // The second popup arrives before the event loop processes the reply of the robot.
         script::ControllerMessage next;
         next.kind = script::MessageKind::Popup;
         next.text = QStringLiteral("Close the door");
@@ -293,7 +294,7 @@ private Q_SLOTS:
         QCOMPARE(card->count(), 2);
         QTRY_COMPARE_WITH_TIMEOUT(card->count(), 1, 20'000);
         QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Close the door"));
-        // The second popup is closed by a separate command.
+        // A separate command closes the second popup.
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         key->click();
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
@@ -308,7 +309,7 @@ private Q_SLOTS:
             popup.text = QStringLiteral("Popup %1").arg(i);
             Q_EMIT window_->session().controllerMessage(popup);
         }
-        // The first one is shown immediately, the others with the next update.
+        // The first popup is shown immediately, the others with the next update.
         QVERIFY2(card->updates() - before <= 2, qPrintable(QString::number(card->updates() - before)));
         QCOMPARE(card->count(), RobotPopup::kMaxPopups);
         QTRY_COMPARE_WITH_TIMEOUT(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Popup 10000"),
@@ -337,7 +338,7 @@ private Q_SLOTS:
         window_->session().takeControl();
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
-            // Late data are another reason for a moment.
+            // Late data may temporarily be a different reason.
             QTRY_VERIFY2(!action(id)->isEnabled() &&
                              app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
                          id);

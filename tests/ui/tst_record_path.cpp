@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // "Record path" in the real window: an arm guided by hand, the recorded path, its replay, and the table for
-// learning from demonstration. And Back, which also reverses taught motions.
+// learning from demonstration. Also tests Back, which reverses taught motions too.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -36,7 +36,7 @@ private:
     }
     Eigen::Vector3d tcp() { return cell().truth().tcpPose.position; }
 
-    /// Moves the arm by an external force while Freedrive is held, and returns the data of the robot.
+    /// Moves the arm by an external force while Freedrive is held. Returns the data of the robot.
     project::Demonstration lead() {
         project::Demonstration seen;
         const auto watching = connect(&window().session(), &RobotSession::stateChanged, this,
@@ -56,7 +56,7 @@ private:
         disconnect(watching);
         return seen;
     }
-    /// Records the motion, and waits for the reduced path.
+    /// Records the motion and waits for the simplified path.
     project::Demonstration recordByHand() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         cell().advanceMs(40);
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(document().waypoints().size(), count);
     }
 
-    // Held, along the taught path: corners are rounded by the blend at most.
+    // While the button is held, the arm follows the taught path. Corners are rounded at most by the blend.
     void pathIsReplayedWhileTheKeyIsHeld() {
         recordByHand();
         const auto path = kept();
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(!paths().recorder().isRecording());
     }
 
-    // The exported table has the same columns as recordings and is read back as the same path.
+    // The exported table has the same columns as recordings. Importing it results in the same path.
     void pathIsExportedAndReadBack() {
         recordByHand();
         const auto path = kept();
@@ -255,7 +255,7 @@ private Q_SLOTS:
         QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
-    // Back reverses the motion of "Run route", including the blended path, to its start.
+    // Back reverses the motion of "Run route", including the blended path, to the start of the motion.
     void backGoesOverTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The content of recordings is selected on the settings page and next to the Record button, and applies to the next
-// file.
+// The content of recordings is selected on the settings page or next to the Record button, and applies to the
+// next file.
 
 #include <QComboBox>
 #include <QDir>
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("measured");
 
-        // Opens the page from the menu of the Record button.
+        // Open the page from the menu of the Record button.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();
@@ -122,7 +122,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(times[row] - times[row - 1] - 4 * 0.002) < 1e-6);
         }
 
-        // The menu itself: another selection; the previous file is unchanged.
+        // Select another content in the menu. The previous file is not changed.
         Q_EMIT menu->aboutToShow();
         for (QAction* action : menu->actions()) {
             if (action->data().toInt() == 10) {
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(second->values[0][1] - second->values[0][0] - 10 * 0.002) < 1e-6);
         QVERIFY(QFile::exists(QDir(folder).filePath("run 001.csv")));
 
-        // Saved.
+        // The selection is saved.
         const RecordingChoice kept = app::Settings(bench.file).preferences().recording;
         QCOMPARE(kept.every, 10);
         QCOMPARE(kept.pattern, QString("run {number}"));
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(until(active));
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("seen"), Origin::Operator);
         QVERIFY(until([&] { return bench.window.session().state().recording.rows > 200; }));
-        // Size, rate and free space.
+        // The menu shows size, rate and free space.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         const QString progress =

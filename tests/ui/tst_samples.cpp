@@ -44,7 +44,7 @@ struct Bench : WindowBench {
         }
         QTest::mouseClick(key, Qt::LeftButton);
         window.activateWindow();
-        // The dialog is deleted in the next iteration of the event loop; the window is then active again.
+        // The dialog is deleted in the next iteration of the event loop. The window is then active again.
         return QTest::qWaitFor([this] { return dialog() == nullptr; }) &&
                QTest::qWaitForWindowActive(&window);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The 3D view in the real window: relevant objects are visible, the standard directions are commands with
-// shortcuts, and the jog frame "View" follows.
+// shortcuts, and the jog frame "View" follows the view.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -70,8 +70,8 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    // Each arm deviates from its model by some tenths of a millimetre, and reports it with frames far from its
-    // links.
+    // Each arm deviates from its model by some tenths of a millimetre. It reports the deviation by frames
+    // that are far from its links.
     void armIsDrawnAndCalculatedWithItsCalibration() {
         simulator::SimulatorOptions robot = VirtualCell::options();
         robot.calibration = 2;
@@ -89,12 +89,12 @@ private Q_SLOTS:
         };
         QVERIFY2(off(nominal) > 0.5, qPrintable(QString::number(off(nominal))));
         QVERIFY2(off(state.dh) < 1e-6, qPrintable(QString::number(off(state.dh))));
-        // The image shows an arm, not scattered links.
+        // The image must show an arm instead of scattered links.
         QVERIFY(isInThePicture(state.q));
         keepPicture(view(), QStringLiteral("scene-calibrated"));
     }
 
-    // An upright arm was cut off at the top.
+    // Regression test: an upright arm was cut off at the top.
     void theGhostOfHomeIsInThePicture() {
         view().grab();
         const double alone = view().camera().distance();
@@ -144,7 +144,7 @@ private Q_SLOTS:
     }
 
     void thePaletteFindsThem() {
-        bench_->cell.advanceMs(1500);  // Space only stops for a second after a motion
+        bench_->cell.advanceMs(1500);  // for a second after a motion, Space only stops
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");
@@ -171,7 +171,8 @@ private Q_SLOTS:
         QVERIFY(isInThePicture(window().session().state().q));
     }
 
-    // An obstacle on the path is reported next to the button, marked on the path, and disappears with its cause.
+    // An obstacle on the path is reported next to the button and marked on the path. Both disappear with the
+    // obstacle.
     void obstacleIsReportedNextToTheKey() {
         const JointPositions here = window().session().state().q;
         window().waypoints().teach();
@@ -211,12 +212,13 @@ private Q_SLOTS:
         QVERIFY(view().moveLimitText().isEmpty());
     }
 
-    // The path of "Back" is drawn as a line from the arm to the start, and disappears with it.
+    // The path of "Back" is drawn as a line from the arm to the start of the path, and disappears after
+    // "Back".
     void theWayBackIsDrawn() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
-        // Along X: the line is not on any axis of the TCP.
+        // Move along X, so that the line is not on any axis of the TCP.
         auto& key = bench_->find<HoldToRunButton>("jog.X+");
         press(key);
         bench_->cell.advanceMs(1500);
@@ -269,7 +271,7 @@ private Q_SLOTS:
         }
         QVERIFY2(names.contains("Before: waypoint 1") && names.contains("After: waypoint 1"),
                  qPrintable(names.join(", ")));
-        // The arm moves on: the displayed position is used.
+        // The arm moves further, but the displayed position must be used.
         press(key);
         bench_->cell.advanceMs(1500);
         release(key);
@@ -294,7 +296,8 @@ private Q_SLOTS:
         QCOMPARE(window().document().waypoints().at(0), taught);
     }
 
-    // The cell of the project is also in the simulated world; a jog ends before it.
+    // The cell of the project is also part of the simulated environment. A jog ends before it reaches the
+    // cell.
     void aBoxOfTheCellIsInTheSimulatedWorld() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().practiseOn(&bench_->cell.robot);
@@ -319,7 +322,7 @@ private Q_SLOTS:
         QCOMPARE(bench_->cell.truth().safetyMode, SafetyMode::Normal);
         QVERIFY(bench_->cell.truth().tcpPose.position.z() < tcp.z() + 0.03);
 
-        // Removed from the project, it is removed from the simulator.
+        // An object that is removed from the project is also removed from the simulator.
         window().document().undoStack().undo();
         bool empty = false;
         bench_->cell.robot.changeWorld([&empty, tcp](simulator::arm::Environment& world) {
@@ -330,7 +333,7 @@ private Q_SLOTS:
         window().practiseOn(nullptr);
     }
 
-    // Taught at one position: each name is legible or counted.
+    // The waypoints are taught at one position. Each name must be legible or counted.
     void namesOfWaypointsDoNotPileUp() {
         for (int i = 0; i < 14; ++i) {
             window().waypoints().teach();

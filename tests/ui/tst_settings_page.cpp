@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Settings take effect immediately and are restored at the next start. A settings file cannot make them
-// dangerous: the speed limit can only be raised by the user, and the header then shows it.
+// dangerous: only the user can raise the speed limit, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +47,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// Selects a value by keyboard: focus, then an arrow key.
+/// Selects a value by keyboard: sets the focus, then presses an arrow key.
 void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     auto* box = page.findChild<QComboBox*>(name);
     QVERIFY(box != nullptr);
@@ -111,7 +111,8 @@ private Q_SLOTS:
         cap->setFocus();
         cap->selectAll();
         QTest::keyClicks(cap, "500");
-        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);  // not before editing is finished
+        // No change before editing is finished.
+        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);
         QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // Applied as by the page; opening the page itself would stop the arm.
+        // Applied in the same way as by the page. Opening the page would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the key is still held");
@@ -172,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
         auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
-        // The last events of the closed page are processed before the key is pressed.
+        // Process the last events of the closed page before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(50);
         bench.window.activateWindow();
@@ -269,7 +270,7 @@ private Q_SLOTS:
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
-        // Enters the shortcut by keyboard, in the field of the command.
+        // Enter the shortcut by keyboard in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
         field->setFocus();
@@ -319,7 +320,7 @@ private Q_SLOTS:
         QTest::mouseClick(page->findChild<QPushButton*>("settings.trainer"), Qt::LeftButton);
         auto* trainer = page->findChild<DeviceTrainer*>();
         QVERIFY(trainer != nullptr && trainer->isVisible());
-        // Settings made there are shown here, and are also saved.
+        // Settings made in the test page are shown here and also saved.
         trainer->findChild<QCheckBox*>("device.dominant")->click();
         QVERIFY(!dominant->isChecked());
         QVERIFY(!app::Settings(bench.file).preferences().devices.value(kGamepadKind).dominantAxis);
@@ -362,7 +363,8 @@ private Q_SLOTS:
         key->setFocus();
         QVERIFY(page->isVisible() && key->isVisible());
         const QKeySequence before = bench->window.actions().find("app.help")->shortcut();
-        // The field loses the focus while the window is destroyed: this must not count as an edit or crash.
+        // The field loses the focus while the window is destroyed. This must not count as an edit, and must
+        // not crash.
         bench->window.close();
         QVERIFY(!bench->window.isVisible());
         QCOMPARE(bench->window.actions().find("app.help")->shortcut(), before);

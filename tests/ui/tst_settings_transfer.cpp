@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Transfer of all settings in one file: the user sees in advance what is replaced, it takes effect
-// immediately, and a damaged file or one of a newer format changes nothing.
+// Transfer of all settings in one file. The user sees in advance what will be replaced, and the settings take
+// effect immediately. A damaged file, or a file with a newer format, changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -79,7 +79,8 @@ struct FileAnswer {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 timer.stop();
                 asked = true;
-                // Enters the path as if typed: a selection is ignored while the field has the focus.
+                // Enter the path as if it were typed, because a selection is ignored while the field has the
+                // focus.
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             }
@@ -163,7 +164,7 @@ private Q_SLOTS:
         });
         QVERIFY2(told, "where the copy is");
 
-        // The same at the next start, and the backup restores the previous state.
+        // The settings are the same at the next start, and the backup restores the previous state.
         VirtualClock clock;
         const app::MainWindow next(app::Settings(bench.file), clock);
         QCOMPARE(currentDensity(), Density::Touch);
@@ -187,7 +188,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
         QCOMPARE(app::Settings(bench.file).learned().firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(app::Settings(bench.file).learned().practice, QStringList("recover"));
-        // The next saved value keeps the others.
+        // The next saved value must not remove the other values.
         bench.window.actions().find("app.firstSteps")->trigger();
         bench.find<QAbstractButton>("firstSteps.dismiss").click();
         const app::TutorialProgress learned = app::Settings(bench.file).learned();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A recording while the window is in use: jogging, resizing, zooming, scrubbing, in real time at 500 Hz. The
-// file contains every packet, in order; if the connection drops one in a hundred, the file contains every gap
-// with its length.
+// A recording while the window is in use (jogging, resizing, zooming, scrubbing), in real time at 500 Hz. The
+// file must contain every packet in order. If the connection drops one packet in a hundred, the file must
+// contain every gap with its length.
 //
-// TILLER_RECORD_SECONDS  duration of each row; default 10, and 600 for the time in the name. Qt Test limits a
-//                        row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
+// TILLER_RECORD_SECONDS  duration of each row; default 10; 600 for the ten minutes of the name. Qt Test
+//                        limits a row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
 
 #include <QDir>
 #include <QFileInfo>
@@ -96,7 +96,7 @@ struct Bench {
                 QTest::mouseMove(viewport, at + QPoint(between(20, 300), 0));
                 QTest::mouseRelease(viewport, Qt::MiddleButton, {}, at);
                 break;
-            case 2:  // cursor A, which view, inputs and log follow
+            case 2:  // moves cursor A; view, inputs and log follow
                 QTest::mouseClick(viewport, Qt::LeftButton, {}, at);
                 break;
             default:
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY2(all.problems().isEmpty(), qPrintable(all.problems().join('\n')));
         const std::vector<double> stamps =
             all.read(std::vector{all.indexOf("timestamp").value()}, {0, all.rows()}).value().front();
-        std::map<std::uint64_t, std::uint64_t> gaps;  // number of packets missing before a row
+        std::map<std::uint64_t, std::uint64_t> gaps;  // number of missing packets before a row
         for (const recording::RecordedGap& gap : all.gaps()) {
             gaps[gap.row] = gap.packets;
         }

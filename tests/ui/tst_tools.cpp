@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// TCP and payload in the real window with the simulated controller: set and read, questions about differences, and
-// a payload measured in poses that are approached while a button is held. And Home.
+// TCP and payload in the real window with the simulated controller: setting and reading, questions about
+// differences, and a payload measured in poses that are approached while a button is held. Also tests Home.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -39,7 +39,7 @@ private:
         QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
         cell().advanceMs(40);
     }
-    /// Real time also passes: settings on the robot are made by a worker.
+    /// Real time also passes, because a worker sends the settings to the robot.
     bool until(const std::function<bool()>& condition) {
         for (int i = 0; i < 2000 && !condition(); ++i) {
             cell().advanceMs(4);
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
-        // Another client sets a different TCP: the user is asked, and nothing is changed automatically.
+        // Another client sets a different TCP. The user is asked, and nothing is changed automatically.
         window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }));
         window().tools().tcps().setState(window().session().state());
@@ -106,7 +106,7 @@ private Q_SLOTS:
     }
 
     void payloadIsWeighedWithinFiftyGramsAndFiveMillimetres() {
-        // A load of 2.0 kg that is unknown to the controller; its sensor has noise and an offset.
+        // A load of 2.0 kg that is not configured in the controller. The sensor has noise and an offset.
         QVERIFY(cell().robot.inject("load 2.0 0.02 -0.03 0.09").ok());
         window().tools().showPage(ToolsTab::Payloads);
         cell().advanceMs(400);
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
         release(key);
-        // After undo, the Home button has its previous target.
+        // After undo, the Home button has its previous target again.
         window().document().undoStack().undo();
         QVERIFY(window().document().positions().homePosition() == nullptr);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In the density Touch all touch targets have the height needed by a finger: joint buttons, rows of I/O, tabs,
-// check boxes, fields and menus too. The mouse densities are unchanged.
+// With Touch density, all touch targets have the height needed by a finger: joint buttons, rows of the I/O
+// tab, tabs, check boxes, fields and menus. The mouse densities are not changed.
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -63,7 +63,7 @@ bool isTouched(const QWidget& widget) {
            qobject_cast<const QTabBar*>(&widget) != nullptr;
 }
 
-/// Visible widgets that are too low for a finger.
+/// Returns the visible widgets that are too low for a finger.
 QStringList tooLow(const QWidget& window) {
     QStringList found;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {

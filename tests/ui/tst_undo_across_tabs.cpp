@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Undo and redo from a tab that does not show the change: they name the edit, show its tab, and compare TCP and
-// payload with the robot. The real window with a simulated robot in virtual time.
+// Undo and redo from a tab that does not show the change. They show the name of the edit and the tab it
+// belongs to, and compare TCP and payload with the robot. Uses the real window, with a simulated robot in
+// virtual time.
 
 #include <QAction>
 #include <QPushButton>
@@ -111,7 +112,7 @@ private Q_SLOTS:
         QVERIFY(notice != nullptr && notice->isVisible());
         QVERIFY2(notice->title().contains("TCP differs"), qPrintable(notice->title()));
 
-        // No question after redo: the value equals the robot's.
+        // After redo, there is no question, because the value equals that of the robot.
         window().showTab("io");
         said_.clear();
         trigger("waypoint.action.redo");
@@ -174,7 +175,7 @@ private Q_SLOTS:
         }
     }
 
-    // The shortcuts work in the tab Tools as well.
+    // The shortcuts also work in the tab Tools.
     void ctrlZWorksInTools() {
         changeTcp(0.15, "Change the TCP “gripper”");
         window().showTab("tools");

@@ -79,7 +79,7 @@ QStringList wordsOf(const QWidget& widget) {
         words << chip->text();
     }
     if (const auto* table = qobject_cast<const QTableView*>(&widget)) {
-        // The log keeps its texts.
+        // Existing log entries do not change.
         const QAbstractItemModel* model = table->objectName() == "log.table" ? nullptr : table->model();
         for (int column = 0; model != nullptr && column < model->columnCount(); ++column) {
             words << model->headerData(column, Qt::Horizontal).toString();
@@ -92,7 +92,7 @@ QStringList wordsOf(const QWidget& widget) {
 }
 
 const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
-/// "in" is a word too: only after a number, or at the end of a column header.
+/// Matches "in" only after a number or at the end of a column header, because "in" is also an English word.
 const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
 
 /// Returns all texts of the window with the unit, except those of the plots.
@@ -100,7 +100,7 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     const auto* plots = root.findChild<PlotDock*>();
     QStringList found;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        // Messages with a time keep their texts, as in the log.
+        // Messages with a time do not change, like log entries.
         if (plots != nullptr &&
             (widget == plots || plots->isAncestorOf(widget) || widget->objectName() == "lastMessage")) {
             continue;
@@ -116,7 +116,7 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Names of widgets that display a length.
+/// Names of all widgets that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
@@ -164,7 +164,7 @@ private Q_SLOTS:
             window.jogColumn().travel().look();
         }
 
-        // All lengths in millimetres must change to inches after an update of the panels.
+        // After an update of the panels, all lengths in millimetres must have changed to inches.
         QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
                      qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
         QVERIFY(figuresIn(kInches, window).isEmpty());
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QTRY_VERIFY2(placesWithout(kInches, window).isEmpty(),
                      qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"));
         keepPicture(window, "units-inches");
-        // Painted, not a text: checked by name.
+        // This value is painted and not a text of the widget, so it is checked by name.
         QTRY_VERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
         auto* pose = window.findChild<PoseView*>();
         const double x = window.session().state().tcpPose.position.x();
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
-    // Labels, tables and fields use the typographic minus; copied numbers use a hyphen.
+    // Labels, tables and fields use the typographic minus sign. Copied numbers use a hyphen.
     void everyMinusIsTheSameSign() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -208,7 +208,7 @@ private Q_SLOTS:
         const QRegularExpression hyphen(QStringLiteral(R"((?<![\w./:-])-\s?\d)"));
         const QRegularExpression minus(QStringLiteral("−\\d"));
         QVERIFY(QStringLiteral("X -12.5").contains(hyphen) && !QStringLiteral("2-100 %").contains(hyphen));
-        // The arm is at negative X and Y, displayed in fields and tables.
+        // The arm is at negative X and Y. Fields and tables display these values.
         for (const char* place : {"\"waypoint.details.x\"", "\"frame.details.x\"", "\"frame.table\""}) {
             QTRY_VERIFY2(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(), place);
         }
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QSignalSpy refused(&model, &WaypointModel::editRefused);
         QVERIFY(!model.setData(model.index(0, WaypointModel::Speed), "50", Qt::EditRole));
         QVERIFY2(refused[0][0].toString().contains("39.37 in/s"), qPrintable(refused[0][0].toString()));
-        // Values that were not edited keep their digits: opening and closing the editor is not an edit.
+        // Values that were not edited keep their digits. Opening and closing the editor is not an edit.
         const int steps = bench.window.document().undoStack().count();
         const QString shown = model.index(0, WaypointModel::Speed).data(Qt::EditRole).toString();
         QVERIFY(model.setData(model.index(0, WaypointModel::Speed), shown, Qt::EditRole));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A window that is not visible does not paint.
+// A window that is not visible must not paint.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QTRY_VERIFY(paints.count > 0);
     }
 
-    // Content behind another tab or in a folded part is not painted either.
+    // Content in a hidden tab or in a folded part is not painted either.
     void nothingIsPaintedWhileHidden() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);

@@ -60,8 +60,8 @@ void DecimalSpinBox::explainRefusal() {
     QAccessible::updateAccessibility(&event);
 }
 
-// Values out of range are accepted while typing: dropping a digit would change the number. Additional decimals are
-// rounded.
+// Values out of range are accepted while typing, because rejecting a digit would change the entered number.
+// Additional decimals are rounded.
 QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
     text = asShown(text);
     bool isNumber = false;
@@ -109,7 +109,8 @@ void DecimalSpinBox::focusOutEvent(QFocusEvent* event) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
     }
-    // The base class would replace the input by the last value, as if it had been entered.
+    // The base class would replace the invalid input with the previous value, as if the user had entered that
+    // value.
     QCoreApplication::sendEvent(lineEdit(), event);
     QWidget::focusOutEvent(event);
     explainRefusal();
@@ -126,7 +127,8 @@ QString DecimalSpinBox::bare(QString text) const {
     return asRead(text.trimmed());
 }
 
-/// Copy and cut: spreadsheets and scripts do not accept the typographic minus sign.
+/// Handles copy and cut. Replaces the typographic minus sign, which spreadsheets and scripts do not accept,
+/// with a hyphen.
 bool DecimalSpinBox::copies(const QKeyEvent& event) {
     const bool cut = event.matches(QKeySequence::Cut);
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {

@@ -27,8 +27,8 @@ bool isEvent(const HoldEvent& news, QEvent::Type type) {
     return news.kind == Kind::Event && news.event->type() == type;
 }
 
-/// A press is delivered to the native window first and to the widget afterwards. It is evaluated at the
-/// widget, which may be a hold-to-run key itself.
+/// A press is delivered to the native window first and then to the widget. It is evaluated at the widget,
+/// because the widget may be a hold-to-run button.
 bool isAtWidget(const HoldEvent& news) {
     return news.watched->isWidgetType();
 }
@@ -53,7 +53,7 @@ bool isOverTheWindow(const QWidget& widget) {
 
 }  // namespace
 
-// ---- the rules -------------------------------------------------------------------------------------------
+// ---- rules -----------------------------------------------------------------------------------------------
 //
 // A rule checks an event and returns the cause that ends the motion, or None if the rule does not apply.
 
@@ -135,7 +135,7 @@ struct HoldRules::HoldRuleTable {
         if (!isEvent(n, QEvent::FocusOut) || n.watched != h.key_) {
             return StopCause::None;
         }
-        // A key that is disabled or hidden loses the focus first: report the actual reason.
+        // A button that is disabled or hidden loses the focus first. Report the underlying reason.
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(n.event)->reason();
         if (!h.key_->isEnabled()) {
             return StopCause::ControlLost;
@@ -158,8 +158,8 @@ struct HoldRules::HoldRuleTable {
                     hidden ? StopCause::WindowClosed : StopCause::WindowDeactivated);
     }
     static StopCause windowFocusLost(const HoldRules&, const HoldEvent& n) {
-        // A floating panel shares the activation state of its window: only the focus shows that the operator
-        // switched to another window.
+        // A floating panel shares the activation state of its window. Only the focus change shows that the
+        // operator switched to another window.
         return when(isEvent(n, QEvent::FocusOut) && n.watched->isWindowType(), StopCause::WindowDeactivated);
     }
     static StopCause windowMinimised(const HoldRules& h, const HoldEvent& n) {
@@ -231,7 +231,8 @@ struct HoldRules::HoldRuleTable {
     // conditions for starting a motion
 
     static QString inactiveWindow(const HoldRules&, const QWidget* key, const HoldSource&) {
-        // The press that activates a window must not move the arm, and only the active program may move it.
+        // The press that activates a window must not move the arm. Only the active application may move the
+        // arm.
         if (key != nullptr) {
             return QApplication::activeWindow() == key->window()
                        ? QString()
@@ -240,7 +241,7 @@ struct HoldRules::HoldRuleTable {
         return QApplication::activeWindow() != nullptr ? QString() : tr("Click in the window first.");
     }
     static QString openDialog(const HoldRules&, const QWidget*, const HoldSource& grip) {
-        // A dialog blocks mouse and touch input, but not keyboard jogging and input devices.
+        // A dialog already blocks mouse and touch input. Keyboard jogging and input devices need this check.
         if (grip.by != HoldSource::By::Keys && grip.by != HoldSource::By::Device) {
             return {};
         }
@@ -419,7 +420,7 @@ bool HoldRules::anyKeyState(const Test& test) const {
 }
 
 StopCause HoldRules::hiddenCause() const {
-    // Hiding a window also hides its keys.
+    // Hiding a window also hides its buttons.
     return key_ != nullptr && key_->window()->isHidden() ? StopCause::WindowClosed
                                                          : StopCause::SelectionChanged;
 }

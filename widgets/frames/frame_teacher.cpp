@@ -103,7 +103,7 @@ int FrameTeacher::nextMissing() const {
 
 void FrameTeacher::takeNext() {
     const Problem problem = project::check(points_).problem;
-    // Record a point that prevents the frame again before the next one.
+    // First record again the point that makes the frame invalid.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
 
@@ -193,7 +193,7 @@ void FrameTeacher::refresh() {
     const char* const role = wrong ? "warning" : "";
     if (feedback_->property("role") != QLatin1String(role)) {
         feedback_->setProperty("role", QLatin1String(role));
-        feedback_->setStyleSheet(feedback_->styleSheet());  // re-evaluates the role
+        feedback_->setStyleSheet(feedback_->styleSheet());  // makes Qt evaluate the role again
     }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
@@ -201,8 +201,9 @@ void FrameTeacher::refresh() {
 
 void FrameTeacher::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // The size of the feedback is constant, so that buttons do not move when the text changes.
-    constexpr int kLongest = 850;  // width of its longest sentence in one line [px]
+    // The height of the feedback does not depend on its text, so that buttons do not move when the text
+    // changes.
+    constexpr int kLongest = 850;  // width of the longest feedback text on one line [px]
     const int lines = std::clamp(kLongest / std::max(1, feedback_->width()) + 1, 2, 5);
     feedback_->setMinimumHeight(lines * QFontMetrics(textFont(15)).lineSpacing());
 }

@@ -88,7 +88,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
             wanted_->setRange(lowest(wantedDomain()), highest(wantedDomain()));
             wanted_->setSuffix(unitOf(wantedDomain()));
         };
-        // Fits in the tab of the smallest window.
+        // These widths fit in the tab of the smallest window.
         domain_->setFixedWidth(106);
         wanted_->setFixedWidth(92);
         set_->setProperty("dense", true);

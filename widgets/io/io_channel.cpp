@@ -26,7 +26,7 @@ int rowHeightNow() {
 IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     : QAbstractButton(parent), terminal_(terminal), output_(output) {
     setText(terminal);
-    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // P pulses the row that was clicked
+    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // the shortcut P pulses the row with the focus
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();
@@ -104,7 +104,7 @@ void IoChannel::changeEvent(QEvent* event) {
 }
 
 bool IoChannel::hitButton(const QPoint& position) const {
-    // Not disabled while data are old: it can still be renamed.
+    // Not disabled while data are outdated, because the row can still be renamed.
     return output_ && !stale_ && obstacle_.isEmpty() && QAbstractButton::hitButton(position);
 }
 
@@ -149,7 +149,8 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 
-    // A filled circle, a ring, or a half-filled one while not confirmed: distinguishable without colour.
+    // A filled circle, a ring, or a half-filled circle while unconfirmed, so that the states are
+    // distinguishable without colour.
     const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
     const QColor ink = live ? theme.text : theme.disabledText;
     const bool pending = state_ == State::PendingOff || state_ == State::PendingOn;
@@ -181,7 +182,7 @@ void IoChannel::keyPressEvent(QKeyEvent* event) {
             Q_EMIT pulseRequested();
         }
     } else {
-        event->ignore();  // Space stops the arm everywhere and must not press a button
+        event->ignore();  // Space always stops the arm and must not press a button
     }
 }
 

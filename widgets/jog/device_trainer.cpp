@@ -26,7 +26,7 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
-/// Lines break only between the parts, not between a number and its unit.
+/// Allows line breaks between the parts of the text, but not between a number and its unit.
 QString unbroken(QString text) {
     const QString joiner(QChar(0x2060));
     text.replace(QLatin1Char(' ') + format::speedUnit(), QChar(0xA0) + format::speedUnit());
@@ -61,7 +61,7 @@ QString motionText(const JogSelection& selection, const Deflection& deflection,
                                  .arg(parts.join(QStringLiteral(", ")), frameName(selection));
 }
 
-/// Six bars from the centre: a thin line for the raw value, a thick one for the resulting input.
+/// Six bars that start at the centre: a thin line for the raw value and a thick line for the resulting input.
 class DeviceBars : public QWidget {
 public:
     explicit DeviceBars(QWidget* parent) : QWidget(parent) {

@@ -44,7 +44,8 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    tell({}, {}, Key::None, false);  // the button needs its text before there is a result
+    // The width of the button depends on its text, even before there is a result.
+    tell({}, {}, Key::None, false);
     style();
     hide();
 }

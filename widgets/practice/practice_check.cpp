@@ -87,8 +87,8 @@ private:
     static constexpr double kStep = 0.001;      // [m] minimum distance of stored positions
     static constexpr std::size_t kPlaces = 20'000;
 
-    // The origin of a frame taught with the arm is a former TCP position; a frame entered as numbers may be
-    // anywhere.
+    // The origin of a frame taught with the arm must be a former TCP position. The origin of a frame entered
+    // as numbers may be anywhere.
     void remember(const Eigen::Vector3d& place) {
         if (places_.size() < kPlaces && (places_.empty() || (places_.back() - place).norm() > kStep)) {
             places_.push_back(place);
@@ -208,7 +208,7 @@ private:
     static constexpr double kSlowed = 0.5;
     static constexpr double kBack = 0.050;  // [m]
 
-    std::optional<Eigen::Vector3d> at_;  ///< position of the last slow-down
+    std::optional<Eigen::Vector3d> at_;  ///< position where the arm last slowed down
 };
 
 class MeasureCheck : public PracticeCheck {

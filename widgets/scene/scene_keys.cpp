@@ -41,7 +41,7 @@ void SceneKeys::addKey(const char* name, const QString& text, const QString& say
 
 void SceneKeys::style() {
     const Theme& theme = Theme::current();
-    // Less prominent than other buttons, because they are inside the image.
+    // The buttons are inside the image and therefore less prominent than other buttons.
     const int height = currentDensity() == Density::Touch ? keyHeight(Density::Touch) : 24;
     const QString sheet =
         QStringLiteral(

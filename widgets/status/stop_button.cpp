@@ -12,7 +12,7 @@
 namespace tiller {
 
 namespace {
-constexpr int kHintHeight = 18;  // height of the line below the text [px]
+constexpr int kHintHeight = 18;  // height of the line below the STOP text [px]
 }
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
@@ -110,7 +110,7 @@ bool StopButton::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && widget.windowType() == Qt::Popup) {
         keepUncovered(widget);
     }
-    // An open menu receives every press, and a press outside of it only closes it.
+    // An open menu receives every press, and a press outside the menu would only close it.
     const bool pressed =
         event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if (pressed && widget.windowType() == Qt::Popup) {

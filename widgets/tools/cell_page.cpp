@@ -23,9 +23,9 @@ namespace tiller {
 namespace {
 
 constexpr double kFarthestInCell = 10;  ///< [m]
-constexpr double kNewEdge = 0.1;        ///< initial size of a box [m]
+constexpr double kNewEdge = 0.1;        ///< initial edge length of a box [m]
 
-/// Returns a pose at this point whose Z axis is the normal, with minimum rotation relative to the base.
+/// Returns a pose at this point whose Z axis is the normal. Its rotation relative to the base is minimal.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -144,7 +144,8 @@ void VectorEditor::updateValueTexts() {
         box.setRange(kind_ == Kind::Size ? kMinEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
-        shown_[i] = box.value();  // rounded: only edited values count as changed
+        // The box rounds; with the rounded value, only edited values count as changed.
+        shown_[i] = box.value();
     }
 }
 
@@ -165,9 +166,10 @@ void VectorEditor::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-// ---- the page -----------------------------------------------------------------------------------------------
+// ---- page
+// ---------------------------------------------------------------------------------------------------
 
-/// A new position replaces a missing frame by the base frame.
+/// Returns the part with the base frame if its frame is missing.
 template <class Part>
 Part CellPage::placed(Part part) const {
     part.frame = document_.frames().pose(part.frame) ? part.frame : QUuid();
@@ -251,7 +253,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // In a panel with little height the values scroll; the list and the row below do not move.
+    // In a panel with little height, the values scroll. The list and the row below do not move.
     auto* figures = new NoFocusScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
@@ -277,7 +279,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
-            // The tool points at the surface, and the arm is on its own side of the plane.
+            // The tool points at the surface, so the arm is on the permitted side of the plane.
             addPlane(planePose(state_.tcpPose.position, -rotationMatrix(state_.tcpPose.rotation).col(2)));
         }
     };
@@ -343,7 +345,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             refresh();
             return;
         }
-        project::CellPlane after = *selected;  // its position may still be unknown
+        project::CellPlane after = *selected;  // the position of the plane may still be unknown
         after.pose = planePose(after.pose.position, normal.normalized());
         change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });

@@ -22,7 +22,7 @@ constexpr double kProposals[][3] = {{0, 0, 0},      {0.6, 0, 0},     {-0.4, 0.7,
                                     {0, -0.7, 1.6}, {0.5, 0.5, 2.4}, {-0.5, -0.5, -0.8}};
 constexpr double kProposedSpeed = 0.5;         ///< [rad/s]
 constexpr double kProposedAcceleration = 1.0;  ///< [rad/s2]
-/// Minimum difference of the forces and torques between the poses, above the noise [N, Nm].
+/// Minimum differences of the forces and torques between the poses. They must exceed the noise [N, Nm].
 constexpr double kPoorForce = 1.0;
 constexpr double kPoorTorque = 0.1;
 
@@ -128,7 +128,7 @@ JointPositions PayloadEstimator::nextPose() const {
     const auto& turns = kProposals[readings_.size() % std::size(kProposals)];
     for (int i = 0; i < 3; ++i) {
         const double there = q[3 + i] + turns[i];
-        // At the limit of the range it rotates in the other direction.
+        // If the rotation would exceed the limit of the range, rotate in the other direction.
         q[3 + i] = std::abs(there) <= kJointPositionLimit ? there : q[3 + i] - turns[i];
     }
     return q;

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different values in robot and project.
+/// Cause of the notice about different payloads in robot and project.
 constexpr char kPayloadDifference[] = "robot.payload";
 
 PartModel* payloadModel(ProjectDocument& document) {
@@ -65,8 +65,8 @@ struct Preset {
     double mass;    ///< [kg]
     double height;  ///< height of the centre of gravity above the flange [m]
 };
-/// Estimated values, not compared with the manufacturers' data sheets. They include the coupling, but no
-/// workpiece.
+/// Estimated values that have not been compared with the manufacturers' data sheets. They include the
+/// coupling, but no workpiece.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
@@ -199,7 +199,7 @@ void PayloadPage::storeValue(int figure) {
     } else {
         after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
     }
-    // The inertia was valid for the previous mass.
+    // The inertia was valid only for the previous mass.
     after.inertia.reset();
     change(after, tr("Change the payload “%1”").arg(payload->name));
 }
@@ -223,7 +223,7 @@ void PayloadPage::use() {
         return;
     }
     const project::Payload chosen = *payload;
-    // No question about a value that is about to be set.
+    // Do not ask about a value that is about to be set.
     asked_ = chosen;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
@@ -299,8 +299,8 @@ void PayloadPage::followCheck() {
                 notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);
                 break;
             }
-            // A downward force means that the configured payload is too small, an upward force that it is too
-            // large.
+            // A downward force means that the configured payload is too small. An upward force means that it
+            // is too large.
             const double missing = -left.force.z() / kinematics::kStandardGravity;
             const QString advice =
                 std::abs(missing) > 0.1
@@ -350,7 +350,7 @@ void PayloadPage::refresh() {
 void PayloadPage::updateValueTexts(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
-        return;  // keep a value that is being edited
+        return;  // preserve a value that is being edited
     }
     shownPayload_ = payload;
     shownUnit_ = perUnit;

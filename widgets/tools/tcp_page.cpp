@@ -18,7 +18,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different values in robot and project.
+/// Cause of the notice about different TCPs in robot and project.
 constexpr char kTcpDifference[] = "robot.tcp";
 
 PartModel* tcpModel(ProjectDocument& document) {
@@ -187,7 +187,7 @@ void TcpPage::use() {
         return;
     }
     const project::Tool chosen = *tool;
-    // No question about a value that is about to be set.
+    // Do not ask about a value that is about to be set.
     asked_ = chosen;
     askedAbout_ = state_.tcpOffset;
     project::Tooling after = document_.tooling();

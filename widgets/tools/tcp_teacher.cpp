@@ -140,7 +140,7 @@ void TcpTeacher::takeTurn() {
     }
     const std::size_t needed = turning_->currentIndex() == ThreePoses ? 3 : 1;
     if (turns_.size() == needed) {
-        turns_.clear();  // restarts the rotation
+        turns_.clear();  // start again with the poses for the rotation
     }
     turns_.push_back(*T);
     refresh();
@@ -150,7 +150,7 @@ std::optional<Eigen::Vector3d> TcpTeacher::rotation() const {
     switch (turning_->currentIndex()) {
         case StraightDown:
             if (turns_.size() == 1) {
-                // Z pointing down, X along X of the base.
+                // Z points down, and X is parallel to X of the base frame.
                 const Eigen::Matrix3d R_base_tool = rotationMatrix({M_PI, 0, 0});
                 return rotationVector(kinematics::toolRotation(turns_[0].linear(), R_base_tool));
             }

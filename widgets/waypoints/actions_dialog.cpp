@@ -22,7 +22,7 @@ namespace {
 using project::IoGroup;
 using Action = project::WaypointAction;
 
-/// A longer delay of a sensor usually indicates a fault [s].
+/// Longer delays than this [s] of a sensor usually indicate a fault.
 constexpr double kUsualWait = 10;
 constexpr double kUsualPulse = 0.5;  // [s]
 
@@ -96,7 +96,7 @@ QPushButton* ActionsDialog::addKey(const char* name, const QString& text, const 
     key->setObjectName(QStringLiteral("waypoint.actions.") + QLatin1String(name));
     key->setAccessibleName(toolTip);
     key->setToolTip(toolTip);
-    key->setAutoDefault(true);  // Default button for Return, because Space stops the robot
+    key->setAutoDefault(true);  // Return activates the default button, because Space stops the robot
     connect(key, &QPushButton::clicked, this, pressed);
     return key;
 }
@@ -151,7 +151,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // All fields have the same position for all action types.
+        // All fields are at the same position for all action types.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -164,7 +164,7 @@ QWidget* ActionsDialog::buildFields() {
 void ActionsDialog::add() {
     Action action;
     action.kind = Action::Kind::SetOutput;
-    // The next action usually has the same type as the last one.
+    // The next action usually has the same type as the previous action.
     const int row = list_->currentRow();
     if (row >= 0) {
         action = actions_[static_cast<std::size_t>(row)];

@@ -138,7 +138,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // A held button is not disabled: the motion ends by itself.
+        // A held button is not disabled, because the motion ends by itself.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }
@@ -180,7 +180,7 @@ HoldToRunButton& GoThroughBar::through() {
 
 void GoThroughBar::showSpeed() {
     if (isHolding()) {
-        return;  // the current motion keeps its speed
+        return;  // the speed of the current motion does not change
     }
     const bool known = state_.hasData() && obstacles_[static_cast<std::size_t>(Way::Through)].isEmpty();
     const Result<MoveRequest> move =

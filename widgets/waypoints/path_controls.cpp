@@ -33,7 +33,7 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     , record_(new QPushButton)
     , tolerances_(new QMenu(tr("Tolerance of recorded paths"), this)) {
     record_->setObjectName(QStringLiteral("waypoint.recordPath"));
-    record_->setFocusPolicy(Qt::TabFocus);  // a click does not take the focus from the list
+    record_->setFocusPolicy(Qt::TabFocus);  // a click does not move the focus away from the list
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 12, 8);
     layout->addWidget(record_);
@@ -114,7 +114,7 @@ void PathControls::show() {
                                          "it as waypoints. Press again to stop. The robot does not move."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
-    // Keep the width of the longest text, so that adjacent elements do not move.
+    // Keep the width that fits the longest text, so that adjacent elements do not move.
     const QString now = record_->text();
     int widest = record_->sizeHint().width();
     record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kMinSide = 0.001;  ///< minimum distance of two corners [m]
+constexpr double kMinSide = 0.001;  ///< minimum distance between two corners [m]
 
 class CountBox : public QSpinBox {
 public:

@@ -17,7 +17,7 @@ namespace tiller {
 namespace {
 
 enum ShiftKind { kOffset, kTurn, kMirror };
-constexpr int kToolAxes = 1;  ///< index in the list of axes, after the base
+constexpr int kToolAxes = 1;  ///< index in the list of axes, after the base frame
 constexpr int kFirstFrameAxes = 2;
 
 }  // namespace

@@ -248,7 +248,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
 void WaypointsTab::fitRoutes() {
     details_->setValuesSlot(0);
     routes_->setMinimumHeight(0);
-    // In a narrow panel "Record path" is only in the menu.
+    // In a narrow panel, "Record path" is available only in the menu.
     paths_->setVisible(true);
     paths_->setVisible(routes_->sizeHint().width() <= width());
     const int spare = height() - minimumSizeHint().height();
@@ -256,7 +256,8 @@ void WaypointsTab::fitRoutes() {
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
     details_->setValuesVisible(!instead);
-    // Below the headline, in place of the values: the pressed button keeps its position.
+    // The route controls replace the values below the headline, so that the pressed button keeps its
+    // position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
     if (instead != below) {
@@ -267,8 +268,8 @@ void WaypointsTab::fitRoutes() {
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
-        // Values and buttons have the same height, so that the headline keeps its position when they are
-        // swapped.
+        // Values and route controls have the same height, so that the headline keeps its position when they
+        // are swapped.
         const int slot = std::max(details_->valuesHeight(), std::min(wanted, available));
         details_->setValuesSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
@@ -277,11 +278,12 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // This also applies while Run route replaces the values, so that the panel does not change.
+    // The reserved height is also included while the route controls replace the values, so that the panel
+    // size does not change.
     const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
     least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {
-        // The details appear with the first waypoint; this must not move buttons in a panel with little
+        // The details appear with the first waypoint. They must not move the buttons of a panel with little
         // height.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
@@ -289,7 +291,7 @@ QSize WaypointsTab::minimumSizeHint() const {
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // The question was answered.
+    // The user has answered the question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -345,7 +347,7 @@ void WaypointsTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
+        // Do not use the view. It would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, WaypointModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -355,7 +357,7 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    // Show the next waypoint while the arm moves through the waypoints.
+    // Show the next waypoint while the arm runs the route.
     const int row =
         goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
@@ -395,7 +397,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        // Positions of two different arm models could not be distinguished in one project.
+        // In one project, positions of two different arm models could not be distinguished.
         return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                                           : QString();
     }
@@ -473,7 +475,7 @@ void WaypointsTab::followSpeed() {
 /// Displays the speed of the arm on the button.
 void WaypointsTab::showSpeed() {
     if (goTo_->isHolding()) {
-        return;  // the current motion keeps its speed
+        return;  // the speed of the current motion does not change
     }
     const Result<MoveRequest> move =
         currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
@@ -502,7 +504,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // Added to the whole window, because the focus may be on the jog pad while teaching.
+    // Added to the whole window, because the focus may be on the jog pad during teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -571,7 +573,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Undo through the document, which reports the change.
+        // Undo through the document, because it reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -606,8 +608,8 @@ void WaypointsTab::teach() {
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
-        // Neighbouring waypoints usually have the same move type, frame and speed: use those of the selected
-        // one.
+        // Neighbouring waypoints usually have the same move type, frame and speed, so use the values of the
+        // selected waypoint.
         point = document_.waypoints().at(row);
         point.extra = {};
         point.note.clear();
@@ -659,7 +661,7 @@ void WaypointsTab::touchUp() {
 }
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
-    // The displayed position is used, even if the arm has moved since.
+    // Use the displayed position, even if the arm has moved since.
     const int row = document_.waypoints().indexOf(id);
     if (row >= 0) {
         document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));

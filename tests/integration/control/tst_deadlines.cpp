@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A peer that does not respond blocks nothing: every waiting call ends with its deadline or its cancel, and
-// destroyed objects leave nothing behind. The test does not measure time: a call that does not end makes the test
-// hang. The timing is measured by tests/benchmarks/backend_performance.
+// A peer that does not respond must not block anything. Every waiting call ends at its deadline or when it is
+// cancelled, and destroyed objects release all resources. The test does not measure time: if a call does not
+// end, the test hangs. tests/benchmarks/backend_performance measures the timing.
 #include <QDir>
 
 #include "tests/integration/control/blocking_calls.h"
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::Cancelled, qPrintable(error.toString()));
     }
 
-    // release() does not wait for the deadline of another call.
+    // release() must not wait for the deadline of another call.
     void releaseEndsACallThatWaits() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         ControllerOptions options;
@@ -118,8 +118,8 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return move->wait(Deadline::never()); }).ok());
     }
 
-    // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, control does not resume automatically, and at
-    // the end there are as many threads and descriptors as at the start.
+    // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, and control does not resume
+    // automatically. At the end, there are as many threads and descriptors as at the start.
     void dataComeBackAfterAHundredCutsAndControlDoesNot() {
         Cell cell;
         receive::ReceiverOptions options;
@@ -131,7 +131,7 @@ private Q_SLOTS:
         receive::Receiver receiver(options);  // with the default delays
         receiver.start().value();
         using receive::ReceiverState;
-        // Advances time, and gives the receiver an opportunity to react.
+        // Advances time and lets the receiver react.
         const auto pass = [&](int ticks) {
             const ReceiverState state = receiver.state();
             const std::uint64_t packets = receiver.latest().sequence;
@@ -142,7 +142,7 @@ private Q_SLOTS:
                 std::this_thread::sleep_for(std::chrono::microseconds(50));
             }
         };
-        // Within 2 s of robot time; time spent in the sockets does not count.
+        // True if data resume within 2 s of robot time. Time spent in the sockets does not count.
         const auto flows = [&] {
             const std::uint64_t before = receiver.latest().sequence;
             cell.stepAlone();  // the robot responds again

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// tiller-cli run and script as their users type them, simulated and on the simulated controller through its real ports.
+// The commands `tiller-cli run` and `tiller-cli script` as users type them, in simulation and on the
+// simulated controller through its real ports.
 
 #include <QElapsedTimer>
 #include <QJsonArray>
@@ -118,7 +119,7 @@ private Q_SLOTS:
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
     }
 
-    // A killed process cannot stop anything; the missing heartbeat ends the motion in the script.
+    // A killed process cannot stop the arm. The script ends the motion because of the missing heartbeat.
     void armStopsWithTheProcess_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("interrupted") << SIGINT;
@@ -132,7 +133,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
         ::kill(static_cast<pid_t>(process.processId()), signal);
         const double killed = simulator_->truth().timestamp;
-        double rest = 0;  // when the arm came to rest, by the robot's own time
+        double rest = 0;  // robot time at which the arm has stopped
         QTRY_VERIFY_WITH_TIMEOUT((rest = simulator_->truth().timestamp,
                                   simulator_->truth().qd.values.cwiseAbs().maxCoeff() < 1e-3),
                                  10'000);

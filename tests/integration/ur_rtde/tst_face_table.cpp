@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generates the table in robot/ur_rtde/METHODS.md: every method of the interface, and the tests that check its
-// effect. Run with TILLER_UPDATE_TABLES=1 to write the file.
+// Generates the table in robot/ur_rtde/METHODS.md with every method of the interface and the tests that check
+// its effect. Run with TILLER_UPDATE_TABLES=1 to write the file.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -40,7 +40,7 @@ struct Counterpart {
     QString inTiller;
 };
 
-/// By "class method". Sections have the names of their classes, rows those of one or more methods.
+/// Entries by "class method". The page has a section per class and a row for one or more methods.
 QHash<QString, Counterpart> counterparts() {
     static const QRegularExpression kName(QStringLiteral("`(\\w+)`"));
     QHash<QString, Counterpart> all;
@@ -63,7 +63,7 @@ QHash<QString, Counterpart> counterparts() {
     return all;
 }
 
-/// The declarations of a method in its class, each on one line.
+/// Returns the declarations of a method in its class, each on one line.
 QString signaturesOf(const Method& method, const QString& headers) {
     const qsizetype begin =
         headers.indexOf(QRegularExpression("\\b(?:class|struct) (?:\\w+ )?" + method.owner + "\\b[^;]*\\{"));
@@ -78,7 +78,7 @@ QString signaturesOf(const Method& method, const QString& headers) {
     return begin < 0 ? QString() : found.join("<br>");
 }
 
-/// Test functions with their texts.
+/// A test function and its text.
 struct TestFunction {
     QString where;
     QString text;
@@ -105,16 +105,16 @@ QList<TestFunction> functionsIn(const QString& folder, const QString& pattern,
     return functions;
 }
 
-/// Syntax of the tests in a language.
+/// Syntax of the tests in one language.
 struct Language {
     QHash<QString, QString> objects;  ///< names of the objects of each class
     QRegularExpression assertion;
-    /// Functions that set up or only check refusals: they do not test effects.
+    /// Functions that only set up a test or check rejected calls. They do not test effects.
     QRegularExpression sideShow;
 };
 
-/// The first test that calls the method and checks its effect: an assertion is on the line of the call, just before
-/// it or shortly after it.
+/// Returns the first test that calls the method and checks its effect. An assertion must be on the line of
+/// the call, just before it or shortly after it.
 QString exercised(const Method& method, const QList<TestFunction>& functions, const Language& language) {
     constexpr qsizetype kSoon = 8;  // [lines]
     const QRegularExpression call(language.objects.value(method.owner) +
@@ -143,7 +143,7 @@ class TestFaceTable : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // All names mentioned on the page exist.
+    // All names on the page must exist.
     void thePageNamesNoMethodThatIsNotThere() {
         QSet<QString> known;
         for (const Method& method : methodsIn("tests/data/ur_rtde/methods.txt")) {
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(from.size() > 200);
         QStringList strangers;
         for (auto it = from.cbegin(); it != from.cend(); ++it) {
-            // A section for two classes contains methods of only one of them.
+            // A section for two classes contains methods that only one of them has.
             const bool shared = it.key().startsWith("Path ") || it.key().startsWith("PathEntry ");
             if (!known.contains(it.key()) && !shared) {
                 strangers << it.key();
