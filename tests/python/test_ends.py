@@ -34,7 +34,7 @@ SIGNALS = {"Ctrl-C": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.
 ORDERS = {"exception": signal.SIGUSR1, "exit": signal.SIGUSR2, "object": signal.SIGALRM, "_exit": signal.SIGVTALRM,
           "leave": signal.SIGPROF}
 
-BRAKES, GOES_ON = "brakes", "**moves on**"
+BRAKES, GOES_ON = "brakes", "**keeps moving**"
 
 #: call: the call as users write it. program: argument of the helper, or lines of Python. fast: TCP speed at the end [m/s].
 #: turning: joint speed at the end, if not 0 [rad/s].
@@ -268,12 +268,12 @@ FURTHER = [
     ("C++", "`std::abort`", "abort", ("free moveJ", "script")),
     ("C++", "`_exit`", "_exit", ("free moveJ", "script")),
     ("C++", "write to a closed pipe (SIGPIPE)", "closed pipe", ("free moveJ", "script")),
-    ("C++", "killed while a forked child lives on", "fork", ("free moveJ", "script")),
+    ("C++", "killed while a forked child runs", "fork", ("free moveJ", "script")),
     ("ur_rtde C++", "`disconnect(true)`", "leave", ("moveJ", "script")),
     ("ur_rtde C++", "`std::abort`", "abort", ("moveJ", "script")),
     ("ur_rtde C++", "`_exit`", "_exit", ("moveJ", "script")),
     ("ur_rtde C++", "write to a closed pipe (SIGPIPE)", "closed pipe", ("moveJ", "script")),
-    ("ur_rtde C++", "killed while a forked child lives on", "fork", ("moveJ", "script")),
+    ("ur_rtde C++", "killed while a forked child runs", "fork", ("moveJ", "script")),
     ("Python", "`os._exit`", "_exit", ("move = robot.move_j(turned(1.5), 0.4)", "robot.run_script(SCRIPT)")),
     ("Python", "main thread ends, a daemon thread moves the arm", "exit",
      tuple(f"def work():\n    {call}\nthreading.Thread(target=work, daemon=True).start()" for call in
@@ -415,7 +415,7 @@ def table(seen, further):
             lines.append(f"| {name_of(row)} | " + " | ".join(cell.what for cell in here)
                          + f" | {longest.milliseconds:.0f} ms, {max(cell.radians for cell in braked):.2f} rad |")
         lines.append("")
-    lines += ["### Further ends", "", "| API | end | move | script |", "|---|---|---|---|"]
+    lines += ["### Other ways to end", "", "| API | end | move | script |", "|---|---|---|---|"]
     for entry in FURTHER:
         api, name, end, _ = entry
         lines.append(f"| {titles[api]} | {name} | " + " | ".join(further[row, end].what for row in further_rows(entry)) + " |")
