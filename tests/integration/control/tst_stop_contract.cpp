@@ -158,8 +158,8 @@ private Q_SLOTS:
                 check(i % motions, i / motions, words, slider, problems);
             }
         } else {
-            // Each case has a different motion and event than the previous case. Eventually all pairs are
-            // covered.
+            // The motion and event of each case differ from those of the previous case. Eventually all pairs
+            // are covered.
             QRandomGenerator random(kSeed + static_cast<quint32>(qHash(words + QString::number(slider), 0)));
             std::size_t at = random.bounded(static_cast<quint32>(motions * events));
             for (int i = 0; i < cells; ++i, ++at) {
