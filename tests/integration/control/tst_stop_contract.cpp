@@ -206,8 +206,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause affects real time and program time differently. The end of the program read its speed in
-        // one time and decelerated in the other.
+        // During a pause, real time and program time advance differently. The end of the program read its
+        // speed in one of them and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
