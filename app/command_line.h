@@ -15,7 +15,7 @@ struct CommandLine {
     Start start = Start::Ask;  ///< Ask: shows the connection dialog
     QString robotHost;
     QString
-        demoDirectory;  ///< if not empty, runs the scripted demonstration, writes its files to this folder, and exits
+        demoDirectory;  ///< folder for the files of the scripted demonstration; if set, runs it and exits
     QString projectFile;       ///< project to open; empty: the last project
     QStringList recordings;    ///< recordings to open
     QString theme;             ///< "light", "dark", or empty for the last setting
