@@ -15,8 +15,8 @@ struct CommandLine {
     Start start = Start::Ask;  ///< Ask: shows the connection dialog
     QString robotHost;
     QString
-        demoDirectory;  ///< if not empty, runs the scripted demonstration, writes its files to this folder, and exits
-    QString projectFile;       ///< project to open; empty: the last project
+        demoDirectory;    ///< folder for files of the scripted demonstration; if not empty, runs it and exits
+    QString projectFile;  ///< project to open; empty: the last project
     QStringList recordings;    ///< recordings to open
     QString theme;             ///< "light", "dark", or empty for the last setting
     bool monitorOnly = false;  ///< blocks all changes on the robot, independent of the settings

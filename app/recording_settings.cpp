@@ -200,7 +200,7 @@ void RecordingSettings::showExample() {
     const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
     if (example_->property("role") != role) {
         example_->setProperty("role", role);
-        // The style sheet evaluates the property only when it is set again.
+        // The change of the property takes effect only after the style sheet is set again.
         example_->setStyleSheet(example_->styleSheet());
     }
     const QString file =

@@ -305,7 +305,7 @@ void SettingsPage::changeEvent(QEvent* event) {
 void SettingsPage::showCap() {
     const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
-    // The style sheet evaluates the property only when it is set again.
+    // The change of the property takes effect only after the style sheet is set again.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
                                   "mode nor the enabling device of the pendant. The header shows a warning. "

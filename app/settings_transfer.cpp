@@ -174,7 +174,7 @@ QSet<SettingsPart> ImportDialog::chosen() const {
 
 void ImportDialog::showFailure(const QString& text) {
     note_->setProperty("role", QStringLiteral("alarm"));
-    // The style sheet evaluates the property only when it is set again.
+    // The change of the property takes effect only after the style sheet is set again.
     note_->setStyleSheet(note_->styleSheet());
     note_->setText(text);
 }

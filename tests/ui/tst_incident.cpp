@@ -493,8 +493,8 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
     QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("diverge at"),
              qPrintable(bench.log().shownText()));
 
-    // With live data, there is no such line below the plots and no mark. The log entry opens the recording at
-    // that time.
+    // With live data, neither the line below the plots nor the mark is shown. The log entry opens the
+    // recording at that time.
     bench.plots().endReplay();
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
     const int row = rowOf("diverge at");

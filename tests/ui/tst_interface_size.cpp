@@ -111,7 +111,7 @@ private Q_SLOTS:
     }
 
     void keysAndPlotsGrowWithTheSize() {
-        // Measures a button of the jog pad and one of the plots, in pixels of the screen.
+        // Measures a button of the jog pad and a button of the plots, in pixels of the screen.
         const auto measure = [](int percent) {
             const Start start({3840, 2160}, percent);
             VirtualClock clock;

@@ -220,7 +220,7 @@ private Q_SLOTS:
             QVERIFY(!bench.steps().isVisible());
             QVERIFY(QFile::copy(bench.file, file));
         }
-        // The next start of the application does not show it.
+        // The card is not shown at the next start of the application.
         VirtualClock clock;
         app::MainWindow window(app::Settings(file), clock);
         VirtualCell cell(clock, window.session());

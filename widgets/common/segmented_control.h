@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does not
-// change it. Each button is a QAbstractButton named "<name of the control>.<index>".
+// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does
+// not change the selection. Each button is a QAbstractButton named "<name of the control>.<index>".
 
 #include <QStringList>
 #include <QVector>

@@ -57,7 +57,7 @@ public:
     /// Requires a neutral position of this source before the next motion.
     void requireNeutral(HoldSource::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
-    /// The last input of the current motion, and its factor of the selected speed.
+    /// The last input of the current motion, and the factor applied to the selected speed.
     const Deflection& input() const { return input_; }
     double factor() const { return factor_; }
     /// True while a stopped source has not yet returned to neutral.

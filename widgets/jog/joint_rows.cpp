@@ -31,7 +31,7 @@ constexpr int kBarWithSpeed = 34;  // minimum remaining width of the bar [px]
 JointBar::JointBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(
-        Qt::WA_OpaquePaintEvent);  // Repainted at every motion: do not paint the background each time.
+        Qt::WA_OpaquePaintEvent);  // The row is repainted often, so do not paint the background each time.
 }
 
 bool JointBar::isNearLimit() const {

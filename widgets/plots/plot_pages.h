@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The pages of plots, with tabs. All pages share the same time range and cursors.
+// The plot pages with their tabs. All pages share the same time range and cursors.
 
 #include <QDateTime>
 #include <QWidget>

@@ -264,7 +264,7 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    // The end of the trace is at the arm, and the end is drawn together with the arm.
+    // The end of the trace is at the arm and is drawn together with the arm.
     const double began = trace_.begins();
     trace_.extend(state.robotTime, kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position);
     if (trace_.begins() != began) {

@@ -158,8 +158,8 @@ private Q_SLOTS:
                 check(i % motions, i / motions, words, slider, problems);
             }
         } else {
-            // Each case has a different motion and event than the previous case. Eventually all pairs are
-            // covered.
+            // The motion and event of each case differ from those of the previous case. Eventually all pairs
+            // are covered.
             QRandomGenerator random(kSeed + static_cast<quint32>(qHash(words + QString::number(slider), 0)));
             std::size_t at = random.bounded(static_cast<quint32>(motions * events));
             for (int i = 0; i < cells; ++i, ++at) {
@@ -206,8 +206,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause affects real time and program time differently. The end of the program read its speed in
-        // one time and decelerated in the other.
+        // During a pause, real time and program time advance differently. The end of the program read its
+        // speed in one of them and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";

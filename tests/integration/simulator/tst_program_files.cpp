@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the pendant. Variables are defined once and then referenced. Also sequences, branches,
-// loops, threads, and waypoints given by a variable.
+// Programs as saved by the pendant. Variables are defined once and then referenced. The tests also cover
+// sequences, branches, loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
