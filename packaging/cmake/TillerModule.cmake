@@ -33,7 +33,11 @@ if(TILLER_SANITIZE)
     target_link_options(tiller_options INTERFACE -fsanitize=${TILLER_SANITIZE})
 endif()
 if(TILLER_BUILD_FUZZERS)
-    target_compile_options(tiller_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined)
+    # Without the two kinds of undefined behaviour that AddressSanitizer reports as well. They take a tenth of the
+    # compile time, and with Eigen, together with the alignment of its matrices, half of it.
+    target_compile_options(tiller_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+        -fno-sanitize=null,object-size
+        "$<$<IN_LIST:$<TARGET_PROPERTY:NAME>,tiller_arm;tiller_kinematics>:-fno-sanitize=alignment,vptr>")
     target_link_options(tiller_options INTERFACE -fsanitize=address,undefined)
 endif()
 
