@@ -23,8 +23,10 @@ struct Standstill {
         Blind,   ///< no data were received, so there is no result
     };
     Verdict verdict = Verdict::Blind;
-    double seconds =
-        0;  ///< robot time from the first package after the release to the last package with motion
+    /// Robot time from the first package after the release to the last package with motion.
+    double seconds = 0;
+    /// Time in which the program or the display server was ready to run, but other processes used the processors [s].
+    double withoutProcessor = 0;
 };
 
 /// Threads: one, in addition to that of the receiver.

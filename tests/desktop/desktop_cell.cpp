@@ -5,12 +5,14 @@
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTcpSocket>
 #include <QTest>
+#include <algorithm>
 
 namespace tiller::test {
 namespace {
@@ -90,6 +92,11 @@ void Child::signal(int number) {
     if (process_.processId() > 0) {
         ::kill(pid_t(process_.processId()), number);
     }
+}
+
+double Child::withoutProcessor() const {
+    QFile file(QStringLiteral("/proc/%1/schedstat").arg(process_.processId()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(1).toDouble() * 1e-9 : 0;
 }
 
 // ---- DesktopCell
@@ -333,6 +340,18 @@ bool DesktopCell::armKeyboard() {
     hand_->tap(kLetterJ);
     hand_->release(kControl);
     return untilShown("armedFrame");
+}
+
+Standstill DesktopCell::standstill(double contract) {
+    const auto waited = [this] { return display_.withoutProcessor() + program_.withoutProcessor(); };
+    const double before = waited();
+    Standstill result = arm_->standstill(contract);
+    // A process that has ended meanwhile has no statistics any more.
+    result.withoutProcessor = std::max(waited() - before, 0.0);
+    if (result.verdict == Standstill::Verdict::Late && result.seconds - result.withoutProcessor <= contract) {
+        result.verdict = Standstill::Verdict::Stood;
+    }
+    return result;
 }
 
 bool DesktopCell::fault(const QString& words) {

@@ -33,6 +33,8 @@ public:
     QString waitForLine(const QString& beginning);
     void signal(int number);
     bool isRunning() const { return process_.state() == QProcess::Running; }
+    /// Total time in which the main thread was ready to run, but had no processor [s].
+    double withoutProcessor() const;
     bool waitForEnd(int ms) {
         return process_.state() == QProcess::NotRunning || process_.waitForFinished(ms);
     }
@@ -100,6 +102,9 @@ public:
     bool takeControl();
     /// Arms the keyboard jog by its shortcut.
     bool armKeyboard();
+    /// As ArmWatch::standstill(). The contract is about the program: time without a processor, because other tests run
+    /// at the same time, does not count.
+    Standstill standstill(double contract);
     /// Sends a fault command to the controller, e.g. "hand 30 0 0".
     bool fault(const QString& words);
 

@@ -26,6 +26,12 @@ protected:
         QVERIFY2(cell().until([&] { return hand().activeWindow() != mainWindow_; }),
                  "the window manager did not take the focus from the window");
     }
+    /// Opens the window of another program and waits until it has the focus.
+    void openAnotherWindow(const QPoint& place) {
+        mainWindow();
+        hand().openWindow(place);
+        waitForFocusLoss();
+    }
     XHand::WindowId mainWindow() {
         mainWindow_ = cell().place("mainWindow").window;
         return mainWindow_;

@@ -380,7 +380,7 @@ CellOutcome MatrixTrial::run(const MatrixCell& cell) {
     if (keys.last().shift && cell.modifier != Modifier::Shift) {
         hand.release(kShift);
     }
-    CellOutcome outcome = judge(arm.standstill(kContract));
+    CellOutcome outcome = judge(cell_->standstill(kContract));
     if (cell.order == Order::Around || cell.order == Order::After) {
         change(hand, cell.modifier, false);
     }

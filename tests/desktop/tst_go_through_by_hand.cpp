@@ -16,8 +16,7 @@ class TestGoThroughByHand : public InterruptedHold {
         teach();
         const Place key = cell().place("waypoint.goThrough");
         area_ = key.area;
-        hand().moveTo(area_.center());
-        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
+        holdBy([&] { hand().moveTo(area_.center()), hand().button(1, true); }, [&] { letGo(); });
     }
     void letGo() override { hand().button(1, false); }
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
@@ -25,12 +24,13 @@ class TestGoThroughByHand : public InterruptedHold {
     /// Teaches two distant waypoints if there are none, and enables the loop, so that a motion is always
     /// possible.
     void teach() {
+        QVERIFY(beReady());
         if (cell().place("waypoint.empty").visible) {
             hand().tap(kLetterT);
             QVERIFY(cell().until([&] { return cell().place("waypoint.goThrough").enabled; }));
             const Vector6 from = arm().joints();
-            hand().moveTo(cell().place("jog.Z+").middle());
-            holdBy([&] { hand().button(1, true); }, [&] { hand().button(1, false); });
+            holdBy([&] { hand().moveTo(cell().place("jog.Z+").middle()), hand().button(1, true); },
+                   [&] { hand().button(1, false); });
             QVERIFY(cell().until(
                 [&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 0.2 || !arm().moves(); }));
             hand().button(1, false);
@@ -61,7 +61,7 @@ private Q_SLOTS:
 
     void anotherWindowTakesTheFocus() {
         hold();
-        hand().openWindow({40, 40});
+        openAnotherWindow({40, 40});
         verifyEndedForGood();
     }
 

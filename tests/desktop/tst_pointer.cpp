@@ -13,11 +13,11 @@ class TestPointer : public InterruptedHold {
     void hold() override { hold("jog.X+"); }
     /// Holds this button with the left mouse button until the arm is moving.
     void hold(const QString& name) {
+        QVERIFY(beReady());
         QVERIFY2(cell().until([&] { return cell().place(name).enabled; }),
                  qPrintable(cell().place(name).toolTip));
         area_ = cell().place(name).area;
-        hand().moveTo(area_.center());
-        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
+        holdBy([&] { hand().moveTo(area_.center()), hand().button(1, true); }, [&] { letGo(); });
     }
     void letGo() override { hand().button(1, false); }
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
@@ -167,7 +167,7 @@ private Q_SLOTS:
 
     void anotherWindowOpens() {
         hold();
-        hand().openWindow({500, 300});
+        openAnotherWindow({500, 300});
         verifyEndedForGood();
     }
 

@@ -110,7 +110,7 @@ class TestStopKeysEverywhere : public QObject {
     }
 
     void verifyStands() {
-        const Standstill stop = cell().arm().standstill(kContract);
+        const Standstill stop = cell().standstill(kContract);
         qInfo("%s", words(stop).constData());
         QVERIFY2(stop.verdict == Standstill::Verdict::Stood, words(stop).constData());
         QVERIFY2(cell().arm().stays(0.5), "it stood, and moved again by itself");

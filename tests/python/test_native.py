@@ -976,10 +976,10 @@ class TestSlowLoops(unittest.TestCase):
     def check(self, cycles, report):
         for cycle in cycles:
             self.assertTrue(not cycle["fresh"] or cycle["age"] <= 2 * cycle["period"], cycle)
-        # Calls must not fall behind the robot, so the age of the samples must not increase.
-        ages = sorted(cycle["age"] for cycle in cycles)
-        self.assertLess(ages[len(ages) // 2], 0.02)
         if report is not None:
+            # Calls must not fall behind the robot, so the age of the samples must not increase.
+            ages = sorted(cycle["age"] for cycle in cycles)
+            self.assertLess(ages[len(ages) // 2], 0.02)
             self.assertGreater(report.missed, 0)
             self.assertGreater(report.overruns, 0)
 

@@ -176,7 +176,9 @@ void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
         return;
     }
     const bool answers = inputs > inputsBeforeTaking_;
-    if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
+    // Much longer than a busy machine keeps the thread waiting: otherwise the program would end, and taking control
+    // would fail.
+    if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(2)))) {
         inputsBeforeTaking_ = inputs;  // the program has ended; do not wait until it starts again
     }
 }

@@ -22,6 +22,7 @@
 #include <QStyleOptionComboBox>
 #include <QStyleOptionFrame>
 #include <QTabBar>
+#include <QTest>
 #include <QTextDocument>
 #include <QToolButton>
 #include <algorithm>
@@ -269,6 +270,19 @@ inline QStringList clipped(const QWidget& window) {
         }
         found << clipping::overlaps(*widget);
     }
+    return found;
+}
+
+/// The problems that remain when the layouts of a visible window have settled. A search takes long, and QTRY_VERIFY2
+/// would repeat it five times.
+inline QStringList stillClipped(const QWidget& window) {
+    QStringList found;
+    (void)QTest::qWaitFor(
+        [&] {
+            found = clipped(window);
+            return found.isEmpty();
+        },
+        60'000);
     return found;
 }
 

@@ -300,13 +300,13 @@ private Q_SLOTS:
     void thePaletteFindsAndRunsByKeyboardAlone() {
         Bench bench;
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::CommandPalette*>() != nullptr, 60'000);
         auto* palette = bench.window.findChild<app::CommandPalette*>();
         auto* words = palette->findChild<QLineEdit*>("paletteWords");
         QTest::keyClicks(words, "show log");
         QCOMPARE(palette->listed().first()->objectName(), QString("view.log"));
         QTest::keyClick(words, Qt::Key_Return);
-        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::CommandPalette*>() == nullptr, 60'000);
         auto* tabs = bench.window.findChild<QTabBar*>("tabs");
         QCOMPARE(tabs->tabData(tabs->currentIndex()).toString(), QString("log"));
     }

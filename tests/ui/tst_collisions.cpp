@@ -135,13 +135,13 @@ private Q_SLOTS:
         addWaypoint("far", turned(0, 0.8), linear ? project::MoveKind::Linear : project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✓"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✓"), 60'000);
         const Pose target = kinematics::forwardTcp(dh(), turned(0, 0.8), state().tcpOffset);
         const Eigen::Vector3d between =
             linear ? Eigen::Vector3d((state().tcpPose.position + target.position) / 2)
                    : kinematics::forwardTcp(dh(), turned(0, 0.4), state().tcpOffset).position;
         addCrate(between, 0.06);
-        QTRY_VERIFY2(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)));
+        QTRY_VERIFY2_WITH_TIMEOUT(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)), 60'000);
         drive();
         verifyRefused("waypoint.goTo", QStringLiteral("Move refused: "));
         verifyRefused("waypoint.goTo", QStringLiteral("collides with “crate” after"));
@@ -152,7 +152,7 @@ private Q_SLOTS:
         // The motion is possible without the crate.
         document().undoStack().undo();
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✓"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✓"), 60'000);
         const Eigen::Vector3d from = cell_->truth().tcpPose.position;
         press(key("waypoint.goTo"));
         cell_->advanceMs(600);
@@ -225,7 +225,7 @@ private Q_SLOTS:
         addWaypoint("folded", turned(2, -0.9), project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✕ path"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✕ path"), 60'000);
         drive();
         verifyRefused("waypoint.goTo", QStringLiteral("% of the path"));
     }

@@ -227,7 +227,7 @@ private Q_SLOTS:
         QVERIFY(app::Settings(file()).rememberedRobots().isEmpty());
         window.connectRobot({"Bench", "127.0.0.62", 0, false});
         QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 30'000);
-        QTRY_COMPARE(app::Settings(file()).rememberedRobots().size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(app::Settings(file()).rememberedRobots().size(), 1, 60'000);
         QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
     }
 

@@ -114,7 +114,7 @@ private Q_SLOTS:
             bench.cell.advanceMs(500);
             QVERIFY2(bench.runs(), "a key of the focused control ended the program");
             QVERIFY(way == Way::Escape || typed == nullptr || typed->text() == QStringLiteral(" "));
-            QTRY_VERIFY(way == Way::Space || open == nullptr || !open->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(way == Way::Space || open == nullptr || !open->isVisible(), 60'000);
             return;
         }
         QVERIFY2(bench.stopsAtOnce(), "the program goes on");
@@ -160,7 +160,7 @@ private Q_SLOTS:
         button.setFocus();
         const QString before = button.text();
         QTest::keyClick(&button, Qt::Key_Space);
-        QTRY_VERIFY(button.text() != before);
+        QTRY_VERIFY_WITH_TIMEOUT(button.text() != before, 60'000);
         bench.cell.robot.drainSockets();
         bench.cell.advanceMs(500);
         QVERIFY(bench.runs());
@@ -244,7 +244,7 @@ private Q_SLOTS:
                 qPrintable(question()->text()));
             QVERIFY(QTest::qWaitForWindowActive(question()));
             QTest::keyClick(question()->focusWidget(), key);
-            QTRY_VERIFY(question() == nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
             bench.cell.robot.drainSockets();
             bench.cell.advanceMs(500);
             QCOMPARE(bench.cell.truth().runtimeState, before);
@@ -267,7 +267,7 @@ private Q_SLOTS:
         QVERIFY2(question() != nullptr, "the arm is powered off without a question");
         QVERIFY(QTest::qWaitForWindowActive(question()));
         QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
-        QTRY_VERIFY(question() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
         bench.cell.advanceMs(300);
         QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
         QCOMPARE(bench.cell.truth().robotMode, RobotMode::Running);
@@ -306,7 +306,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
         dialog.close();
-        QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr, 60'000);
     }
 
     // The dashboard accepts the connection and sends nothing while a query is in progress.

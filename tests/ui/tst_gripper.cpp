@@ -13,6 +13,7 @@
 #include "resources/resources.h"
 #include "robot/io/outputs.h"
 #include "robot/station/link/robotiq_link.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -66,16 +67,7 @@ private:
         return std::any_of(said_.begin(), said_.end(), [&](const QString& s) { return s.contains(words); });
     }
     /// Real time also passes, because a separate thread queries the gripper.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 5000; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     /// Waits in real time. Robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
@@ -344,13 +336,11 @@ private Q_SLOTS:
         io::OutputsOptions options;
         options.host = cell().robot.listenAddress();
         io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
-        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
-        for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
-            cell().robot.step();
-            QTest::qWait(1);
-        }
+        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::minutes(1))); });
+        const bool connected =
+            QTest::qWaitFor([&] { return cell().robot.step(), other.isConnected(); }, 60'000);
         connecting.join();
-        QVERIFY(other.isConnected());
+        QVERIFY(connected);
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         choose(kTwoOutputs);
         QVERIFY(until([this] { return key("gripper.close").toolTip().contains("another RTDE client"); }));

@@ -289,10 +289,10 @@ private Q_SLOTS:
         QCOMPARE(bench.page(), QStringLiteral("window/log.html"));
         bench.window.activateWindow();
         bench.find<QWidget>("scene").setFocus();
-        QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QWidget>("scene").hasFocus(), 60'000);
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/view.html"));
-        QTRY_COMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.findChildren<app::HelpPage*>().size(), 1, 60'000);
     }
 
     void dialogsHaveTheKeyToo() {
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
         QCOMPARE(bench.page(), QStringLiteral("index.html"));
         QTest::keyClick(bench.help(), Qt::Key_Escape);
-        QTRY_VERIFY(bench.help() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.help() == nullptr, 60'000);
         QVERIFY(settings->isVisible());
         settings->close();
     }
@@ -318,7 +318,7 @@ private Q_SLOTS:
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
         auto* checks = bench.window.findChild<PreflightPage*>();
         checks->activateWindow();
-        QTRY_VERIFY(checks->isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(checks->isActiveWindow(), 60'000);
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/connecting.html#before-you-connect"));
     }
@@ -333,7 +333,7 @@ private Q_SLOTS:
         pressF1();
         QVERIFY(bench.help() == nullptr);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_H, Qt::ControlModifier);
-        QTRY_COMPARE(bench.page(), QStringLiteral("window/settings.html"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.page(), QStringLiteral("window/settings.html"), 60'000);
         settings->close();
     }
 
@@ -402,7 +402,7 @@ private Q_SLOTS:
             bench.window.setTheme(QLatin1String(theme));
             bench.window.activateWindow();
             bench.find<QWidget>("scene").setFocus();
-            QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+            QTRY_VERIFY_WITH_TIMEOUT(bench.find<QWidget>("scene").hasFocus(), 60'000);
             pressF1();
             bench.help()->showManual("window/plots.html");
             QCoreApplication::processEvents();

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -35,16 +36,7 @@ private:
         return bench_->find<Widget>(name);
     }
     /// Real time also passes, because a worker sends the settings.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 2000; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     bool output(int number) { return (cell().truth().digitalOutputs >> number & 1) != 0; }
 
 private Q_SLOTS:
@@ -88,7 +80,7 @@ private Q_SLOTS:
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write("def theirs():\n  while True:\n    sync()\n  end\nend\n");
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
@@ -175,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return output(4); }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write("stop program\n");
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Stopped; }));
@@ -212,7 +204,7 @@ private Q_SLOTS:
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write(
             "def mirror():\n  while True:\n    write_output_integer_register(40, "
             "read_input_integer_register(36))\n    sync()\n  end\nend\n");
@@ -276,13 +268,11 @@ private Q_SLOTS:
         QVERIFY(cell().robot.start().ok());
         options.host = cell().robot.listenAddress();
         io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
-        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
-        for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
-            cell().robot.step();
-            QTest::qWait(1);
-        }
+        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::minutes(1))); });
+        const bool connected =
+            QTest::qWaitFor([&] { return cell().robot.step(), other.isConnected(); }, 60'000);
         connecting.join();
-        QVERIFY(other.isConnected());
+        QVERIFY(connected);
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         bench_->window.showTab("io");
         QVERIFY(until([this] { return !tab().output(0)->obstacle().isEmpty(); }));

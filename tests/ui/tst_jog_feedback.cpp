@@ -419,7 +419,7 @@ private Q_SLOTS:
         QCOMPARE(button.detail() == QStringLiteral("hold"), says);
         QCOMPARE(button.geometry(), place);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        QTRY_VERIFY2(!button.showsHoldHint(), "for a moment only");
+        QTRY_VERIFY2_WITH_TIMEOUT(!button.showsHoldHint(), "for a moment only", 60'000);
     }
 
     void freedriveIsCalledFreedrive() {
@@ -471,7 +471,7 @@ private Q_SLOTS:
         window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         arm.setFocus(Qt::TabFocusReason);
-        QTRY_VERIFY(arm.hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(arm.hasFocus(), 60'000);
         cell().advanceMs(2000);  // for some time after a motion, Space only stops
         QTest::keyClick(&arm, Qt::Key_Space);
         QVERIFY(!arm.isDown());

@@ -8,7 +8,6 @@
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QCheckBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -18,6 +17,7 @@
 #include "app/action_table.h"
 #include "app/help_page.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -66,15 +66,7 @@ struct Bench : WindowBench {
     }
     /// Advances real time and robot time until the condition is true. The dashboard thread responds in real
     /// time, and the robot runs in virtual time.
-    bool until(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < 30'000) {
-            cell.advanceMs(16);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell, condition, 16); }
     void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
     /// Clicks the header button for the next step.
     /// word  expected text
@@ -295,8 +287,8 @@ private Q_SLOTS:
         const auto look = [&](const QString& name) {
             QTest::qWait(50);
             keepPicture(bench.window, name + (touch ? "-touch" : "-mouse"));
-            QTRY_VERIFY2(clipped(bench.window).isEmpty(),
-                         qPrintable(name + ":\n" + clipped(bench.window).join('\n')));
+            const QStringList found = stillClipped(bench.window);
+            QVERIFY2(found.isEmpty(), qPrintable(name + ":\n" + found.join('\n')));
         };
         look("lessons-folded");
         bench.command("app.firstSteps").trigger();

@@ -54,7 +54,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         window.resize(1340, 780);
-        QTRY_COMPARE(settings().windowGeometry(), window.saveGeometry());
+        QTRY_COMPARE_WITH_TIMEOUT(settings().windowGeometry(), window.saveGeometry(), 60'000);
     }
     void initTestCase() { initResources(); }
 
@@ -129,7 +129,7 @@ private Q_SLOTS:
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QTRY_COMPARE(window.findChild<JointRows*>()->isVisible(), unfolded);
+        QTRY_COMPARE_WITH_TIMEOUT(window.findChild<JointRows*>()->isVisible(), unfolded, 60'000);
         QVERIFY(window.findChild<PoseView*>()->isVisible());
         QCOMPARE(window.findChild<SegmentedControl*>("jogDetail")->isVisible(), !unfolded);
     }

@@ -236,11 +236,11 @@ private Q_SLOTS:
                 QVERIFY2(!button->isEnabled(), key);
             }
         }
-        QTRY_VERIFY(!bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.find<QPushButton>("io.register.write").isEnabled(), 60'000);
         bench.setMonitorOnly(false);
         bench.cell.advanceMs(100);
         QVERIFY(step.isVisible() && slider.isEnabled());
-        QTRY_VERIFY(bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("io.register.write").isEnabled(), 60'000);
     }
 
     void stopStillStops_data() {

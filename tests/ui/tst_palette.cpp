@@ -47,7 +47,7 @@ struct Bench : WindowBench {
         QVERIFY2(!palette->listed().isEmpty(), qPrintable(words));
         QCOMPARE(palette->listed().first()->objectName(), id);
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
-        QTRY_VERIFY(window.findChild<app::CommandPalette*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<app::CommandPalette*>() == nullptr, 60'000);
         window.activateWindow();  // the test has no window manager
         QVERIFY(QTest::qWaitForWindowActive(&window));
     }
@@ -114,10 +114,10 @@ private Q_SLOTS:
             return bench.window.session().state().recording.active;
         };
         bench.run("record", "plots.action.record");
-        QTRY_VERIFY(records());
+        QTRY_VERIFY_WITH_TIMEOUT(records(), 60'000);
         QVERIFY2(!bench.window.actions().find("plots.action.record")->isEnabled(), "one at a time");
         bench.run("stop recording", "plots.action.stopRecording");
-        QTRY_VERIFY(!records());
+        QTRY_VERIFY_WITH_TIMEOUT(!records(), 60'000);
         QCOMPARE(QDir(folder).entryList({"*.csv"}, QDir::Files).size(), 1);
     }
 
@@ -172,7 +172,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run("search log", "log.action.search");
         QCOMPARE(bench.tab(), QString("log"));
-        QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("log.search"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.focusWidget(), &bench.find<QLineEdit>("log.search"), 60'000);
         bench.run("log: show errors", "log.action.from.2");
         QCOMPARE(bench.find<SegmentedControl>("log.severity").currentIndex(), 2);
     }
@@ -183,7 +183,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         bench.run("search inputs", "io.action.search");
         QCOMPARE(bench.tab(), QString("io"));
-        QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"), 60'000);
         const auto isOn = [&bench] { return (bench.window.session().state().digitalOutputs & 1U) != 0; };
         // No row is selected yet.
         bench.run("switch selected", "io.action.switch");
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);
-        QTRY_VERIFY(bench.find<QLineEdit>("io.DO0.name").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QLineEdit>("io.DO0.name").isVisible(), 60'000);
     }
 };
 

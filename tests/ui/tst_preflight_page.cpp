@@ -104,7 +104,7 @@ const std::vector<Fault>& faults() {
         {"safety.stopped",
          [](Cell& c) {
              c.robot->protectiveStop();
-             QTRY_COMPARE(c.robot->truth().safetyMode, SafetyMode::ProtectiveStop);
+             QTRY_COMPARE_WITH_TIMEOUT(c.robot->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
          }},
         {"power.not-running",
          [](Cell& c) {
@@ -267,7 +267,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.begin());
         cell.robot->protectiveStop();
-        QTRY_COMPARE(cell.robot->truth().safetyMode, SafetyMode::ProtectiveStop);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.robot->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
         const auto page = open(cell.patient);
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
         auto* again = page->findChild<QPushButton*>("preflightAgain");
@@ -292,7 +292,7 @@ private Q_SLOTS:
             }
             return {};
         };
-        QTRY_VERIFY2(outOfPlace().isEmpty(), qPrintable(outOfPlace()));
+        QTRY_VERIFY2_WITH_TIMEOUT(outOfPlace().isEmpty(), qPrintable(outOfPlace()), 60'000);
 
         // Return repeats the check. It does not connect.
         QSignalSpy connected(page.get(), &PreflightPage::connectRequested);

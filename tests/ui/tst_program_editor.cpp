@@ -184,7 +184,7 @@ private Q_SLOTS:
         broken.steps[3].steps[0].fields.remove("pattern");
         programs.replace(0, broken);
         document().changePrograms(programs, "break");
-        QTRY_VERIFY(key("program.showProblem").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.showProblem").isVisible(), 60'000);
         QVERIFY(!key("program.preview").isEnabled());
         QVERIFY2(status().startsWith("⚠ Step 1:"), qPrintable(status()));
         QTest::mouseClick(&key("program.showProblem"), Qt::LeftButton);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[3].steps[0].id});
         QVERIFY(rowOf(steps()[0].id).data().toString().startsWith("⚠"));
         document().undo();
-        QTRY_VERIFY(!key("program.showProblem").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!key("program.showProblem").isVisible(), 60'000);
         QVERIFY(!rowOf(steps()[0].id).data().toString().startsWith("⚠"));
     }
 
@@ -253,7 +253,7 @@ private Q_SLOTS:
         openTray();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         const JointPositions before = cell().truth().q;
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
         QCOMPARE(status(), QString("Simulating…"));  // the window was not blocked
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
@@ -269,7 +269,7 @@ private Q_SLOTS:
         window().showTab("program");
         QCOMPARE(view.paths().size(), std::size_t(1));
         document().undo();
-        QTRY_VERIFY(view.paths().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(view.paths().empty(), 60'000);
         cell().advanceMs(500);
         QVERIFY((cell().truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-9);
     }
@@ -281,7 +281,7 @@ private Q_SLOTS:
         program.steps.insert(program.steps.begin() + 1, program::step("fail", {{"text", "No tray"}}));
         programs.replace(0, program);
         document().changePrograms(programs, "fail");
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains("Simulated: 1 problem"), qPrintable(status()), 60'000);
         QVERIFY2(status().contains("Step 2 (Fail)"), qPrintable(status()));
@@ -297,14 +297,14 @@ private Q_SLOTS:
             "endless", {program::step("loop", {{"times", 0}}, {program::step("wait", {{"time", 1}})})}));
         programs.append(program::makeProgram("short", {program::step("wait", {{"time", 1}})}));
         document().changePrograms(programs, "open");
-        QTRY_VERIFY2(key("program.preview").isEnabled(), qPrintable(status()));
+        QTRY_VERIFY2_WITH_TIMEOUT(key("program.preview").isEnabled(), qPrintable(status()), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
         QCOMPARE(status(), QString("Simulating…"));
         project::Program changed = programs.at(0);
         changed.steps[0].steps[0].fields["time"] = 2;
         programs.replace(0, changed);
         document().changePrograms(programs, "change");
-        QTRY_VERIFY2(status().startsWith("The program can run"), qPrintable(status()));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("The program can run"), qPrintable(status()), 60'000);
     }
 
     // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.
@@ -325,7 +325,7 @@ private Q_SLOTS:
         openTray();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         tree().selectIds({steps()[1].id});
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         auto& control = bench_->find<QWidget>(qPrintable(name));
         control.setFocus();
         QCOMPARE(QApplication::focusWidget(), &control);

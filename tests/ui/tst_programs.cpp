@@ -106,7 +106,7 @@ private Q_SLOTS:
     }
 
     void controlIsNotOfferedInLocal() {
-        QTRY_VERIFY(action("control.take")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 60'000);
         robot_->setRemoteControl(false);
         QTRY_VERIFY_WITH_TIMEOUT(!action("control.take")->isEnabled(), 20'000);
         QVERIFY2(action("control.take")->toolTip().contains("Switch the robot to Remote"),
@@ -149,9 +149,9 @@ private Q_SLOTS:
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
         const auto* chip = window_->findChild<StateChip*>("controlChip");
-        QTRY_VERIFY(chip->text().contains("Program running"));
+        QTRY_VERIFY_WITH_TIMEOUT(chip->text().contains("Program running"), 60'000);
         QVERIFY2(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()));
-        QTRY_VERIFY(!action("control.play")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(!action("control.play")->isEnabled(), 60'000);
         QVERIFY(run("control.pause"));
         QVERIFY(reaches(RuntimeState::Paused));
         QVERIFY(run("control.play"));
@@ -239,7 +239,7 @@ private Q_SLOTS:
         window_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
-        QTRY_VERIFY(key->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(key->hasFocus(), 60'000);
         // Wait longer than the key keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
-        QTRY_VERIFY(key->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 60'000);
         // If the robot does not close a popup, the user must close it on the pendant.
         Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
         window_->session().refresh();
@@ -329,7 +329,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_COMPARE_WITH_TIMEOUT(key->text(), QString("Hide"), 20'000);
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        QTRY_VERIFY(key->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 60'000);
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(!card->isVisible());
     }
@@ -339,9 +339,10 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
             // Late data may temporarily be a different reason.
-            QTRY_VERIFY2(!action(id)->isEnabled() &&
-                             app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
-                         id);
+            QTRY_VERIFY2_WITH_TIMEOUT(
+                !action(id)->isEnabled() &&
+                    app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
+                id, 60'000);
         }
         QVERIFY(run("control.release"));
         QTRY_VERIFY_WITH_TIMEOUT(action("control.load")->isEnabled(), 20'000);

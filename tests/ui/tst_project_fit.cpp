@@ -10,6 +10,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -63,16 +64,7 @@ private:
     UndoableDocument& document() { return window().document(); }
     HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
 
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 1500; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     void bringUp() {
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         driveKeys(cell(), window().findChildren<HoldToRunButton*>().toVector());

@@ -279,7 +279,7 @@ private Q_SLOTS:
 
     void theWatchEndsInTime() {
         Keys keys;
-        QTRY_VERIFY(!keys.watch.isOn());
+        QTRY_VERIFY_WITH_TIMEOUT(!keys.watch.isOn(), 60'000);
         QVERIFY(keys.watch.moved().isEmpty());
     }
 

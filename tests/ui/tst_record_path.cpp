@@ -150,7 +150,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::mouseClick(&record(), Qt::LeftButton);
         waitForThinning();
-        QTRY_VERIFY(notice().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(notice().isVisible(), 60'000);
         QVERIFY2(notice().title().contains("did not move"), qPrintable(notice().title()));
         QCOMPARE(document().waypoints().size(), 0);
     }
@@ -174,7 +174,7 @@ private Q_SLOTS:
         lead();
         window().session().disconnectFromRobot();
         waitForThinning();
-        QTRY_VERIFY(document().waypoints().size() >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(document().waypoints().size() >= 2, 60'000);
         QVERIFY(!paths().recorder().isRecording());
     }
 
@@ -207,7 +207,7 @@ private Q_SLOTS:
         }());
         paths().importFrom(file);
         waitForThinning();
-        QTRY_VERIFY(document().waypoints().size() >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(document().waypoints().size() >= 2, 60'000);
         const double tolerance = paths().recorder().tolerance().tcp;
         const auto again = kept();
         for (const project::KeptPlace& place : path) {
@@ -239,7 +239,7 @@ private Q_SLOTS:
         file.close();
         paths().importFrom(path);
         waitForThinning();
-        QTRY_VERIFY(notice().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(notice().isVisible(), 60'000);
         QVERIFY2(notice().text().contains(said), qPrintable(notice().text()));
         QCOMPARE(document().waypoints().size(), 0);
     }

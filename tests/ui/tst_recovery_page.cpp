@@ -15,6 +15,7 @@
 
 #include "app/action_table.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -35,15 +36,7 @@ struct Bench : WindowBench {
     }
     /// Advances real time and robot time until the condition is true. The dashboard thread responds in real
     /// time, and the robot runs in virtual time.
-    bool until(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < 30'000) {
-            cell.advanceMs(16);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell, condition, 16); }
     /// Stops all data from the robot and advances the time. The data remain stopped afterwards.
     void silence(int ms) {
         cell.robot.silence(true);
@@ -185,7 +178,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(500);
         QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
         QVERIFY(bench.takes(RecoveryStep::Done));
-        QTRY_VERIFY(bench.page() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.page() == nullptr, 60'000);
     }
 
     void releasedEmergencyStopCanBeRecovered() {

@@ -100,13 +100,13 @@ private Q_SLOTS:
         const double alone = view().camera().distance();
         auto& home = bench_->find<HoldToRunButton>("homeKey");
         pointTo(home, true);
-        QTRY_VERIFY(view().ghost().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(view().ghost().has_value(), 60'000);
         view().grab();
         keepPicture(window(), QStringLiteral("scene-ghost"));
         QVERIFY(isInThePicture(view().ghost()->q));
         QVERIFY(isInThePicture(window().session().state().q));
         pointTo(home, false);
-        QTRY_VERIFY(!view().ghost().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!view().ghost().has_value(), 60'000);
         view().grab();
         QVERIFY(std::abs(view().camera().distance() - alone) < 1e-6);
     }
@@ -146,7 +146,7 @@ private Q_SLOTS:
     void thePaletteFindsThem() {
         bench_->cell.advanceMs(1500);  // for a second after a motion, Space only stops
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window().findChild<app::CommandPalette*>() != nullptr, 60'000);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");
         QTest::keyClicks(words, "look from above");
         const auto& listed = window().findChild<app::CommandPalette*>()->listed();
@@ -154,7 +154,8 @@ private Q_SLOTS:
             !listed.isEmpty() && listed.first()->objectName() == "view.look.top",
             qPrintable(words->text() + ": " + (listed.isEmpty() ? QString() : listed.first()->objectName())));
         QTest::keyClick(words, Qt::Key_Return);
-        QTRY_VERIFY((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
+        QTRY_VERIFY_WITH_TIMEOUT((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9,
+                                 60'000);
     }
 
     void fitShowsThePannedView() {
@@ -183,7 +184,7 @@ private Q_SLOTS:
         far.joints[0] += 1.2;
         window().document().insertWaypoints(1, {far}, "far");
         window().waypoints().selectWaypoint(far.id);
-        QTRY_VERIFY(view().moveReport().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(view().moveReport().has_value(), 60'000);
         QVERIFY2(view().moveLimitText().isEmpty(), qPrintable(view().moveLimitText()));
 
         JointPositions half = here;

@@ -44,7 +44,7 @@ private Q_SLOTS:
         bench.window.actions().find(QLatin1String(command))->trigger();
         auto& search = bench.find<QLineEdit>(field);
         auto& nothing = bench.find<EmptyState>(list + ".nothingFound");
-        QTRY_VERIFY(search.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(search.isVisible(), 60'000);
         QVERIFY(!nothing.isVisible());
         QTest::keyClicks(&search, known);
         QVERIFY(!nothing.isVisible());

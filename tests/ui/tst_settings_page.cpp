@@ -87,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(format::rotation({0, 3.14159265, 0})[1], QStringLiteral("3.1416"));
         QCOMPARE(bench.window.findChild<QTableView*>("log.table")->verticalHeader()->defaultSectionSize(),
                  44);
-        QTRY_VERIFY(close->height() >= 48);
+        QTRY_VERIFY_WITH_TIMEOUT(close->height() >= 48, 60'000);
 
         const app::Settings again(bench.file);
         QCOMPARE(again.theme(), QStringLiteral("dark"));
@@ -275,9 +275,10 @@ private Q_SLOTS:
         QVERIFY(field != nullptr);
         field->setFocus();
         QTest::keyClick(field, Qt::Key_P, Qt::ControlModifier);
-        QTRY_COMPARE(page->preferences().shortcuts.value("app.palette"), QKeySequence(Qt::CTRL | Qt::Key_P));
+        QTRY_COMPARE_WITH_TIMEOUT(page->preferences().shortcuts.value("app.palette"),
+                                  QKeySequence(Qt::CTRL | Qt::Key_P), 60'000);
         page->close();
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         bench.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
@@ -325,7 +326,7 @@ private Q_SLOTS:
         QVERIFY(!dominant->isChecked());
         QVERIFY(!app::Settings(bench.file).preferences().devices.value(kGamepadKind).dominantAxis);
         page->close();
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
 
         VirtualClock clock;
         app::MainWindow next(app::Settings(bench.file), clock);
@@ -343,7 +344,7 @@ private Q_SLOTS:
             QVERIFY2(field != nullptr, id);
             field->setDoubleValue(value);
             QTest::keyClick(field, Qt::Key_Return);
-            QTRY_VERIFY(bench.window.findChild<QInputDialog*>("jogNumber") == nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QInputDialog*>("jogNumber") == nullptr, 60'000);
         };
         const JogSelection& selection = bench.window.jogColumn().selection();
         enter("jog.speed.other", 33);

@@ -144,12 +144,13 @@ private Q_SLOTS:
         QVERIFY(robots != nullptr && robots->isChecked());
         QVERIFY2(robots->text().contains("2 here") && robots->text().contains("1 in the file"),
                  qPrintable(robots->text()));
-        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        const QStringList found = stillClipped(*dialog);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         QVERIFY2(!Theme::current().isDark(), "not before the key is pressed");
 
         QSignalSpy said(&bench.window.session(), &RobotSession::message);
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         QVERIFY(Theme::current().isDark());
         QCOMPARE(currentDensity(), Density::Touch);
         QCOMPARE(bench.find<IoChannel>("io.DO0").name(), QString("gripper, left"));
@@ -185,7 +186,7 @@ private Q_SLOTS:
         app::ImportDialog* dialog = bench.ask(path);
         QVERIFY(dialog != nullptr);
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QCOMPARE(app::Settings(bench.file).learned().firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(app::Settings(bench.file).learned().practice, QStringList("recover"));
         // The next saved value must not remove the other values.
@@ -270,7 +271,7 @@ private Q_SLOTS:
         app::ImportDialog* dialog = bench.ask(fileOfACell(bench.folder));
         QVERIFY(dialog != nullptr);
         QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QVERIFY(!Theme::current().isDark());
         QVERIFY(app::Settings(bench.file).theme().isEmpty());
         QVERIFY(QDir(bench.folder.path()).entryList({"settings-before-import_*"}).isEmpty());
@@ -302,9 +303,10 @@ private Q_SLOTS:
         QVERIFY2(said.contains(words), qPrintable(said));
         QVERIFY2(!said.contains("robot", Qt::CaseInsensitive), qPrintable(said));
         QVERIFY(!dialog->findChild<QPushButton*>("importSettings.replace")->isVisible());
-        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        const QStringList found = stillClipped(*dialog);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         QTest::keyClick(dialog, Qt::Key_Return);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QVERIFY(settings.open(QIODevice::ReadOnly));
         QCOMPARE(settings.readAll(), before);
     }

@@ -291,7 +291,8 @@ private Q_SLOTS:
         bench.window.session().recording().start(path, {"timestamp", "actual_q"});
         bench.cell.advanceMs(100);
         bench.window.session().recording().stop();
-        QTRY_VERIFY(!bench.window.session().state().recording.active || (bench.cell.advanceMs(10), false));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !bench.window.session().state().recording.active || (bench.cell.advanceMs(10), false), 60'000);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QList<QByteArray> rows = file.readAll().split('\n');

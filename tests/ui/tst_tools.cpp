@@ -10,6 +10,7 @@
 
 #include "app/action_table.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -40,13 +41,7 @@ private:
         cell().advanceMs(40);
     }
     /// Real time also passes, because a worker sends the settings to the robot.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 2000 && !condition(); ++i) {
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     NoticeBar& notice(const char* page) { return *find<QWidget>(page).findChild<NoticeBar*>("notice"); }
     void keepPictures(const QString& name) {
         if (qEnvironmentVariableIsEmpty("TILLER_SCREENSHOTS")) {
@@ -158,7 +153,8 @@ private Q_SLOTS:
     void homeIsWhereItWasSet() {
         window().tools().showPage(ToolsTab::Positions);
         // The page reads the robot's state a few times per second, in real time.
-        QTRY_VERIFY((click("position.setHome"), window().document().positions().homePosition() != nullptr));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (click("position.setHome"), window().document().positions().homePosition() != nullptr), 60'000);
         const JointPositions home = window().document().positions().homePosition()->joints;
         keepPictures("tools-positions");
         auto& away = find<HoldToRunButton>("jog.Z+");

@@ -9,6 +9,7 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -33,16 +34,7 @@ private:
     UndoableDocument& document() { return window().document(); }
     ToolsTab& tools() { return bench_->find<ToolsTab>("tools"); }
 
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 1500; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     QString tab() {
         auto& tabs = bench_->find<QTabBar>("tabs");
         return tabs.tabData(tabs.currentIndex()).toString();

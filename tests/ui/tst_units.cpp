@@ -53,7 +53,7 @@ struct Bench : WindowBench {
         box->setFocus(Qt::TabFocusReason);
         QTest::keyClick(box, arrow);
         page->close();
-        QTRY_VERIFY(window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         cell.advanceMs(100);
@@ -165,8 +165,9 @@ private Q_SLOTS:
         }
 
         // After an update of the panels, all lengths in millimetres must have changed to inches.
-        QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
-                     qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            placesWithout(kMillimetres, window).isEmpty(),
+            qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"), 60'000);
         QVERIFY(figuresIn(kInches, window).isEmpty());
 
         bench.choose("settings.lengths", Qt::Key_Down);
@@ -174,13 +175,14 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().travel().look();
         }
-        QTRY_VERIFY2(figuresIn(kMillimetres, window).isEmpty(),
-                     qPrintable(figuresIn(kMillimetres, window).join('\n')));
-        QTRY_VERIFY2(placesWithout(kInches, window).isEmpty(),
-                     qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(kMillimetres, window).isEmpty(),
+                                  qPrintable(figuresIn(kMillimetres, window).join('\n')), 60'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(placesWithout(kInches, window).isEmpty(),
+                                  qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"),
+                                  60'000);
         keepPicture(window, "units-inches");
         // This value is painted and not a text of the widget, so it is checked by name.
-        QTRY_VERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<LimiterLine*>()->quietText().endsWith(" in"), 60'000);
         auto* pose = window.findChild<PoseView*>();
         const double x = window.session().state().tcpPose.position.x();
         QCOMPARE(pose->positionText(0), format::lengthNumber(x, 2, true));
@@ -194,7 +196,8 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().travel().look();
         }
-        QTRY_VERIFY2(figuresIn(kInches, window).isEmpty(), qPrintable(figuresIn(kInches, window).join('\n')));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(kInches, window).isEmpty(),
+                                  qPrintable(figuresIn(kInches, window).join('\n')), 60'000);
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
@@ -210,10 +213,11 @@ private Q_SLOTS:
         QVERIFY(QStringLiteral("X -12.5").contains(hyphen) && !QStringLiteral("2-100 %").contains(hyphen));
         // The arm is at negative X and Y. Fields and tables display these values.
         for (const char* place : {"\"waypoint.details.x\"", "\"frame.details.x\"", "\"frame.table\""}) {
-            QTRY_VERIFY2(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(), place);
+            QTRY_VERIFY2_WITH_TIMEOUT(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(),
+                                      place, 60'000);
         }
-        QTRY_VERIFY2(figuresIn(hyphen, bench.window).isEmpty(),
-                     qPrintable(figuresIn(hyphen, bench.window).join('\n')));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(hyphen, bench.window).isEmpty(),
+                                  qPrintable(figuresIn(hyphen, bench.window).join('\n')), 60'000);
         const auto* pose = bench.window.findChild<PoseView*>();
         QVERIFY2(pose->positionText(0).startsWith(QChar(0x2212)), qPrintable(pose->positionText(0)));
         for (const JogKey* key : bench.window.findChildren<JogKey*>()) {

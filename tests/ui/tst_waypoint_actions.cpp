@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/decimal_spin_box.h"
 #include "widgets/io/gripper_panel.h"
@@ -94,13 +95,7 @@ private:
     }
     QString doing() { return through().accessibleDescription(); }
     /// Real time also passes, because a worker sets the outputs.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 4000 && !condition(); ++i) {
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     void pass(int ms) {
         for (int t = 0; t < ms; t += 20) {
             cell().advanceMs(20);

@@ -92,7 +92,7 @@ private Q_SLOTS:
         robot_.controller.changeWorld([](simulator::arm::Environment& world) { world.clearSurfaces(); });
         QVERIFY(robot_.stepUntil([this] { return robot_.programState() == RuntimeState::Playing; }, 1));
         QVERIFY(robot_.stepUntil([this] { return robot_.programState() == RuntimeState::Stopped; }, 5));
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
     }
 
     void theScriptEndsAndStartsAgainAtOnce() {
@@ -109,7 +109,7 @@ private Q_SLOTS:
 
     void aReconnectedClientFindsItsRegistersFree() {
         client_->disconnect();
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
         client_ = std::make_unique<Client>(robot_);
         QVERIFY2(client_->connect(), client_->trouble);
         QVERIFY(client_->command(Client::kNothing, 43));
@@ -118,7 +118,7 @@ private Q_SLOTS:
     void theUpperRangeWorksAlike() {
         QVERIFY(client_->stopScript());
         client_->disconnect();
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
         client_ = std::make_unique<Client>(robot_, 24);
         QVERIFY2(client_->connect(), client_->trouble);
         QVERIFY(client_->command(Client::kNothing, 43));

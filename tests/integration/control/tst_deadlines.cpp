@@ -5,6 +5,7 @@
 #include <QDir>
 
 #include "tests/integration/control/blocking_calls.h"
+#include "tests/support/asked_clock.h"
 #include "tests/support/waiting.h"
 
 using namespace tiller;
@@ -13,24 +14,6 @@ using namespace tiller::test;
 using std::chrono::milliseconds;
 
 namespace {
-
-/// Counts how often it is read.
-class AskedClock final : public Clock {
-public:
-    explicit AskedClock(const Clock& clock) : clock_(clock) {}
-    std::int64_t nowNs() const override {
-        const std::int64_t now = clock_.nowNs();
-        asked_.fetch_add(1, std::memory_order_acq_rel);
-        return now;
-    }
-    bool runsByItself() const override { return clock_.runsByItself(); }
-    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override { clock_.waitUntil(ns, awakeNs); }
-    std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
-
-private:
-    const Clock& clock_;
-    mutable std::atomic<std::uint64_t> asked_{0};
-};
 
 int openFiles() {
     return static_cast<int>(QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter).size());

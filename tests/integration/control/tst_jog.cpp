@@ -192,7 +192,7 @@ private Q_SLOTS:
             }
             qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
             QVERIFY(ticks * 2 <= 250);
-            QTRY_COMPARE(jog->state().phase, MotionPhase::Ended);
+            QTRY_COMPARE_WITH_TIMEOUT(jog->state().phase, MotionPhase::Ended, 60'000);
             QCOMPARE(jog->state().cause, StopCause::DataStale);
             QCOMPARE(cell.motions().startJog(target).error().code, ErrorCode::LinkLost);
             // After the connection is restored, no motion may resume.

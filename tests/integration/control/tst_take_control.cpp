@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All ways in which taking control can fail, and their error messages.
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QTcpServer>
@@ -22,6 +23,7 @@
 #include "robot/rtde/connection.h"
 #include "robot/script/script_client.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/asked_clock.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
 #include "tests/unit/robot/script/primary_bytes.h"
@@ -211,8 +213,9 @@ private Q_SLOTS:
         const auto taken = controller.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
         // A computer that is blocked for 100 ms loses control again.
-        QTRY_VERIFY(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
-                    controller.status().inControl);
+        QTRY_VERIFY_WITH_TIMEOUT(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
+                                     controller.status().inControl,
+                                 60'000);
         const bool sameVersion = controller.version() == robot.options().software;
         QVERIFY(sameVersion);
         controller.release();
@@ -235,16 +238,31 @@ private Q_SLOTS:
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         // Time advances for the controller only when this test advances it.
-        VirtualClock clock;
+        VirtualClock time;
+        const AskedClock clock(time);
         ControllerOptions options = to(robot);
         options.clock = &clock;
+        const Controller* taking = nullptr;
         bool quiet = false;
+        const auto waitFor = [](const auto& condition) {
+            const QDeadlineTimer hangs(std::chrono::minutes(1));
+            while (!condition() && !hangs.hasExpired()) {
+                QThread::msleep(1);
+            }
+        };
         options.deliver = [&](const QString& program, const Deadline& deadline) -> Result<void> {
             if (quiet) {
                 robot.silence(true);
-                QThread::msleep(50);  // until the data sent before have arrived
-                clock.advanceNs(quietMs * kNsPerMs);
-                QThread::msleep(150);  // the control thread polls every 4 ms and gives up after ten polls
+                // Until the data sent before have been read: the control thread asks for the time in every poll.
+                const std::uint64_t asked = clock.asked();
+                waitFor([&] { return clock.asked() > asked + 20; });
+                time.advanceNs(quietMs * kNsPerMs);
+                if (survives) {
+                    // The control thread polls every 4 ms and gives up after ten polls.
+                    QThread::msleep(150);
+                } else {
+                    waitFor([&] { return !taking->isConnected(); });
+                }
                 robot.silence(false);
             }
             script::ScriptClient client(QStringLiteral("127.0.0.1"), robot.ports().primary);
@@ -253,6 +271,7 @@ private Q_SLOTS:
         };
         for (const bool path : {false, true}) {
             Controller controller(options);
+            taking = &controller;
             quiet = !path;
             auto result = controller.takeControl(soon());
             if (path) {
@@ -434,7 +453,7 @@ private Q_SLOTS:
         Result<Jog> jog = Error{};
         QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = Motions(controller).startJog(JogTarget{})).ok(), 20'000);
         robot.closeClients();
-        QTRY_VERIFY(!controller.status().inControl);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller.status().inControl, 60'000);
         QCOMPARE(controller.status().loss, ControlLoss::LinkLost);
         QCOMPARE(jog->state().phase, MotionPhase::Ended);
         QCOMPARE(Motions(controller).startJog(JogTarget{}).error().code, ErrorCode::NotInControl);

@@ -223,7 +223,7 @@ private Q_SLOTS:
     }
     void theRobotIsInAProtectiveStop() {
         robot_->protectiveStop();
-        QTRY_COMPARE(robot_->truth().safetyMode, SafetyMode::ProtectiveStop);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
         expectOnly("safety.stopped");
     }
     void theArmIsOff() {

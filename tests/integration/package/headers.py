@@ -143,7 +143,7 @@ def main():
         sys.exit("not every header is looked at")
 
     def run(*arguments):
-        # Low priority, because other tests measure time in parallel.
+        # Low priority, because other tests run in parallel.
         return subprocess.run([*options.command, *arguments], capture_output=True, text=True,
                               preexec_fn=lambda: os.nice(10))
 

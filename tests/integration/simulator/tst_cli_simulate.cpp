@@ -155,11 +155,12 @@ private Q_SLOTS:
                  "speed 0.5"});
         QVERIFY(cli.readyLine().contains("faults=29990"));
         RawDashboard dashboard(ownAddress(), 29999);
-        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: SAFEGUARD_STOP\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(dashboard.ask("safetymode"), QByteArray("Safetymode: SAFEGUARD_STOP\n"),
+                                  60'000);
         Cli release({"fault", ownAddress(), "safeguard", "off"});
         QCOMPARE(release.exitCode(), 0);
         QCOMPARE(release.process.readAllStandardOutput(), QByteArray("ok\n"));
-        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"), 60'000);
         Cli wrong({"fault", ownAddress(), "safeguard", "perhaps"});
         QCOMPARE(wrong.exitCode(), 1);
         QVERIFY(wrong.process.readAllStandardError().contains("perhaps"));

@@ -244,7 +244,8 @@ private Q_SLOTS:
         QCOMPARE(act("/robotstate/v1/state", "BRAKE_RELEASE"), 200);
         QCOMPARE(mode(), QStringLiteral("RUNNING"));
         robot.controller.protectiveStop();
-        QTRY_COMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("PROTECTIVE_STOP"));
+        QTRY_COMPARE_WITH_TIMEOUT(value("/robotstate/v1/safetymode", "mode"),
+                                  QStringLiteral("PROTECTIVE_STOP"), 60'000);
         QCOMPARE(act("/robotstate/v1/state", "UNLOCK_PROTECTIVE_STOP"), 200);
         QCOMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("NORMAL"));
 

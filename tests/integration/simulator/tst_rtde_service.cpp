@@ -26,7 +26,7 @@ private Q_SLOTS:
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }
-        QTRY_COMPARE(robot.controller.rtdeClients(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(robot.controller.rtdeClients(), 1, 60'000);
         QCOMPARE(second.setupInputs("input_int_register_24,input_int_register_30"),
                  QByteArray("\x01INT32,INT32"));
     }
@@ -432,7 +432,7 @@ private Q_SLOTS:
                 1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             writer.close();
         }
-        QTRY_COMPARE(robot.controller.rtdeClients(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(robot.controller.rtdeClients(), 1, 60'000);
         robot.controller.step();
         const QByteArray payload = reader.next().payload;
         QCOMPARE(intAt(payload, 1), -5);

@@ -34,7 +34,8 @@ struct Cell {
     }
     /// The client side of the program's socket.
     QTcpSocket* client() {
-        for (int i = 0; i < 1000 && !server.waitForNewConnection(1); ++i) {
+        const QDeadlineTimer hangs(std::chrono::minutes(1));
+        while (!server.waitForNewConnection(1) && !hangs.hasExpired()) {
             robot.controller.step();
         }
         QTcpSocket* const socket = server.nextPendingConnection();
@@ -97,7 +98,8 @@ private Q_SLOTS:
         QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
         // The client continues to send as the program reads.
         const qint64 before = client->bytesToWrite();
-        for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
+        const QDeadlineTimer hangs(std::chrono::minutes(1));
+        while (client->bytesToWrite() == before && !hangs.hasExpired()) {
             cell.robot.controller.step();
             client->waitForBytesWritten(1);
         }

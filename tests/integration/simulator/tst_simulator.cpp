@@ -287,7 +287,7 @@ private Q_SLOTS:
         peer->write("(2.5)\n");
         peer->flush();
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 20));
-        QTRY_COMPARE(peer->state(), QAbstractSocket::UnconnectedState);
+        QTRY_COMPARE_WITH_TIMEOUT(peer->state(), QAbstractSocket::UnconnectedState, 60'000);
 
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());

@@ -502,6 +502,18 @@ private Q_SLOTS:
         QVERIFY2(process.exitCode() == 0, process.readAllStandardError().left(2000).constData());
     }
 
+    // The default of Qt Test, five seconds, is too short for a busy machine.
+    void testsThatWaitGiveTheirTimeout() {
+        static const QRegularExpression withoutTimeout(QStringLiteral("\\bQTRY_(VERIFY|VERIFY2|COMPARE)\\("));
+        QStringList found;
+        for (const QString& file : sourceFiles()) {
+            if (file.startsWith("tests/") && withoutTimeout.match(contentsOf(file)).hasMatch()) {
+                found << file;
+            }
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
+    }
+
     void everyFileNamesItsLicence() {
         QStringList missing;
         for (const QString& file : sourceFiles()) {

@@ -143,7 +143,7 @@ private Q_SLOTS:
             QVERIFY(!box.refresh(motion, 0));
         }
         // Ends only after the threads were active during a stop.
-        QTRY_VERIFY(refused > 1000);
+        QTRY_VERIFY_WITH_TIMEOUT(refused > 1000, 60'000);
         quit = true;
         for (auto& thread : threads) {
             thread.join();

@@ -107,7 +107,7 @@ private Q_SLOTS:
                         deliveredIn = QThread::currentThread();
                         done = result.ok();
                     });
-        QTRY_VERIFY(done);
+        QTRY_VERIFY_WITH_TIMEOUT(done, 60'000);
         QCOMPARE(deliveredIn, thread());
     }
 
@@ -127,7 +127,7 @@ private Q_SLOTS:
                             answered = true;
                             ok = result.ok();
                         });
-            QTRY_VERIFY(answered);
+            QTRY_VERIFY_WITH_TIMEOUT(answered, 60'000);
             // The disconnection may occur while the command is sent. The next command then succeeds.
             QVERIFY(ok || round > 1);
         }
@@ -163,7 +163,7 @@ private Q_SLOTS:
         Error error;
         worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
                     [&](const Result<void>& result) { error = result.error(); });
-        QTRY_COMPARE(error.code, ErrorCode::ConnectionRefused);
+        QTRY_COMPARE_WITH_TIMEOUT(error.code, ErrorCode::ConnectionRefused, 60'000);
     }
 
     void stoppingItDoesNotWaitForAMuteServer() {
@@ -173,7 +173,7 @@ private Q_SLOTS:
         bool delivered = false;
         worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
                     [&](const Result<void>&) { delivered = true; }, milliseconds(600'000));
-        QTRY_COMPARE(peer.clients(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 1, 60'000);
         worker.stop();  // would exceed the time limit of the test if it waited
         QCoreApplication::processEvents();
         QVERIFY(!delivered);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         caller.reset();
         bool after = false;
         worker.post(powerOn, this, [&](const Result<void>&) { after = true; });
-        QTRY_VERIFY(after);
+        QTRY_VERIFY_WITH_TIMEOUT(after, 60'000);
         QVERIFY(!called);
     }
 };

@@ -42,7 +42,7 @@ private Q_SLOTS:
     void theTimerRefreshesWithoutHelp() {
         Scene s;
         s.press();
-        QTRY_VERIFY(s.target.holds >= 3);
+        QTRY_VERIFY_WITH_TIMEOUT(s.target.holds >= 3, 60'000);
         s.release();
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::Released});
     }

@@ -48,7 +48,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         second.activateWindow();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!s.target.ends.isEmpty(), 60'000);
         s.expectStopped(StopCause::WindowDeactivated);
     }
 
@@ -56,7 +56,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         s.window.showMinimized();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!s.target.ends.isEmpty(), 60'000);
         s.expectStopped(StopCause::WindowDeactivated);
     }
 

@@ -57,7 +57,7 @@ private Q_SLOTS:
             const QPoint at = key->rect().center();
             QTest::touchEvent(key, screen.get()).press(0, at);
             QTest::touchEvent(key, screen.get()).release(0, at);
-            QTRY_VERIFY(!key->underMouse());
+            QTRY_VERIFY_WITH_TIMEOUT(!key->underMouse(), 60'000);
         }
     }
 
@@ -66,10 +66,10 @@ private Q_SLOTS:
         QMenu menu(&bench.window);
         menu.addAction(QStringLiteral("Rename"));
         menu.popup(bench.window.mapToGlobal(QPoint(200, 100)));
-        QTRY_VERIFY(menu.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(menu.isVisible(), 60'000);
         bench.key.setAttribute(Qt::WA_UnderMouse);  // the state when the menu grabs the pointer
         menu.close();
-        QTRY_VERIFY(!bench.key.underMouse());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.key.underMouse(), 60'000);
     }
 
     void widgetUnderThePointerKeepsItsHoverState() {
@@ -80,7 +80,7 @@ private Q_SLOTS:
         bench.hold.setAttribute(Qt::WA_UnderMouse);
         QEvent deactivated(QEvent::WindowDeactivate);
         QApplication::sendEvent(&bench.window, &deactivated);
-        QTRY_VERIFY(!bench.hold.underMouse());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.hold.underMouse(), 60'000);
         QVERIFY(bench.key.underMouse());
     }
 };

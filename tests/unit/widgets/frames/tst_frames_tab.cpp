@@ -114,15 +114,15 @@ private Q_SLOTS:
         auto* make = button("frame.teacher.make");
         click("frame.teacher.origin");
         feed(beside(0.0123, 0));
-        QTRY_VERIFY2(feedback().contains("12.3 mm"),
-                     qPrintable(feedback()));  // distance of the tool tip at this time
+        QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("12.3 mm"), qPrintable(feedback()),
+                                  60'000);  // distance of the tool tip at this time
         click("frame.teacher.onX");
         QVERIFY2(feedback().contains("only 12.3 mm") && feedback().contains("20 mm"), qPrintable(feedback()));
         QVERIFY(!make->isEnabled());
         feed(beside(0.1, 0));
         QTest::keyClick(tab_.get(), Qt::Key_P);  // records the bad point again, not the next one
         feed(beside(0.25, 0.004));
-        QTRY_VERIFY2(feedback().contains("4.0 mm"), qPrintable(feedback()));
+        QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("4.0 mm"), qPrintable(feedback()), 60'000);
         click("frame.teacher.towardsY");
         QVERIFY2(feedback().contains("collinear") && feedback().contains("only 4.0 mm"),
                  qPrintable(feedback()));
@@ -160,7 +160,7 @@ private Q_SLOTS:
         click("frame.teacher.onX");
         QVERIFY(tab_->marks().empty());
         feed(beside(0, 0.1));  // the tip is used as the third point
-        QTRY_COMPARE(tab_->marks().size(), std::size_t(1));
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->marks().size(), std::size_t(1), 60'000);
         QVERIFY(tab_->marks()[0].selected);
         QVERIFY((tab_->marks()[0].T_base_frame.position - kCorner.position).norm() < 1e-12);
         QVERIFY(marks.count() > 1);
@@ -233,7 +233,7 @@ private Q_SLOTS:
         QTest::keyClicks(editor, "TUPray");  // letters that are shortcuts in other places
         feed(beside(0.1, 0));                // the table keeps updating
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(names(), QStringList({"TUPray"}));
+        QTRY_COMPARE_WITH_TIMEOUT(names(), QStringList({"TUPray"}), 60'000);
         document_->undoStack().undo();
         QCOMPARE(names(), QStringList({"frame 1"}));
     }
@@ -318,7 +318,8 @@ private Q_SLOTS:
         tab_->teachFromTcp();
         feed(kCorner);
         auto* details = tab_->findChild<FrameDetails*>("frame.details");
-        QTRY_VERIFY2(details->headline().contains("25.4 mm"), qPrintable(details->headline()));
+        QTRY_VERIFY2_WITH_TIMEOUT(details->headline().contains("25.4 mm"), qPrintable(details->headline()),
+                                  60'000);
         applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RollPitchYaw});
         QVERIFY2(details->headline().contains("1.00 in"), qPrintable(details->headline()));
         QCOMPARE(tab_->model().index(0, FrameModel::Distance).data().toString(), QStringLiteral("1.00"));

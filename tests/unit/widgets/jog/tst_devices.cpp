@@ -350,7 +350,7 @@ private Q_SLOTS:
         b.devices.use(b.device());
         b.push(0, 0.0);
         b.window.hide();
-        QTRY_VERIFY(QApplication::activeWindow() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeWindow() == nullptr, 60'000);
         QSignalSpy refused(&b.jog, &AxisJog::refused);
         b.push(0, 1.0);
         QVERIFY(b.targets.isEmpty());

@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(dialog.isVisible() && field->text().isEmpty());
 
         s.window.activateWindow();
-        QTRY_VERIFY(s.window.isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(s.window.isActiveWindow(), 60'000);
         for (const StopKeys::Use use : {StopKeys::Use::StopOnly, StopKeys::Use::StopAndControl}) {
             s.use = use;
             s.stops.clear();
@@ -180,14 +180,14 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(upper.get()));
         for (QWidget* blocked : {static_cast<QWidget*>(&s.window), static_cast<QWidget*>(&lower)}) {
             blocked->activateWindow();
-            QTRY_VERIFY(blocked->isActiveWindow());
+            QTRY_VERIFY_WITH_TIMEOUT(blocked->isActiveWindow(), 60'000);
             s.stops.clear();
             QTest::keyClick(blocked->windowHandle(), Qt::Key_Space);
             QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
         }
         upper.reset();
         s.window.activateWindow();
-        QTRY_VERIFY(s.window.isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(s.window.isActiveWindow(), 60'000);
         s.stops.clear();
         QTest::keyClick(s.window.windowHandle(), Qt::Key_Escape);
         QCOMPARE(s.stops, QList<StopCause>{StopCause::Escape});

@@ -245,7 +245,7 @@ private Q_SLOTS:
         tab_->resize(560, 400);
         tab_->show();
         QTest::qWait(50);
-        QTRY_VERIFY(newestIsInSight());
+        QTRY_VERIFY_WITH_TIMEOUT(newestIsInSight(), 60'000);
         table()->scrollToTop();
         tab_->hide();
         tab_->append(Severity::Info, "new");

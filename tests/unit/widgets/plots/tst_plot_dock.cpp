@@ -110,7 +110,7 @@ struct Bench {
             const QRectF upper = panes[0]->legendEntry(signal);
             return upper.isEmpty() ? panes[1]->legendEntry(signal) : upper;
         };
-        QTRY_VERIFY(!entry().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!entry().isEmpty(), 60'000);
         QTest::mouseClick(view().viewport(), Qt::LeftButton, modifiers, entry().center().toPoint());
     }
     Curve& curve(int signal) {
@@ -708,7 +708,7 @@ private Q_SLOTS:
         b.view().setCursor(PlotView::Cursor::A, 10);
         b.view().setCursor(PlotView::Cursor::B, 50);
         auto* box = analysis->findChild<QComboBox*>("plots.analysis.signal");
-        QTRY_VERIFY(box->findData(b.id("actual_q_1")) >= 0);
+        QTRY_VERIFY_WITH_TIMEOUT(box->findData(b.id("actual_q_1")) >= 0, 60'000);
         box->setCurrentIndex(box->findData(b.id("actual_q_1")));
         Q_EMIT box->activated(box->currentIndex());
         QVERIFY2(analysis->title().contains("Hann window of 8192") && analysis->title().contains("0.061 Hz"),
@@ -723,7 +723,7 @@ private Q_SLOTS:
         QCOMPARE(analysis->canvas().xAxis().title, QString("Frequency [Hz]"));
         // If the range is too short, the panel shows a hint.
         b.view().setCursor(PlotView::Cursor::B, 10.01);
-        QTRY_VERIFY(analysis->canvas().points().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->canvas().points().isEmpty(), 60'000);
         QVERIFY(analysis->canvas().message().contains("longer"));
     }
 
@@ -753,11 +753,11 @@ private Q_SLOTS:
         b.dock.resize(1, 400);  // minimum width
         auto* analysis = b.dock.findChild<PlotAnalysis*>();
         auto* kind = b.dock.findChild<QAbstractButton*>("plots.analysis.kind.1");
-        QTRY_VERIFY(kind != nullptr && kind->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(kind != nullptr && kind->isVisible(), 60'000);
         const QRect before(kind->mapTo(analysis, QPoint()), kind->size());
         const int least = b.dock.minimumSizeHint().width();
         QTest::mouseClick(kind, Qt::LeftButton);
-        QTRY_VERIFY(b.dock.findChild<QWidget*>("plots.analysis.over")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(b.dock.findChild<QWidget*>("plots.analysis.over")->isVisible(), 60'000);
         QTest::qWait(1);
         QCOMPARE(QRect(kind->mapTo(analysis, QPoint()), kind->size()), before);
         QCOMPARE(b.dock.minimumSizeHint().width(), least);
@@ -777,7 +777,7 @@ private Q_SLOTS:
         QTest::mouseClick(kind->segment(1), Qt::LeftButton);
         QVERIFY(over->isVisible());
         auto* signal = analysis->findChild<QComboBox*>("plots.analysis.signal");
-        QTRY_VERIFY(over->findData(b.id("actual_q_1")) >= 0);
+        QTRY_VERIFY_WITH_TIMEOUT(over->findData(b.id("actual_q_1")) >= 0, 60'000);
         over->setCurrentIndex(over->findData(b.id("actual_q_1")));
         signal->setCurrentIndex(signal->findData(b.id("actual_TCP_force_2")));
         Q_EMIT signal->activated(signal->currentIndex());
@@ -796,7 +796,7 @@ private Q_SLOTS:
         Bench b;
         b.dock.resize(1500, 700);
         b.dock.openRecording(recorded.path);
-        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         const QString key = QStringLiteral("long.mcap/actual_TCP_force_2");
         const int force = b.dock.store().find(key);
         QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
@@ -816,7 +816,7 @@ private Q_SLOTS:
         };
         constexpr int kMin = 4;
         constexpr int kMax = 5;
-        QTRY_COMPARE(cell(kMin), QString("…"));
+        QTRY_COMPARE_WITH_TIMEOUT(cell(kMin), QString("…"), 60'000);
         auto* between = b.dock.findChild<QLabel*>("plots.values.between");
         QVERIFY(between->text().contains("calculating"));
         QTRY_COMPARE_WITH_TIMEOUT(cell(kMin), QString("−40.0"), 60'000);
@@ -824,19 +824,19 @@ private Q_SLOTS:
         QVERIFY(!between->text().contains("calculating"));
         // After the cursor has moved, the value is displayed when the table is next updated.
         b.view().setCursor(PlotView::Cursor::B, begin + 1100);
-        QTRY_VERIFY(between->text().contains("800"));
+        QTRY_VERIFY_WITH_TIMEOUT(between->text().contains("800"), 60'000);
         QCOMPARE(cell(kMin), QString("−40.0"));
 
         b.menu("plots.layout.analysis")->trigger();
         auto* analysis = b.dock.findChild<PlotAnalysis*>();
         const auto choose = [&](const char* name) {
             auto* box = analysis->findChild<QComboBox*>(name);
-            QTRY_VERIFY(box->findData(force) >= 0);
+            QTRY_VERIFY_WITH_TIMEOUT(box->findData(force) >= 0, 60'000);
             box->setCurrentIndex(box->findData(force));
             Q_EMIT box->activated(box->currentIndex());
         };
         choose("plots.analysis.signal");
-        QTRY_VERIFY(analysis->canvas().message().contains("Reading the recording"));
+        QTRY_VERIFY_WITH_TIMEOUT(analysis->canvas().message().contains("Reading the recording"), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(analysis->title().contains("Hann window of 8192"), 60'000);
         const QVector<QPointF>& lines = analysis->canvas().points();
         const auto top = std::max_element(lines.begin(), lines.end(),
@@ -855,9 +855,9 @@ private Q_SLOTS:
         QVERIFY(norm.ok());
         b.view().addSignals({b.dock.store().info(*norm).key});
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.store().computedPart(*norm), 1.0, 60'000);
-        QTRY_VERIFY(!b.curve(*norm).range().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!b.curve(*norm).range().isEmpty(), 60'000);
         b.view().fit();
-        QTRY_VERIFY(b.curve(*norm).range().max == 40);
+        QTRY_VERIFY_WITH_TIMEOUT(b.curve(*norm).range().max == 40, 60'000);
     }
 
     /// The menu of a curve derives signals from columns with any name.
@@ -874,7 +874,7 @@ private Q_SLOTS:
             }
         }
         b.dock.openRecording(path);
-        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         const PlotPane& pane = *b.view().panes()[0];
         QVERIFY(!pane.shown().empty());
         const int before = b.dock.store().count();
@@ -1140,15 +1140,16 @@ private Q_SLOTS:
     void buttonsDoNotIncreaseThePanelHeight() {
         QFETCH(QString, key);
         Bench b;
-        QTRY_VERIFY(b.dock.minimumSizeHint().height() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(b.dock.minimumSizeHint().height() > 0, 60'000);
         const int before = b.dock.minimumSizeHint().height();
         QTest::mouseClick(b.button(qPrintable(key)), Qt::LeftButton);
         QTest::qWait(1);
-        QTRY_VERIFY2(
+        QTRY_VERIFY2_WITH_TIMEOUT(
             b.dock.minimumSizeHint().height() <= before,
-            qPrintable(QStringLiteral("%1, was %2").arg(b.dock.minimumSizeHint().height()).arg(before)));
+            qPrintable(QStringLiteral("%1, was %2").arg(b.dock.minimumSizeHint().height()).arg(before)),
+            60'000);
         QTest::mouseClick(b.button(qPrintable(key)), Qt::LeftButton);
-        QTRY_COMPARE(b.dock.minimumSizeHint().height(), before);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.minimumSizeHint().height(), before, 60'000);
     }
 
     // ---- values, notes, alarms
@@ -1168,7 +1169,7 @@ private Q_SLOTS:
             }
             return QString();
         };
-        QTRY_COMPARE(cell("B − A"), QString("10.0"));
+        QTRY_COMPARE_WITH_TIMEOUT(cell("B − A"), QString("10.0"), 60'000);
         QCOMPARE(cell("Min"), QString("40.0"));
         QCOMPARE(cell("Max"), QString("50.0"));
         QCOMPARE(cell("Mean"), QString("45.00"));
@@ -1183,7 +1184,7 @@ private Q_SLOTS:
         QVERIFY(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t50.0\t10.0"));
         // Other programs read only numbers with an ASCII minus sign.
         b.view().setCursor(PlotView::Cursor::B, 30.0);
-        QTRY_COMPARE(cell("B − A"), QString("−10.0"));
+        QTRY_COMPARE_WITH_TIMEOUT(cell("B − A"), QString("−10.0"), 60'000);
         QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
         QVERIFY2(QApplication::clipboard()->text().contains("Fz [N]\t40.0\t30.0\t-10.0"),
                  qPrintable(QApplication::clipboard()->text()));
@@ -1196,7 +1197,7 @@ private Q_SLOTS:
         QSignalSpy notes(&b.session, &RobotSession::noteAdded);
         QSignalSpy messages(&b.session, &RobotSession::message);
         QTimer::singleShot(0, &b.dock, [] {
-            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, 60'000);
             QTest::keyClicks(QApplication::activeModalWidget()->findChild<QLineEdit*>(), "here it slipped");
             QTest::keyClick(QApplication::activeModalWidget()->findChild<QLineEdit*>(), Qt::Key_Return);
         });
@@ -1304,7 +1305,7 @@ private Q_SLOTS:
         dock.resize(1500, 375);
         dock.show();
         dock.openRecording(path);
-        QTRY_COMPARE(dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(dock.pages().count(), 2, 60'000);
         const auto linesOf = [](const QString& name) {
             QFile file(name);
             return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n')
@@ -1343,7 +1344,7 @@ private Q_SLOTS:
             file.close();
             const int pages = b.dock.pages().count();
             b.dock.openRecording(file.fileName());
-            QTRY_COMPARE(b.dock.pages().count(), pages + 1);
+            QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), pages + 1, 60'000);
         }
         const SignalStore& store = b.dock.store();
         const auto pens = [&](const std::vector<int>& shown) {
@@ -1389,7 +1390,7 @@ private Q_SLOTS:
         }
         QSignalSpy messages(&b.session, &RobotSession::message);
         b.dock.openRecording(path);
-        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         QVERIFY2(messages.last().at(1).toString().contains("yesterday.csv"),
                  qPrintable(messages.last().at(1).toString()));
         SignalStore& store = b.dock.store();
@@ -1417,7 +1418,7 @@ private Q_SLOTS:
         // The same file is opened again, starting at cursor A.
         b.view().setCursor(PlotView::Cursor::A, 50.0);
         b.dock.openRecording(path);
-        QTRY_COMPARE(b.dock.pages().count(), 3);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 3, 60'000);
         QVERIFY(near(store.valueAt(store.find("yesterday.csv (2)/actual_TCP_force_2"), 51).value(), 5, 0.02));
         // Closing the recordings keeps the live signals, and data continue to arrive.
         b.dock.closeRecordings();
@@ -1449,7 +1450,7 @@ private Q_SLOTS:
             }
         }
         b.dock.openRecording(path);
-        QTRY_COMPARE(b.dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         auto* band = b.dock.findChild<ComparisonBand*>();
         auto* key = b.dock.findChild<QToolButton*>("plots.comparison.key");
         auto* compare = b.dock.findChild<QToolButton*>("plots.comparison.compare");
@@ -1477,7 +1478,7 @@ private Q_SLOTS:
         answer(2, "UR5e");
         action->trigger();
         QCOMPARE(asked, 1);
-        QTRY_COMPARE(band->words(), QString("The motion matches the model of a UR5e"));
+        QTRY_COMPARE_WITH_TIMEOUT(band->words(), QString("The motion matches the model of a UR5e"), 60'000);
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
@@ -1485,7 +1486,8 @@ private Q_SLOTS:
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(asked, 2);
-        QTRY_COMPARE(band->words(), QString("Arm and model diverge at 1.000 s: Elbow deviates by 1.00°"));
+        QTRY_COMPARE_WITH_TIMEOUT(
+            band->words(), QString("Arm and model diverge at 1.000 s: Elbow deviates by 1.00°"), 60'000);
         QCOMPARE(parted.count(), 1);
         QCOMPARE(parted[0][2].toString(), path);
         QVERIFY(near(parted[0][3].toDouble(), 1, 1e-6));
@@ -1504,7 +1506,7 @@ private Q_SLOTS:
         QVERIFY(key->isVisible());
         QCOMPARE(key->text(), QString("Cancel"));
         QTest::mouseClick(key, Qt::LeftButton);
-        QTRY_COMPARE(band->words(), QString("Not compared with the arm model."));
+        QTRY_COMPARE_WITH_TIMEOUT(band->words(), QString("Not compared with the arm model."), 60'000);
         QCOMPARE(parted.count(), 1);
 
         // The result belongs only to this page.
@@ -1528,7 +1530,7 @@ private Q_SLOTS:
         file.write("time;pressure\n0;1\n1;4\n2;2\n");
         file.close();
         dock.openRecording(file.fileName());
-        QTRY_COMPARE(dock.pages().count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(dock.pages().count(), 2, 60'000);
         const int pressure = dock.store().find("other;tool.csv/pressure");
         QVERIFY(dock.view().panes()[0]->shows(pressure));
         QCOMPARE(dock.store().valueAt(pressure, 1.5).value(), 4.0);
@@ -1547,13 +1549,13 @@ private Q_SLOTS:
         QTemporaryDir folder;
         QSignalSpy messages(&b.session, &RobotSession::message);
         b.dock.openRecording(folder.filePath("none.mcap"));
-        QTRY_COMPARE(messages.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 60'000);
         QFile file(folder.filePath("picture.mcap"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray(3000, '\x89'));
         file.close();
         b.dock.openRecording(file.fileName());
-        QTRY_COMPARE(messages.count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 2, 60'000);
         for (const auto& message : messages) {
             QVERIFY(message.at(0).value<Severity>() == Severity::Error);
         }

@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(view.rect().contains(card.geometry()));
         QVERIFY(!card.findChild<QPushButton*>("firstSteps.dismiss")->isVisible());
         view.resize(480, 400);
-        QTRY_VERIFY(!card.isFolded());
+        QTRY_VERIFY_WITH_TIMEOUT(!card.isFolded(), 60'000);
         QVERIFY(card.findChild<QPushButton*>("firstSteps.dismiss")->isVisible());
         QTest::mouseClick(card.findChild<QToolButton*>("firstSteps.fold"), Qt::LeftButton);
         QVERIFY(card.isFolded());

@@ -238,7 +238,7 @@ private Q_SLOTS:
         other.open(path_);
         asked->accepted();
         QVERIFY(other.store().obstacle() == ProjectStore::Obstacle::None);
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere, 60'000);
     }
 
     // The notice may appear under the pointer of a user who is about to click another one.
@@ -247,7 +247,8 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(project::saveProject(path_, project::Project()).ok());
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther,
+                                 60'000);
         QVERIFY(notice_ && notice_->accepted);
         notice_->accepted();
         QCOMPARE(files_->store().path(), directory_->filePath("cell-7-2.tiller"));
@@ -264,13 +265,13 @@ private Q_SLOTS:
         file.close();
         QSignalSpy resolved(files_.get(), &ProjectFiles::noticeResolved);
         QVERIFY(project::saveProject(path_, project::Project{}).ok());
-        QTRY_VERIFY(notice_.has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(notice_.has_value(), 60'000);
         const QString cause = notice_->cause;
         resolved.clear();
         QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
         file.write(own);
         file.close();
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::None);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::None, 60'000);
         QCOMPARE(resolved.count(), 1);
         QCOMPARE(resolved[0][0].toString(), cause);
     }
@@ -280,7 +281,8 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(QFile::remove(path_) && QDir().mkdir(path_));
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther,
+                                 60'000);
         QVERIFY(notice_.has_value());
     }
 

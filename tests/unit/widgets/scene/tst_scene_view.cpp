@@ -436,9 +436,9 @@ private Q_SLOTS:
         auto* keys = view.findChild<QWidget*>("scene.keys");
         QVERIFY(keys->isVisible() && view.rect().contains(keys->geometry()));
         view.resize(100, 180);
-        QTRY_VERIFY(!keys->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!keys->isVisible(), 60'000);
         view.resize(600, 400);
-        QTRY_VERIFY(keys->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(keys->isVisible(), 60'000);
     }
 
     void namesDoNotLieOnEachOther() {
@@ -535,7 +535,7 @@ private Q_SLOTS:
         JointPositions moved = kStance;
         moved[0] += 0.1;
         view.setState(live(moved, 1));
-        QTRY_VERIFY(counter.paints > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
     }
 
     // The TCP rises by a twentieth of a pixel in each step. Most of the steps do not change the image, but
@@ -565,12 +565,12 @@ private Q_SLOTS:
             q[1] += step;
             view.setState(live(q, time += 0.02));
         }
-        QTRY_VERIFY(counter.paints > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
         // A rotation at the same position is also a change, because the axes of the tool rotate.
         counter.waitForQuiet();
         q[5] += 0.3;
         view.setState(live(q, time += 0.02));
-        QTRY_VERIFY(counter.paints > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
     }
 };
 

@@ -319,7 +319,7 @@ private Q_SLOTS:
         state.remoteNeeded = false;
         state.remoteControl = true;
         header.applyState(state);
-        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), 60'000);
     }
 
     void inControlThereIsNoButton() {
@@ -446,10 +446,10 @@ private Q_SLOTS:
         QCOMPARE(session.asked.size(), 1);
         QVERIFY(session.speeds.isEmpty());
         // Half a second later, all widgets are in their final state.
-        QTRY_VERIFY(!button->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!button->isVisible(), 60'000);
         state.control = ControlState::None;
         header.applyState(state);
-        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), 60'000);
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
@@ -517,11 +517,11 @@ private Q_SLOTS:
         state.robotMode = RobotMode::Running;
         state.control = ControlState::InControl;
         header.applyState(state);
-        QTRY_VERIFY(!button->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!button->isVisible(), 60'000);
         QVERIFY(header.focusWidget() == nullptr);
         state.control = ControlState::None;
         header.applyState(state);
-        QTRY_VERIFY2(button->hasFocus(), "who walks by keyboard goes on where he was");
+        QTRY_VERIFY2_WITH_TIMEOUT(button->hasFocus(), "who walks by keyboard goes on where he was", 60'000);
     }
 
     void draggingTakesPrecedenceOverTheReport() {
@@ -705,7 +705,8 @@ private Q_SLOTS:
         state.link = LinkState::Live;
         state.quality.recent = {5000, 1200, 12};
         header.applyState(state);
-        QTRY_VERIFY(header.findChild<StateChip*>("linkChip")->caption().contains("JOG MAY STOP"));
+        QTRY_VERIFY_WITH_TIMEOUT(header.findChild<StateChip*>("linkChip")->caption().contains("JOG MAY STOP"),
+                                 60'000);
         QCoreApplication::processEvents();
         const QString shown = header.findChild<StateChip*>("linkChip")->shownCaption();
         QVERIFY2(shown.endsWith("JOG MAY STOP"), qPrintable(shown));

@@ -108,7 +108,7 @@ private Q_SLOTS:
         editor->selectAll();
         QTest::keyClicks(editor, "gripper");
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(document_->tooling().tools.at(1).name, QString("gripper"));
+        QTRY_COMPARE_WITH_TIMEOUT(document_->tooling().tools.at(1).name, QString("gripper"), 60'000);
         action("tcp.action.delete")->trigger();
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
         everythingGoesThereAndBack(4);

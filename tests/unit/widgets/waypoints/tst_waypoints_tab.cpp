@@ -173,8 +173,8 @@ private Q_SLOTS:
         QVERIFY(editor != nullptr);
         QTest::keyClicks(editor, "above tray");  // letters that are shortcuts in other places
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(names(), QStringList({"waypoint 1", "above tray", "waypoint 3"}));
-        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(names(), QStringList({"waypoint 1", "above tray", "waypoint 3"}), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr, 60'000);
         QTest::keyClick(table(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(names().at(1), QString("waypoint 2"));
         QTest::keyClick(table(), Qt::Key_Y, Qt::ControlModifier);
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(arm_.moves.empty());
         QCOMPARE(editor->text(), QString("tug"));
         QTest::keyClick(editor, Qt::Key_Escape);
-        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr, 60'000);
         QCOMPARE(names().at(0), QString("waypoint 1"));
     }
 
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QCOMPARE(arm_.moves.size(), std::size_t(1));
         QVERIFY(arm_.moves[0].kind == MoveRequest::Kind::MoveJ);
         QCOMPARE(arm_.moves[0].q, document_->waypoints().at(1).joints);
-        QTRY_VERIFY(arm_.holds >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(arm_.holds >= 2, 60'000);
         QTest::mouseRelease(key, Qt::LeftButton);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
         const int holds = arm_.holds;
@@ -492,7 +492,8 @@ private Q_SLOTS:
         state.tcpPose.position.z() += 0.0612;
         feed(state);
         auto* details = tab_->findChild<WaypointDetails*>("waypoint.details");
-        QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
+        QTRY_VERIFY2_WITH_TIMEOUT(details->headline().contains("61.2 mm"), qPrintable(details->headline()),
+                                  60'000);
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
     }

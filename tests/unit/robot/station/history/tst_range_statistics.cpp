@@ -280,7 +280,8 @@ private Q_SLOTS:
         RangeStatisticsCache sums(opened.store);
         ask(sums, opened.signal, kBegin, long_->timeOf(kRows - 1));
         const std::array<int, 1> wanted = {opened.signal};
-        QTRY_VERIFY((sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()), 60'000);
         const auto told = sums.statistics(opened.signal, kBegin, long_->timeOf(kRows - 1));
         QVERIFY(told.has_value());
         QVERIFY(told->count > static_cast<std::int64_t>(kRows) * 9 / 10);
