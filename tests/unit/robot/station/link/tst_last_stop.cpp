@@ -108,6 +108,24 @@ private Q_SLOTS:
         QVERIFY(bench.state().lastStop.durationMs > 0);
     }
 
+    // The controller ends the motion while the window hangs; it is reported when the window continues.
+    void aStopDuringAHangOfTheWindowIsReported() {
+        Bench bench;
+        QStringList messages;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        const std::uint64_t before = bench.state().lastStop.count;
+        QVERIFY(bench.jog());
+        messages.clear();
+        bench.cell.advanceWithFrozenInterface(500);
+        bench.session.refresh();
+        QCOMPARE(bench.state().lastStop.count, before + 1);
+        QCOMPARE(bench.state().lastStop.cause, StopCause::EventLoopStalled);
+        QCOMPARE(messages.filter(QStringLiteral("Stopped: ")).size(), 1);
+    }
+
     void aSafetyStopOfAnotherProgramIsTheLastStop_data() { addSafetyRows(); }
     void aSafetyStopOfAnotherProgramIsTheLastStop() {
         QFETCH(const Safety, safety);
