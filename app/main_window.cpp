@@ -844,6 +844,11 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
+    if (session_->state().recording.active && !endsRecording_) {
+        askToEndRecording();
+        event->ignore();
+        return;
+    }
     // A path that is being recorded must first be converted to waypoints; before that, the project is
     // incomplete.
     if (waypoints_->storePath()) {
@@ -854,6 +859,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    endsRecording_ = false;
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -867,6 +873,35 @@ void MainWindow::closeEvent(QCloseEvent* event) {
             dock->hide();
         }
     }
+}
+
+/// Not modal: STOP and everything else remain usable, and nothing waits for the answer.
+void MainWindow::askToEndRecording() {
+    const QString name = QStringLiteral("recordingQuestion");
+    if (auto* open = findChild<QMessageBox*>(name)) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Close window"), tr("A recording is running."),
+                                     QMessageBox::NoButton, this);
+    question->setObjectName(name);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("Closing the window stops it."));
+    QPushButton* end = question->addButton(tr("Stop recording and close"), QMessageBox::DestructiveRole);
+    end->setObjectName(name + QStringLiteral(".end"));
+    end->setAutoDefault(false);
+    QPushButton* keep = question->addButton(tr("Keep recording"), QMessageBox::RejectRole);
+    keep->setObjectName(name + QStringLiteral(".keep"));
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    question->setModal(false);
+    connect(end, &QPushButton::clicked, this, [this] {
+        session_->recording().stop();
+        endsRecording_ = true;
+        close();
+    });
+    question->show();
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------
