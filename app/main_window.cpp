@@ -194,9 +194,9 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
+    popup_ = new RobotPopup(*session_, *this, *scene_);
     buildActions();
     new HoverKeeper(this);
-    popup_ = new RobotPopup(*session_, *this, *scene_);
     connectParts();
     applyPreferences(preferences_);
 
@@ -914,6 +914,8 @@ void MainWindow::buildActions() {
                          .check = [this](const RobotAddress& robot) { showPreflight(robot); },
                          .showRecovery = [this] { showRecovery(); },
                          .askForProgram = [this] { askForProgram(); },
+                         .closePopup = [this] { popup_->closeNewest(); },
+                         .popupObstacle = [this] { return popup_->closeObstacle(); },
                          .stop = [this] { stopMotion(control::StopCause::StopButton); }});
     addProjectActions();
     JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
