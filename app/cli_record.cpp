@@ -60,8 +60,9 @@ const QString kRecordHelp = QStringLiteral(
     "  --help               shows this text\n"
     "\n"
     "If the connection is lost, it is restored automatically, and the file contains the gap with its\n"
-    "length. Data are saved twice a second; a crash loses at most half a second. Exit code: 0 the file\n"
-    "is complete, 1 the file is incomplete or there are no data, 2 invalid arguments.\n");
+    "length. A restart of the controller is stored as an event with both times; \"info\" shows it. Data are\n"
+    "saved twice a second; a crash loses at most half a second. Exit code: 0 the file is complete, 1 the\n"
+    "file is incomplete or there are no data, 2 invalid arguments.\n");
 
 struct RecordOptions {
     receive::ReceiverOptions receiver;
@@ -272,6 +273,10 @@ int record(const QStringList& arguments) {
                      .arg(progress.seconds, 0, 'f', 3)
                      .arg(progress.lost)
                      .arg(progress.bytes)
+              << Qt::endl;
+    }
+    if (progress.restarts > 0) {
+        out() << QStringLiteral("Restarts of the controller during the recording: %1").arg(progress.restarts)
               << Qt::endl;
     }
     if (progress.state != RecorderState::Finished) {

@@ -194,9 +194,9 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
+    popup_ = new RobotPopup(*session_, *this, *scene_);
     buildActions();
     new HoverKeeper(this);
-    popup_ = new RobotPopup(*session_, *this, *scene_);
     connectParts();
     applyPreferences(preferences_);
 
@@ -844,6 +844,11 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
+    if (session_->state().recording.active && !endsRecording_) {
+        askToEndRecording();
+        event->ignore();
+        return;
+    }
     // A path that is being recorded must first be converted to waypoints; before that, the project is
     // incomplete.
     if (waypoints_->storePath()) {
@@ -854,6 +859,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    endsRecording_ = false;
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -869,6 +875,35 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
 }
 
+/// Not modal: STOP and everything else remain usable, and nothing waits for the answer.
+void MainWindow::askToEndRecording() {
+    const QString name = QStringLiteral("recordingQuestion");
+    if (auto* open = findChild<QMessageBox*>(name)) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Close window"), tr("A recording is running."),
+                                     QMessageBox::NoButton, this);
+    question->setObjectName(name);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("Closing the window stops it."));
+    QPushButton* end = question->addButton(tr("Stop recording and close"), QMessageBox::DestructiveRole);
+    end->setObjectName(name + QStringLiteral(".end"));
+    end->setAutoDefault(false);
+    QPushButton* keep = question->addButton(tr("Keep recording"), QMessageBox::RejectRole);
+    keep->setObjectName(name + QStringLiteral(".keep"));
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    question->setModal(false);
+    connect(end, &QPushButton::clicked, this, [this] {
+        session_->recording().stop();
+        endsRecording_ = true;
+        close();
+    });
+    question->show();
+}
+
 // ---- commands -----------------------------------------------------------------------------------------------
 
 void MainWindow::buildActions() {
@@ -879,6 +914,8 @@ void MainWindow::buildActions() {
                          .check = [this](const RobotAddress& robot) { showPreflight(robot); },
                          .showRecovery = [this] { showRecovery(); },
                          .askForProgram = [this] { askForProgram(); },
+                         .closePopup = [this] { popup_->closeNewest(); },
+                         .popupObstacle = [this] { return popup_->closeObstacle(); },
                          .stop = [this] { stopMotion(control::StopCause::StopButton); }});
     addProjectActions();
     JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });

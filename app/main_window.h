@@ -157,6 +157,7 @@ private:
                          const QString& accept, const std::function<void()>& accepted);
     void askToTakeControl();
     void askToPowerOff();
+    void askToEndRecording();
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();
@@ -189,6 +190,7 @@ private:
     Settings settings_;
     Preferences preferences_;         ///< current settings
     QTimer layoutTimer_;              ///< delays saving until the layout has not changed for some time
+    bool endsRecording_ = false;      ///< closing was confirmed; it may have to wait for a recorded path
     bool monitorOnlyLocked_ = false;  ///< true if set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;

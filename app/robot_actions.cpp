@@ -142,8 +142,11 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::ClosePopups),
                tr("Closes the popups on the teach pendant."),
                {},
-               perform(RobotCommand::ClosePopups),
-               [](const SessionState& s) { return needsService(s, RobotCommand::ClosePopups); }});
+               hooks.closePopup,
+               [obstacle = hooks.popupObstacle](const SessionState& s) {
+                   const QString why = needsService(s, RobotCommand::ClosePopups);
+                   return why.isEmpty() ? obstacle() : why;
+               }});
 }
 
 void RobotActions::addControl(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {

@@ -20,6 +20,9 @@ struct RobotActionHooks {
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;
+    /// Closes the newest popup as its card in the window does, with the reason why that is not possible now.
+    std::function<void()> closePopup;
+    std::function<QString()> popupObstacle;
     /// Stops all motion by software.
     std::function<void()> stop;
 };

@@ -2,8 +2,10 @@
 #include "robot/control/abandoned_program.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
+#include "robot/control/detail/control_script.h"
 #include "robot/control/detail/registers.h"
 #include "robot/rtde/fields.h"
 
@@ -12,7 +14,7 @@ namespace tiller::control {
 namespace {
 
 // Lower limit of ABANDONED in control.script [s].
-constexpr double kAbandonedAfter = 0.5;
+constexpr double kAbandonedAfter = std::chrono::duration<double>(kMinAbandonedAfter).count();
 // Time for which the value must increase with the robot's time [s]. A constant value is detected within half
 // of this time.
 constexpr double kProofTime = 0.05;
@@ -20,6 +22,11 @@ constexpr double kProofTime = 0.05;
 // clock.
 constexpr double kDelay = 0.02;
 constexpr double kDrift = 0.1;
+
+/// True if a number that grew by this amount [s] follows the robot's time.
+bool follows(double growth, double passed) {
+    return std::abs(growth - passed) <= kDelay + kDrift * passed;
+}
 
 }  // namespace
 
@@ -36,12 +43,14 @@ void AbandonedProgram::add(double timestamp, RuntimeState runtime, const std::ar
         Count& count = counts_[i];
         const bool isAbandoned = runtime == RuntimeState::Playing && value >= kAbandonedAfter;
         const double passed = timestamp - count.compared;
+        // The delay is permitted once in total, not again in every comparison.
         const bool grows = count.active && timestamp >= count.newest &&
-                           std::abs(value - count.value - passed) <= kDelay + kDrift * passed;
+                           follows(value - count.value, passed) &&
+                           follows(value - count.first, timestamp - count.since);
         if (!isAbandoned) {
             count = {};
         } else if (!grows) {
-            count = {true, timestamp, timestamp, timestamp, value};
+            count = {true, timestamp, timestamp, timestamp, value, value};
         } else {
             count.newest = timestamp;
             if (passed >= kProofTime) {

@@ -39,6 +39,7 @@ private:
         double compared = 0;  ///< timestamp of the reference package [s]
         double newest = 0;    ///< timestamp of the newest package [s]
         double value = 0;     ///< register value in the reference package [s]
+        double first = 0;     ///< register value in the first package [s]
     };
     std::array<Count, 2> counts_;
 };

@@ -8,13 +8,16 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
+#include "robot/receive/robot_state.h"
 #include "robot/recording/detail/recording_file.h"
+#include "robot/recording/detail/restart_note.h"
 
 namespace tiller::recording {
 
@@ -93,6 +96,7 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> bytes{0};
     std::atomic<std::int64_t> freeBytes{0};
     std::atomic<int> files{0};
+    std::atomic<int> restarts{0};
 
     // Used by the thread while it runs.
     RecorderOptions options;
@@ -108,7 +112,8 @@ struct Recorder::Worker {
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
-    std::uint64_t dueSequence = 0;  ///< sequence number of the next row
+    double lastTime = -std::numeric_limits<double>::infinity();  ///< time stamp of the controller [s]
+    std::uint64_t dueSequence = 0;                               ///< sequence number of the next row
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
@@ -183,6 +188,7 @@ struct Recorder::Worker {
         const std::uint64_t missing = lastSequence == 0 ? 0 : overrun + sample.lostBefore;
         lastSequence = sample.sequence;
         missingBefore += missing;
+        noteRestart();
         if (trigger) {
             return takeTriggered();
         }
@@ -191,6 +197,19 @@ struct Recorder::Worker {
             encode(sample, std::exchange(missingBefore, 0));
         }
         return {};
+    }
+
+    /// The number of packages that were missed during a restart is unknown, so it is an event, not a gap.
+    void noteRestart() {
+        const double time = receive::RobotState(sample).timestamp();
+        if (time < lastTime) {
+            ++restarts;
+            if (file) {
+                encoder->add(RecordedNote{sample.hostTimeNs + steadyToUtc, kRestartLevel, kRestartSource,
+                                          restartText(lastTime, time)});
+            }
+        }
+        lastTime = time;
     }
 
     Result<void> takeTriggered() {
@@ -424,6 +443,7 @@ RecorderProgress Recorder::progress() const {
     progress.bytes = current->bytes;
     progress.freeBytes = current->freeBytes;
     progress.files = current->files;
+    progress.restarts = current->restarts;
     return progress;
 }
 

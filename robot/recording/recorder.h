@@ -73,6 +73,7 @@ struct RecorderProgress {
     std::uint64_t lost = 0;      ///< packages missing in the file, for any reason
     std::int64_t bytes = 0;      ///< size of the file
     int files = 0;               ///< number of files started
+    int restarts = 0;            ///< of the controller during the recording: its time jumped back
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 

@@ -19,9 +19,9 @@ struct RecordedTable {
 };
 
 /// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
-/// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value.
-/// Gaps are taken from the column `packages_lost`, or detected where two rows are more than one and a half
-/// periods apart.
+/// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value,
+/// and events() reports it. Gaps are taken from the column `packages_lost`, or detected where two rows are more
+/// than one and a half periods apart.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);
@@ -31,6 +31,7 @@ public:
     const std::vector<RecordedColumn>& columns() const override { return table_.columns; }
     std::uint64_t rows() const override { return times_.size(); }
     const std::vector<RecordedGap>& gaps() const override { return gaps_; }
+    const std::vector<RecordedEvent>& events() const override { return events_; }
     double period() const override { return period_; }
     const QStringList& problems() const override { return table_.problems; }
     Result<std::vector<double>> times(RowRange rows) const override;
@@ -45,6 +46,7 @@ private:
     RecordedTable table_;
     std::vector<double> times_;
     std::vector<RecordedGap> gaps_;
+    std::vector<RecordedEvent> events_;
     double period_ = 0;
 };
 

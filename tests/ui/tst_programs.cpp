@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <optional>
@@ -277,6 +278,35 @@ private Q_SLOTS:
         // The popup is not shown after a new connection.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
+    }
+
+    // The command obeys the same rules as the button: not before the popup could be read, and once only.
+    void theCommandClosesAPopupAsItsButtonDoes() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QAction* close = action("power.closePopups");
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        popup.text = QStringLiteral("Check the gripper");
+        QSignalSpy done(&window_->session(), &RobotSession::commandDone);
+        Q_EMIT window_->session().controllerMessage(popup);
+        window_->session().refresh();
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QVERIFY(!key->isEnabled());
+        QVERIFY2(!close->isEnabled(), "a command was accepted that the button refuses");
+        QVERIFY(!app::ActionTable::obstacleOf(*close).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        close->trigger();
+        QVERIFY2(!key->isEnabled(), "the card does not know that the popup is being closed");
+        window_->session().refresh();
+        QVERIFY2(!close->isEnabled(), "the popup below would be closed too");
+        QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
+        // Without a popup known here: one from before the connection.
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        close->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(done.count(), 2, 20'000);
     }
 
     void aPopupHeardBeforeTheAnswerStaysWhenTheOtherIsClosed() {

@@ -169,6 +169,26 @@ private Q_SLOTS:
         QVERIFY(saved->waypoints.size() >= 2);
     }
 
+    // There "Record path" is a command of the menu only.
+    void aNarrowPanelShowsThatAPathIsRecorded() {
+        WaypointsTab narrow(window().session(), document());
+        narrow.resize(narrow.minimumSizeHint().width(), 600);
+        narrow.show();
+        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(), "it has room");
+        auto* more = narrow.findChild<QAbstractButton*>("waypoint.more");
+        const QString usual = more->text();
+        const int width = more->width();
+        narrow.findChild<QAction*>("waypoint.action.recordPath")->trigger();
+        cell().advanceMs(2100);
+        QVERIFY2(more->text().contains(QChar(0x25cf)), qPrintable(more->text()));
+        QVERIFY2(more->toolTip().contains("REC 00:02"), qPrintable(more->toolTip()));
+        QVERIFY2(more->accessibleDescription().contains("REC"), "it is not visible to all");
+        QCOMPARE(more->width(), width);
+        narrow.findChild<QAction*>("waypoint.action.recordPath")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(more->text(), usual, 60'000);
+        QVERIFY(more->accessibleDescription().isEmpty());
+    }
+
     void lostDataEndAndKeepTheRecording() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         lead();

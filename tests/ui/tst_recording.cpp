@@ -3,6 +3,7 @@
 // The content of recordings is selected on the settings page or next to the Record button, and applies to the
 // next file.
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -11,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -141,6 +143,43 @@ private Q_SLOTS:
         QCOMPARE(kept.pattern, QString("run {number}"));
         QCOMPARE(kept.fields.size(), 2);
         QCOMPARE(QDir(kept.folder), QDir(folder));
+    }
+
+    void closingTheWindowAsksAboutARunningRecording() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const QString path = bench.folder.filePath("running.csv");
+        bench.window.session().recording().start(path);
+        const auto active = [&] {
+            bench.cell.advanceMs(20);
+            return bench.window.session().state().recording.active;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(active(), 20'000);
+        bench.cell.advanceMs(200);
+
+        QVERIFY2(!bench.window.close(), "the recording ended without a question");
+        auto* question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        QVERIFY(question != nullptr && question->isVisible());
+        QVERIFY2(!question->isModal() && QApplication::activeModalWidget() == nullptr,
+                 "STOP cannot be clicked");
+        QCOMPARE(question->defaultButton()->objectName(), QString("recordingQuestion.keep"));
+        QVERIFY(active());
+        QVERIFY(!bench.window.close());
+        QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr);
+        QVERIFY(bench.window.isVisible() && active());
+
+        QVERIFY(!bench.window.close());
+        question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
+        QTRY_VERIFY(!bench.window.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!active(), 20'000);
+        const auto table = recording::readCsv(path);
+        QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+        QVERIFY(table->rows() > 50);
+        QVERIFY(!table->truncated);
     }
 
     void anMcapFileHoldsEverythingAndTheProject() {

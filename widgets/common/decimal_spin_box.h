@@ -3,9 +3,9 @@
 
 // Input field for a number with a unit. The mouse wheel does not change the value. Both point and comma are
 // accepted as decimal separators. The value is reported only when editing is finished by Return or a change
-// of focus. The entered text remains as typed. A value outside the range is rejected with a message. Esc
-// restores the last value. The minus sign is displayed typographically and copied as a hyphen for
-// spreadsheets and scripts.
+// of focus. The entered text remains as typed. A value outside the range is rejected with a message, and the
+// field is marked until its text is valid. Esc restores the last value. The minus sign is displayed
+// typographically and copied as a hyphen for spreadsheets and scripts.
 
 #include <QDoubleSpinBox>
 
@@ -33,10 +33,12 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// Returns the text without the unit, with a hyphen as the minus sign and a decimal point.
-    QString bare(QString text) const;
+    QString withoutUnit(QString text) const;
     bool copies(const QKeyEvent& event);
     void restore();
+    void followText();
+
+    QString ownToolTip_;  ///< without the explanation of a refused value
 };
 
 }  // namespace tiller

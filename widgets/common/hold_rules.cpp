@@ -12,6 +12,7 @@
 
 #include "widgets/common/hold_guard.h"
 #include "widgets/common/key_state_probe.h"
+#include "widgets/common/native_window_event.h"
 #include "widgets/common/text_entry.h"
 
 namespace tiller {
@@ -194,6 +195,15 @@ struct HoldRules::HoldRuleTable {
         return when(isEvent(n, QEvent::Quit), StopCause::WindowClosed);
     }
 
+    // events of the display server; Qt reports them 100 ms later, in case the focus returns
+
+    static StopCause nativeFocusLost(const HoldRules&, const HoldEvent& n) {
+        return when(n.kind == Kind::NativeFocus, StopCause::WindowDeactivated);
+    }
+    static StopCause nativeHidden(const HoldRules&, const HoldEvent& n) {
+        return when(n.kind == Kind::NativeHide, StopCause::WindowDeactivated);
+    }
+
     // timeouts
 
     static StopCause stalled(const HoldRules& h, const HoldEvent& n) {
@@ -293,6 +303,8 @@ const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
     {"a window is closed", &HoldRuleTable::windowClosed},
     {"the window is blocked", &HoldRuleTable::windowBlocked},
     {"a window opens", &HoldRuleTable::windowOpened},
+    {"the display server moves the focus", &HoldRuleTable::nativeFocusLost},
+    {"the display server hides the window", &HoldRuleTable::nativeHidden},
     {"the application is left", &HoldRuleTable::applicationLeft},
     {"the application is inactive", &HoldRuleTable::applicationInactive},
     {"the application quits", &HoldRuleTable::applicationQuits},
@@ -357,6 +369,7 @@ void HoldRules::begin(QWidget* key, const HoldSource& grip, const HoldBounds& bo
         policy_->witness->want(true);
     }
     qApp->installEventFilter(this);
+    qApp->installNativeEventFilter(this);
 }
 
 void HoldRules::end() {
@@ -365,6 +378,7 @@ void HoldRules::end() {
     }
     active_ = false;
     qApp->removeEventFilter(this);
+    qApp->removeNativeEventFilter(this);
     if (policy_->holding == this) {
         policy_->holding = nullptr;
     }
@@ -454,6 +468,17 @@ bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
                        event->type() == QEvent::MouseButtonDblClick || event->type() == QEvent::TouchBegin ||
                        event->type() == QEvent::TabletPress;
     return ended && press && HoldGuard::isHoldKey(*watched);
+}
+
+bool HoldRules::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
+    const NativeWindowEvent event = nativeWindowEvent(type, message);
+    if (event.kind == NativeWindowEvent::Kind::FocusLost) {
+        happen(Kind::NativeFocus);
+    } else if (event.kind == NativeWindowEvent::Kind::Hidden && window_ != nullptr &&
+               event.window == window_->internalWinId()) {
+        happen(Kind::NativeHide);
+    }
+    return false;
 }
 
 }  // namespace tiller

@@ -15,6 +15,7 @@
 //   (HoldBounds::holdTimeoutNs). After that the operator must press again. The limit is 100 ms for a stick
 //   whose driver reports continuously.
 
+#include <QAbstractNativeEventFilter>
 #include <QEvent>
 #include <QObject>
 #include <QPoint>
@@ -64,6 +65,8 @@ struct HoldPolicy {
 struct HoldEvent {
     enum class Kind {
         Event,         ///< any event of the application
+        NativeFocus,   ///< the display server gave the input focus to another window
+        NativeHide,    ///< the display server hid the window
         Application,   ///< the state of the application changed
         LetGo,         ///< the key, button or finger was released
         PointerAt,     ///< position of the pointer or finger in coordinates of the button
@@ -82,7 +85,7 @@ struct HoldEvent {
 };
 
 /// Threads  GUI
-class HoldRules : public QObject {
+class HoldRules : public QObject, public QAbstractNativeEventFilter {
     Q_OBJECT
 
 public:
@@ -136,6 +139,7 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    bool nativeEventFilter(const QByteArray& type, void* message, qintptr* result) override;
 
 private:
     struct HoldRuleTable;

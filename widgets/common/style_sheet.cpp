@@ -50,6 +50,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { back
     selection-color: @movingText; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: @fieldHeight; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
+QLineEdit[refused="true"], QDoubleSpinBox[refused="true"] { border: 2px solid @alarm; }
 QAbstractSpinBox QLineEdit { border: none; padding: 0; min-height: 0; background: transparent; }
 QDoubleSpinBox[dense="true"] { padding: 2px 4px; font-size: 13px; min-height: @denseHeight; }
 QComboBox::drop-down { border: none; width: 22px; }

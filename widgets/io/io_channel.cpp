@@ -173,6 +173,9 @@ void IoChannel::paintEvent(QPaintEvent*) {
 void IoChannel::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_F2) {
         rename();
+    } else if (event->key() == Qt::Key_Escape && editor_ != nullptr && editor_->isVisible()) {
+        editor_->setText(name_);
+        finishRename();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (!event->isAutoRepeat() && output_ && !stale_ && obstacle_.isEmpty()) {
             click();
@@ -215,6 +218,9 @@ void IoChannel::rename() {
 void IoChannel::finishRename() {
     if (!editor_->isVisible()) {
         return;
+    }
+    if (editor_->hasFocus()) {
+        setFocus(Qt::OtherFocusReason);  // otherwise the next widget of the window gets it
     }
     editor_->hide();
     const QString name = editor_->text().trimmed();

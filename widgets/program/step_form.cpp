@@ -11,6 +11,7 @@
 
 #include "robot/station/program/program_edit.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/text_entry.h"
 
 namespace tiller {
 
@@ -169,6 +170,7 @@ void StepForm::finish(const QUuid& step, const StepField& field, const QJsonValu
 QWidget* StepForm::lineEditor(const StepField& field, const QJsonValue& value) {
     const QString shown = program::editText(field, value);
     auto* edit = new LineEditor(shown);
+    connect(edit, &QLineEdit::textChanged, edit, [edit] { markRefused(*edit, false); });
     // Capture the selected step, because the selection may have changed when editing is finished.
     connect(edit, &QLineEdit::editingFinished, this, [this, step = shown_.id, edit, field, shown] {
         if (edit->text() == shown) {
@@ -176,6 +178,7 @@ QWidget* StepForm::lineEditor(const StepField& field, const QJsonValue& value) {
             return;
         }
         const program::FieldInput input = program::fieldInput(field, edit->text());
+        markRefused(*edit, !input.refusal.isEmpty());
         if (input.refusal.isEmpty()) {
             finish(step, field, input.value);
         } else {

@@ -151,6 +151,14 @@ void ProjectFiles::offerKept() {
                                  }
                                  offerKept();
                              },
+                         .other = tr("Discard changes"),
+                         .otherAccepted =
+                             [this, newest] {
+                                 project::CopyKeeper keeper(store_.copyFolder());
+                                 keeper.adopt(newest);
+                                 keeper.remove(0);
+                                 offerKept();
+                             },
                          .dismiss = tr("Ask again next time"),
                          .cause = QLatin1String(kKept)});
 }

@@ -453,6 +453,7 @@ void HeaderBar::resizeEvent(QResizeEvent* event) {
 void HeaderBar::arrange() {
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
+    lastStop_->show();
     // Use a smaller size also if the texts of the language need more space.
     const Size largest = width() < kTightBelow    ? Size::Tight
                          : width() < kNarrowBelow ? Size::Narrow
@@ -466,8 +467,13 @@ void HeaderBar::arrange() {
             break;
         }
     }
-    // In the smallest windows, the longest states of some languages are elided. The tooltip shows the full
-    // text.
+    // In the smallest windows, the states of some languages need the space of the last stop. The jog column shows it
+    // as well.
+    if (requiredWidth() > width()) {
+        lastStop_->hide();
+        layout_->setSpacing(2);
+        layout_->invalidate();
+    }
     int missing = requiredWidth() - width();
     for (StateChip* chip : {control_, safety_, mode_}) {
         const int cut = std::clamp(missing, 0, std::max(0, chip->minimumWidth() - kLeastStateRoom));
@@ -479,9 +485,11 @@ void HeaderBar::arrange() {
 
 /// Width required for all texts, including the simulation sign.
 int HeaderBar::requiredWidth() const {
-    const int required =
-        layout_->minimumSize().width() + std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
-        std::max(0, lastStop_->leastRoom(lastStop_->caption()) - lastStop_->minimumSizeHint().width());
+    const int required = layout_->minimumSize().width() +
+                         std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
+                         (lastStop_->isHidden() ? 0
+                                                : std::max(0, lastStop_->leastRoom(lastStop_->caption()) -
+                                                                  lastStop_->minimumSizeHint().width()));
     return simulation_->isHidden() ? required + simulation_->minimumWidth() + layout_->spacing() : required;
 }
 

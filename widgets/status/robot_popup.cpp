@@ -182,6 +182,23 @@ void RobotPopup::closeOnRobot() {
     session_.services().perform(RobotCommand::ClosePopups);
 }
 
+void RobotPopup::closeNewest() {
+    if (popups_.isEmpty() || refused_) {
+        // Popups from before the connection are not known; after a refusal, this is another attempt.
+        session_.services().perform(RobotCommand::ClosePopups);
+    } else if (closeObstacle().isEmpty()) {
+        closeOnRobot();
+    }
+}
+
+QString RobotPopup::closeObstacle() const {
+    return popups_.isEmpty() || isCloseEnabled() ? QString() : tr("Read the popup first.");
+}
+
+bool RobotPopup::isCloseEnabled() const {
+    return !asked_ && !unread_.isActive();
+}
+
 void RobotPopup::forget() {
     popups_.clear();
     obstacle_.clear();
@@ -219,7 +236,7 @@ void RobotPopup::showNewest() {
 void RobotPopup::showKey() {
     key_->setText(obstacle_.isEmpty() ? tr("Close") : tr("Hide"));
     key_->setAccessibleName(obstacle_.isEmpty() ? tr("Close the popup on the robot") : tr("Hide the popup"));
-    key_->setEnabled(!asked_ && !unread_.isActive());
+    key_->setEnabled(isCloseEnabled());
 }
 
 void RobotPopup::place() {

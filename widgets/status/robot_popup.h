@@ -30,6 +30,10 @@ public:
 
     /// Number of reported popups on the pendant, at most kMaxPopups. The newest popup is displayed.
     int count() const { return static_cast<int>(popups_.size()); }
+    /// Closes the newest popup on the robot as the button does: not before it could be read, and once only.
+    void closeNewest();
+    /// The reason why closeNewest() does nothing now; empty if it closes a popup.
+    QString closeObstacle() const;
     /// Number of updates of the displayed popup, for load tests.
     int updates() const { return updates_; }
 
@@ -48,6 +52,7 @@ private:
     void followState(const SessionState& state);
     void followCommand(RobotCommand command, bool done);
     void closeOnRobot();
+    bool isCloseEnabled() const;
     QString obstacleNow(const SessionState& state) const;
     void remove(qsizetype which);
     void forget();

@@ -96,13 +96,17 @@ void PathControls::toggle() {
     }
 }
 
+QString PathControls::recordingText() const {
+    const int seconds = static_cast<int>(recorder_.seconds());
+    return recorder_.isRecording() ? QStringLiteral("● REC %1:%2")
+                                         .arg(seconds / 60, 2, 10, QLatin1Char('0'))
+                                         .arg(seconds % 60, 2, 10, QLatin1Char('0'))
+                                   : QString();
+}
+
 void PathControls::show() {
     const bool recording = recorder_.isRecording();
-    const int seconds = static_cast<int>(recorder_.seconds());
-    const QString running = QStringLiteral("● REC %1:%2")
-                                .arg(seconds / 60, 2, 10, QLatin1Char('0'))
-                                .arg(seconds % 60, 2, 10, QLatin1Char('0'));
-    record_->setText(recording ? running : tr("○ Path"));
+    record_->setText(recording ? recordingText() : tr("○ Path"));
     record_->setAccessibleName(recording ? tr("Stop recording path") : tr("Record path"));
     const QString obstacle = recorder_.isBusy()   ? tr("Simplifying the path…")
                              : live_ || recording ? QString()

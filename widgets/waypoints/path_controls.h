@@ -35,6 +35,8 @@ public:
     /// Menu for the maximum deviation of the simplified path from the recorded positions.
     QMenu* toleranceMenu() { return tolerances_; }
     void setState(const SessionState& state);
+    /// "● REC 00:12" while a path is recorded, otherwise empty.
+    QString recordingText() const;
 
     /// Called by the commands after a file was selected.
     void exportTo(const QString& path);

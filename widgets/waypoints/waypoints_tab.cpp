@@ -175,6 +175,7 @@ void WaypointsTab::buildLayout(MotionPort port) {
         Q_EMIT message(Severity::Info, summary);
     });
     connect(&paths_->recorder(), &PathRecorder::changed, this, [this] {
+        showPathRecording();
         if (!paths_->recorder().isRecording() && !paths_->recorder().isBusy()) {
             Q_EMIT pathStored();
         }
@@ -243,6 +244,18 @@ void WaypointsTab::onComing() {
 void WaypointsTab::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     fitRoutes();
+}
+
+/// On the button of the menu, which contains "Stop recording path": in a narrow panel the path button is hidden.
+void WaypointsTab::showPathRecording() {
+    const QString usual = QStringLiteral("···");
+    const QString marked = QStringLiteral("● ···");
+    const QString recording = paths_->recordingText();
+    more_->setText(marked);
+    more_->setMinimumWidth(more_->sizeHint().width());
+    more_->setText(recording.isEmpty() ? usual : marked);
+    more_->setToolTip(recording);
+    more_->setAccessibleDescription(recording);
 }
 
 void WaypointsTab::fitRoutes() {
@@ -586,6 +599,7 @@ void WaypointsTab::buildActions() {
         add(action);
     }
     more_->setMenu(menu);
+    showPathRecording();
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this,
             [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });

@@ -119,6 +119,7 @@ private:
     void buildActions();
     void buildLayout(MotionPort port);
     void fitRoutes();
+    void showPathRecording();
     void onState(const SessionState& state);
     void onSelection();
     void refreshDetails();

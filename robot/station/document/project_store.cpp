@@ -60,7 +60,9 @@ QString ProjectStore::statusText() const {
                                                                      : lastError_.controllerMessage;
         return tr("%1 — not saved: %2").arg(name(), why);
     }
-    return modified_ ? tr("%1 — saving…").arg(name()) : tr("%1 — saved").arg(name());
+    return modified_                   ? tr("%1 — saving…").arg(name())
+           : !QFileInfo::exists(path_) ? tr("%1 — new").arg(name())
+                                       : tr("%1 — saved").arg(name());
 }
 
 void ProjectStore::onChange() {

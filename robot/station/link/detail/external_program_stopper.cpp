@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/detail/external_program_stopper.h"
 
+#include <utility>
+
 #include "robot/receive/robot_state.h"
 
 namespace tiller {
@@ -118,10 +120,20 @@ void ExternalProgramStopper::withdraw() {
 
 void ExternalProgramStopper::measure(const SampleBatch& batch) {
     for (const receive::Sample& sample : batch.samples) {
-        if (meter_.isMeasuring() && sample.sequence > measuredFrom_) {
+        if (isSafetyStop(sample) && !meter_.isMeasuring() && meter_.isMoving()) {
+            measuredFrom_ = 0;
+            meter_.begin(StopCause::UnsafeMode, sample.hostTimeNs);
+        }
+        if (!meter_.isMeasuring() || sample.sequence > measuredFrom_) {
             meter_.add(measured(sample));
         }
     }
+}
+
+/// True for the first sample of a stop by the safety system while a program of another client may run.
+bool ExternalProgramStopper::isSafetyStop(const receive::Sample& sample) {
+    const bool allowed = allowsMotion(receive::RobotState(sample).safetyMode());
+    return std::exchange(motionAllowed_, allowed) && !allowed && isExternal_;
 }
 
 bool ExternalProgramStopper::isStopped(const SessionState& state) const {
@@ -146,6 +158,7 @@ std::optional<Error> ExternalProgramStopper::failure() const {
 ExternalProgramStopper::Outcome ExternalProgramStopper::follow(const SessionState& state,
                                                                const SampleBatch& batch) {
     measure(batch);
+    isExternal_ = state.control == ControlState::None || state.control == ControlState::Refused;
     if (!request_) {
         return Outcome::None;
     }

@@ -56,13 +56,13 @@ public:
     }  ///< A stop was requested and is not confirmed yet.
 
     enum class Outcome { None, Stopped, Failed };
-    /// Measures the stop, and repeats the request if useful. Call once per frame with the samples of the
-    /// frame.
+    /// Measures the stop, also one by the safety system, and repeats the request if useful. Call once per frame with
+    /// the samples of the frame.
     /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
     /// Error of the last failed request.
     const Error& error() const { return error_; }
-    /// The last measured stop, from the request to standstill.
+    /// The last measured stop, from the request or the safety stop to standstill.
     const control::StopMeasurement& last() const { return meter_.last(); }
 
 private:
@@ -78,6 +78,7 @@ private:
 
     void askService();
     void measure(const SampleBatch& batch);
+    bool isSafetyStop(const receive::Sample& sample);
     bool isStopped(const SessionState& state) const;
     std::optional<Error> failure() const;
 
@@ -93,6 +94,8 @@ private:
 
     control::StopMeter meter_;
     std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
+    bool isExternal_ = false;         ///< not in control in the last frame: the controller does not measure
+    bool motionAllowed_ = false;      ///< safety mode of the previous sample
 };
 
 }  // namespace tiller

@@ -101,6 +101,20 @@ private Q_SLOTS:
         }
     }
 
+    // Slow enough for the delay that is permitted between two packages, too slow since the first one.
+    void aNumberThatFallsBehindIsNoProofForLong() {
+        Robot robot;
+        robot.alone = 1;
+        robot.pace = 0.6;
+        int running = 0;
+        constexpr int kPackages = 500;
+        for (int i = 0; i < kPackages; ++i) {
+            robot.go(robot.period);
+            running += robot.program.isRunning() ? 1 : 0;
+        }
+        QVERIFY2(running < kPackages / 2, qPrintable(QString::number(running)));
+    }
+
     void aClientThatReturnsIsNoticedAtOnce() {
         Robot robot;
         robot.alone = 0.6;

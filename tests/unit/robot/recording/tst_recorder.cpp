@@ -2,11 +2,14 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #ifdef __linux__
 #include <sys/mount.h>
@@ -15,6 +18,7 @@
 #endif
 
 #include "robot/recording/csv_reader.h"
+#include "robot/recording/csv_recording.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/recorder.h"
 #include "tests/support/rtde_peer.h"
@@ -95,6 +99,42 @@ private:
     std::unique_ptr<RecordingFile> file_ = systemFile();
 };
 
+/// The notes that a recording received.
+struct Story {
+    std::vector<RecordedNote> notes;
+    int rowsBeforeNote = 0;
+};
+
+/// CSV that also remembers the notes, which CSV itself ignores.
+class NotedEncoder : public RecordingEncoder {
+public:
+    NotedEncoder(std::unique_ptr<RecordingEncoder> csv, Story& story) : csv_(std::move(csv)), story_(story) {}
+    void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) override {
+        story_.rowsBeforeNote += story_.notes.empty() ? 1 : 0;
+        csv_->add(sample, lost, utcNs);
+    }
+    void add(const RecordedNote& note) override { story_.notes.push_back(note); }
+    RecordedPart take(Close how) override { return csv_->take(how); }
+    std::size_t keepOf(std::string_view written, std::uint64_t& rows) const override {
+        return csv_->keepOf(written, rows);
+    }
+
+private:
+    std::unique_ptr<RecordingEncoder> csv_;
+    Story& story_;
+};
+
+class NotedFormat : public RecordingFormat {
+public:
+    explicit NotedFormat(Story& story) : story_(story) {}
+    std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const override {
+        return std::make_unique<NotedEncoder>(csvFormat()->encoder(setup), story_);
+    }
+
+private:
+    Story& story_;
+};
+
 /// Main function of the process that the test kills. It records until it is killed.
 int recordUntilKilled(const QString& path) {
     Bench bench;
@@ -137,6 +177,7 @@ private Q_SLOTS:
     void unwritablePlacesAreErrors_data();
     void unwritablePlacesAreErrors();
     void fullDiskAtTheStartIsAnError();
+    void aRestartOfTheControllerIsAnEvent();
     void fullDiskKeepsRecordedData();
     void killedWriterLeavesAReadableFile();
     void anErrorOfWritingBackEndsInFailed();
@@ -422,6 +463,40 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
     const auto started = recorder.start({QStringLiteral("/dev/full"), {}}, bench.receiver);
     QCOMPARE(started.error().code, ErrorCode::DiskFull);
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::aRestartOfTheControllerIsAnEvent() {
+    Bench bench;
+    Recorder recorder;
+    Story story;
+    RecorderOptions options{bench.path(), {"timestamp"}};
+    options.format = std::make_shared<NotedFormat>(story);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    for (const double from : {1280.0, 0.0}) {
+        for (int i = 1; i <= 100; ++i) {
+            bench.peer.send(from + i * 0.002);
+        }
+    }
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(200));
+    recorder.stop();
+    QCOMPARE(recorder.progress().rows, std::uint64_t(200));
+    QCOMPARE(recorder.progress().restarts, 1);
+    QCOMPARE(story.notes.size(), std::size_t(1));
+    QVERIFY2(story.notes.front().text.contains("1280.200 s to 0.002 s"),
+             qPrintable(story.notes.front().text));
+    QCOMPARE(story.rowsBeforeNote, 100);
+
+    // CSV contains no notes; the reader finds the event in the time stamps.
+    const auto file = openCsv(bench.path());
+    QVERIFY2(file.ok(), qPrintable(file.error().toString()));
+    const Recording& recording = *file.value();
+    QCOMPARE(recording.events().size(), std::size_t(1));
+    QVERIFY2(recording.events().front().text.contains("1280.200 s to 0.002 s"),
+             qPrintable(recording.events().front().text));
+    const auto times = recording.times({0, 200});
+    QVERIFY(times.ok());
+    QVERIFY(std::adjacent_find(times->begin(), times->end(), std::greater_equal<>()) == times->end());
+    QVERIFY(std::abs(recording.events().front().seconds - times->at(100)) < 1e-9);
 }
 
 void TestRecorder::fullDiskKeepsRecordedData() {

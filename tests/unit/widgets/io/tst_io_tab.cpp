@@ -182,6 +182,27 @@ private Q_SLOTS:
         QVERIFY(tab_->output(0)->name().isEmpty());
     }
 
+    // Otherwise the next widget of the window gets the focus, such as the robot selector in the header.
+    void theFocusStaysInTheRowAfterRenaming() {
+        tab_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+            tab_->output(3)->setFocus();
+            tab_->output(3)->rename();
+            auto* editor = tab_->output(3)->findChild<QLineEdit*>();
+            QVERIFY(editor->hasFocus());
+            QTest::keyClicks(editor, "valve");
+            QTest::keyClick(editor, key);
+            QVERIFY(!editor->isVisible());
+            QVERIFY2(tab_->output(3)->hasFocus(), qPrintable(QString::number(key)));
+        }
+        QCOMPARE(tab_->output(3)->name(), QString("valve"));
+        // A click elsewhere ends the editing as well, and takes the focus.
+        tab_->output(3)->rename();
+        tab_->output(5)->setFocus(Qt::MouseFocusReason);
+        QVERIFY(tab_->output(5)->hasFocus());
+    }
+
 private:
     void feed(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
 

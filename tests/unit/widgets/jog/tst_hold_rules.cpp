@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every hold rule for every kind of input: jog pad, joint buttons, Go to, Run route, Back, Align, Home and
 // Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
+#include <QAbstractEventDispatcher>
 #include <QDialog>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTabletEvent>
 #include <QWindow>
+#include <array>
+#include <cstring>
 
 #include "tests/support/hands.h"
 #include "widgets/common/hold_rules.h"
@@ -100,6 +103,8 @@ const Trial kTrials[] = {
     {"a window is closed", isAny, StopCause::WindowClosed},
     {"the window is blocked", isAny, StopCause::DialogOpened},
     {"a window opens", isAny, StopCause::DialogOpened},
+    {"the display server moves the focus", isAny, StopCause::WindowDeactivated},
+    {"the display server hides the window", isAny, StopCause::WindowDeactivated},
     {"the application is left", isAny, StopCause::WindowDeactivated},
     {"the application is inactive", isAny, StopCause::WindowDeactivated},
     {"the application quits", isAny, StopCause::WindowClosed},
@@ -119,6 +124,32 @@ const char* const kBeginRules[] = {"no press in an inactive window", "no device 
 void send(QObject& to, QEvent::Type type) {
     QEvent event(type);
     QApplication::sendEvent(&to, &event);
+}
+
+// Constants of the X protocol, independent of the program.
+constexpr quint8 kXFocusOut = 10;
+constexpr quint8 kXUnmapNotify = 18;
+constexpr quint8 kXNormal = 0;
+constexpr quint8 kXGrab = 1;
+constexpr quint8 kXUngrab = 2;
+constexpr quint8 kXWhileGrabbed = 3;
+constexpr quint8 kXInferior = 2;
+constexpr quint8 kXNonlinear = 3;
+constexpr quint8 kXPointer = 5;
+
+/// Passes an event of the display server to the program, as the X11 plugin of Qt does before evaluating it.
+void fromServer(quint8 type, quint8 detail, quint8 mode, WId window) {
+    std::array<quint8, 32> event{};
+    const auto id = static_cast<quint32>(window);
+    event[0] = type;
+    event[1] = detail;
+    std::memcpy(&event[4], &id, sizeof id);
+    if (type == kXFocusOut) {
+        event[8] = mode;
+    } else {
+        std::memcpy(&event[8], &id, sizeof id);
+    }
+    qApp->eventDispatcher()->filterNativeEvent("xcb_generic_event_t", event.data(), nullptr);
 }
 
 class Holder {
@@ -278,6 +309,10 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QWidget other;
         QShowEvent event;
         QApplication::sendEvent(&other, &event);
+    } else if (rule == "the display server moves the focus") {
+        fromServer(kXFocusOut, kXNonlinear, kXNormal, h.window.winId());
+    } else if (rule == "the display server hides the window") {
+        fromServer(kXUnmapNotify, 0, 0, h.window.winId());
     } else if (rule == "the application is left") {
         send(*qApp, QEvent::ApplicationDeactivate);
     } else if (rule == "the application is inactive") {
@@ -327,6 +362,28 @@ private Q_SLOTS:
         const QStringList names = HoldRules::names();
         QCOMPARE(QSet<QString>(names.begin(), names.end()), tried);
         QCOMPARE(names.size(), tried.size());
+    }
+
+    // A window manager grabs the keyboard for its own shortcuts, and Qt for its menus: the focus returns.
+    void theDisplayServerReportsAreNotAllFocusLosses() {
+        Hands h;
+        Holder holder(h, wayOf("pad"));
+        holder.prepare();
+        holder.press();
+        QVERIFY(h.arm.moves());
+        const WId window = h.window.winId();
+        for (const quint8 mode : {kXGrab, kXUngrab}) {
+            fromServer(kXFocusOut, kXNonlinear, mode, window);
+            QVERIFY2(h.arm.moves(), "a grab moves no focus");
+        }
+        fromServer(kXFocusOut, kXInferior, kXNormal, window);
+        QVERIFY2(h.arm.moves(), "a child window has the focus");
+        fromServer(kXFocusOut, kXPointer, kXNormal, window);
+        QVERIFY2(h.arm.moves(), "the window had no focus, only the pointer");
+        fromServer(kXUnmapNotify, 0, 0, window + 1);
+        QVERIFY2(h.arm.moves(), "another window, such as a tooltip, is hidden");
+        fromServer(kXFocusOut, kXNonlinear, kXWhileGrabbed, window);
+        QVERIFY2(!h.arm.moves(), "the focus moved while another program had a grab");
     }
 
     void everyHoldMethodEndsByEveryRule_data() {

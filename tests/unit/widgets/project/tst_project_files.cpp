@@ -307,6 +307,30 @@ private Q_SLOTS:
         QVERIFY(project::keptCopies(folder).isEmpty());
     }
 
+    void keptWorkIsDiscardedOnRequest() {
+        const QString folder = directory_->filePath("Unsaved");
+        for (const char* name : {"first", "second"}) {
+            project::CopyKeeper keeper(folder);
+            project::Project project;
+            project.waypoints.append(named("kept"));
+            QVERIFY(keeper.keep(project, QString::fromLatin1(name), 1).ok());
+        }
+        files_->store().setCopyFolder(folder);
+        files_->offerKept();
+        QVERIFY(notice_ && notice_->otherAccepted);
+        QVERIFY(!notice_->other.isEmpty());
+        const QString offered = project::keptCopies(folder).first().name;
+        const auto discard = notice_->otherAccepted;
+        discard();
+        QCOMPARE(project::keptCopies(folder).size(), 1);
+        QVERIFY2(project::keptCopies(folder).first().name != offered, "the other one was removed");
+        QVERIFY2(notice_->text.contains(project::keptCopies(folder).first().name), qPrintable(notice_->text));
+        const auto discardOther = notice_->otherAccepted;
+        discardOther();
+        QVERIFY(project::keptCopies(folder).isEmpty());
+        QVERIFY2(document_->waypoints().isEmpty(), "nothing was opened");
+    }
+
     void newProjectsGoToTheDocuments() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));
