@@ -15,7 +15,7 @@
 
 #include "tests/support/jog_scene.h"
 #include "tests/support/key_events.h"
-#include "widgets/common/key_state_probe.h"
+#include "widgets/hold/key_state_probe.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/project/undoable_document.h"

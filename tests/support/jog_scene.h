@@ -6,8 +6,8 @@
 #include <QTest>
 #include <numbers>
 
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {

@@ -13,7 +13,7 @@
 #include "robot/core/joints.h"
 #include "robot/station/jog/jog_motion.h"
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 namespace tiller {
 

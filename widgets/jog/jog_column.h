@@ -13,9 +13,9 @@
 #include "robot/station/jog/jog_motion.h"
 #include "robot/station/link/motion_port.h"
 #include "robot/station/link/move_time.h"
-#include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/scene_marks.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/jog/limiter_line.h"
 
 class QMenu;

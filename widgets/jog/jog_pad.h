@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "robot/station/jog/jog_motion.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 

@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "robot/core/joints.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 class QGridLayout;
 

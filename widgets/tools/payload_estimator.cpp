@@ -11,8 +11,8 @@
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 namespace {

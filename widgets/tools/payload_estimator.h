@@ -11,7 +11,7 @@
 #include "robot/station/link/motion_port.h"
 #include "robot/station/link/move_time.h"
 #include "robot/station/link/standstill_mean.h"
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 class QLabel;
 class QPushButton;

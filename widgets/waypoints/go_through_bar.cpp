@@ -11,7 +11,7 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 

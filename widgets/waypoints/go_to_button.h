@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_to_run_button.h"
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/hold_to_run_button.h"
+#include "widgets/hold/physical_keys.h"
 
 namespace tiller {
 

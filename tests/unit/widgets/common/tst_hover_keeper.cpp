@@ -11,8 +11,8 @@
 #include <QTest>
 #include <memory>
 
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/hover_keeper.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 

@@ -18,12 +18,12 @@
 #include <QWheelEvent>
 
 #include "widgets/common/elided_label.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 

@@ -8,7 +8,7 @@
 #include <QWindow>
 
 #include "tests/support/hands.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;

@@ -9,7 +9,7 @@
 
 #include "tests/support/key_events.h"
 #include "tests/support/written_port.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/keyboard_jog.h"
 
 using namespace tiller;

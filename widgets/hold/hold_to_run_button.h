@@ -8,7 +8,7 @@
 #include <QAbstractButton>
 #include <QTimer>
 
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 namespace tiller {
 

@@ -26,7 +26,7 @@
 #include "robot/control/motion_types.h"
 #include "robot/core/clock.h"
 #include "robot/station/link/hold_motion.h"
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/physical_keys.h"
 
 class QWidget;
 

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 using control::StopCause;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 #include <QWidget>
 #include <utility>

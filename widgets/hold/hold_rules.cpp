@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 #include <QApplication>
 #include <QFocusEvent>
@@ -10,9 +10,9 @@
 #include <limits>
 #include <utility>
 
-#include "widgets/common/hold_guard.h"
-#include "widgets/common/key_state_probe.h"
 #include "widgets/common/text_entry.h"
+#include "widgets/hold/hold_guard.h"
+#include "widgets/hold/key_state_probe.h"
 
 namespace tiller {
 

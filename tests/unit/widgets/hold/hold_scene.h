@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 Q_DECLARE_METATYPE(tiller::control::StopCause)
 

@@ -13,7 +13,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/station/link/hold_motion.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 class QWidget;
 
