@@ -159,8 +159,8 @@ struct Hands {
     UndoableDocument document;
     QWidget window;
     QLineEdit* edit = new QLineEdit(&window);
-    JogColumn* column = new JogColumn(arm.port(), &window);
-    WaypointsTab* tab = new WaypointsTab(session, document, arm.port(), &window);
+    JogColumn* column = new JogColumn(arm.port(), terms, &window);
+    WaypointsTab* tab = new WaypointsTab(session, document, arm.port(), terms, &window);
     KeyboardJog keyboard{column->axisJog(), window};
     DeviceJog devices{column->axisJog()};
     std::optional<DeviceReading> gamepad = DeviceReading();
@@ -182,9 +182,7 @@ struct Hands {
         column->axisJog().setClock(clock);
         for (HoldToRunButton* key : keys()) {
             key->guard().setClock(clock);
-            key->guard().setPolicy(terms);
         }
-        column->setHoldPolicy(terms);
         column->addHoldKeys(keyboard);
         window.show();
         activate();

@@ -67,7 +67,8 @@ inline SessionState readyState() {
 struct JogScene {
     FakeSession session;
     VirtualClock clock;
-    JogColumn column{session.port()};
+    HoldPolicy policy;
+    JogColumn column{session.port(), policy};
     SessionState state = readyState();
 
     explicit JogScene(QSize size = {390, 948}) {

@@ -23,9 +23,10 @@ class HoldGuard : public QObject {
     Q_OBJECT
 
 public:
-    /// key    the held widget; must outlive the guard
-    /// clock  used for all time measurements
-    explicit HoldGuard(QWidget& key, const Clock& clock = SteadyClock::shared());
+    /// key     the held widget; must outlive the guard
+    /// policy  the one of the window; must outlive the guard
+    /// clock   used for all time measurements
+    HoldGuard(QWidget& key, HoldPolicy& policy, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
     /// True for a key with a guard: a press that stops another motion must not start one there.
@@ -33,8 +34,6 @@ public:
 
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
-    /// terms  must outlive the guard
-    void setPolicy(HoldPolicy& terms);
 
     bool active() const { return rules_.isActive(); }
 

@@ -56,6 +56,9 @@ struct HoldPolicy {
     /// The active hold; only one is allowed at a time.
     HoldRules* holding = nullptr;
 
+    /// Ends the active hold, if any.
+    void stop(control::StopCause cause);
+
     static constexpr std::int64_t kUsualLongestNs = 20 * kNsPerSecond;
 };
 
@@ -85,14 +88,13 @@ class HoldRules : public QObject {
     Q_OBJECT
 
 public:
-    /// stop  ends the motion; called with the cause when a rule applies
-    explicit HoldRules(std::function<void(control::StopCause)> stop,
-                       const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
+    /// policy  must outlive this
+    /// stop    ends the motion; called with the cause when a rule applies
+    HoldRules(HoldPolicy& policy, std::function<void(control::StopCause)> stop,
+              const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~HoldRules() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// terms  must outlive this
-    void setPolicy(HoldPolicy& terms) { policy_ = &terms; }
 
     /// The reason why no motion may start now, as a sentence; empty if one may start.
     /// key  the held key; null if the input is not a key on the screen
@@ -106,6 +108,8 @@ public:
     void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
     /// The motion has ended.
     void end();
+    /// Ends an active motion with this cause.
+    void stop(control::StopCause cause);
     bool isActive() const { return active_; }
 
     /// Checks the event against all rules and ends the motion if one applies.
@@ -148,10 +152,9 @@ private:
     bool anyKeyState(const Test& test) const;
     control::StopCause hiddenCause() const;
 
+    HoldPolicy& policy_;
     std::function<void(control::StopCause)> stop_;
     const Clock* clock_;
-    HoldPolicy own_;
-    HoldPolicy* policy_ = &own_;
     bool active_ = false;
     QPointer<QWidget> key_;
     QPointer<QWidget> window_;

@@ -22,8 +22,8 @@ constexpr int kHoldHintMs = 2000;
 
 }  // namespace
 
-HoldToRunButton::HoldToRunButton(const QString& text, QWidget* parent)
-    : QAbstractButton(parent), guard_(*this) {
+HoldToRunButton::HoldToRunButton(const QString& text, HoldPolicy& policy, QWidget* parent)
+    : QAbstractButton(parent), guard_(*this, policy) {
     setText(text);
     setAccessibleName(text);
     // The guard sets the focus on a press. A focus policy would set it earlier and take it from a key held by

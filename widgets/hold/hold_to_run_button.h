@@ -16,7 +16,8 @@ class HoldToRunButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    explicit HoldToRunButton(const QString& text, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the button
+    HoldToRunButton(const QString& text, HoldPolicy& policy, QWidget* parent = nullptr);
     ~HoldToRunButton() override;
 
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }

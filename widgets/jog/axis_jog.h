@@ -41,15 +41,13 @@ class AxisJog : public QObject {
     Q_OBJECT
 
 public:
-    /// port, selection  must outlive the object
-    /// obstacle         the reason why the arm cannot move; empty if it can
-    AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
-            QObject* parent = nullptr);
+    /// port, selection, policy  must outlive the object
+    /// obstacle                 the reason why the arm cannot move; empty if it can
+    AxisJog(const MotionPort& port, const JogSelection& selection, HoldPolicy& policy,
+            std::function<QString()> obstacle, QObject* parent = nullptr);
     ~AxisJog() override;
 
     void setClock(const Clock& clock);
-    /// terms  must outlive the object
-    void setPolicy(HoldPolicy& terms);
     /// The newest state of the device. No effect if unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
     /// Ends an active motion; the device must then return to neutral.

@@ -17,7 +17,7 @@ class JogKey : public HoldToRunButton {
     Q_OBJECT
 
 public:
-    JogKey(const QString& text, const CartesianKey& key, QWidget* parent = nullptr);
+    JogKey(const QString& text, const CartesianKey& key, HoldPolicy& policy, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
     /// Remaining distance in this direction, e.g. "312 mm"; near: close to the limit. Empty: not displayed.
@@ -43,7 +43,7 @@ class JogPad : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JogPad(QWidget* parent = nullptr);
+    explicit JogPad(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JogKey*>& keys() const { return keys_; }
     /// reason  why the arm cannot move, as a sentence; empty if it can

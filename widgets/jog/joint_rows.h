@@ -45,7 +45,7 @@ class JointRow : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JointRow(int joint, QWidget* parent = nullptr);
+    JointRow(int joint, HoldPolicy& policy, QWidget* parent = nullptr);
 
     int joint() const { return joint_; }
     HoldToRunButton* minusKey() const { return minus_; }
@@ -99,7 +99,7 @@ class JointRows : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JointRows(QWidget* parent = nullptr);
+    explicit JointRows(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
     /// Updates the markers immediately and the numbers ten times per second, which is the limit of legibility.

@@ -24,7 +24,8 @@ class PayloadEstimator : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the widget
+    PayloadEstimator(MotionPort port, HoldPolicy& policy, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 
     /// Restarts the estimation with the current position.

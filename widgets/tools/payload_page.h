@@ -22,8 +22,9 @@ class PayloadPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive the object
-    PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
+    /// document, policy  must outlive the object
+    PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, HoldPolicy& policy,
+                QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
     /// After undo or redo: selects the changed payload, and asks if the robot has a different one.

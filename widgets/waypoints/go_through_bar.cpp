@@ -17,10 +17,12 @@ namespace tiller {
 
 using Way = RouteRunner::Way;
 
-GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
-                           const std::function<HeldSpeed()>& heldSpeed, QWidget* parent)
+GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actions,
+                           const ProjectDocument& document, const std::function<HeldSpeed()>& heldSpeed,
+                           QWidget* parent)
     : QWidget(parent)
     , port_(std::move(port))
+    , policy_(policy)
     , actions_(std::move(actions))
     , document_(document)
     , goThrough_(port_, actions_, document, state_, heldSpeed)
@@ -76,7 +78,7 @@ GoThroughBar::~GoThroughBar() {
 
 HoldToRunButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
                                       const QString& accessibleName, const QString& toolTip, Way way) {
-    auto* key = new HoldToRunButton(text);
+    auto* key = new HoldToRunButton(text, policy_);
     key->setObjectName(objectName);
     key->setAccessibleName(accessibleName);
     key->setToolTip(toolTip);

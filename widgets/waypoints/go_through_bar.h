@@ -16,6 +16,7 @@ namespace tiller {
 
 class ChoiceBox;
 class HoldToRunButton;
+struct HoldPolicy;
 
 class GoThroughBar : public QWidget {
     Q_OBJECT
@@ -24,8 +25,9 @@ public:
     /// The selection of waypoints, in the order of the list.
     enum class Scope { FromHere, Selection, All };
 
-    /// Arguments as for RouteRunner.
-    GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
+    /// policy  the one of the window; must outlive the bar
+    /// The other arguments as for RouteRunner.
+    GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
     ~GoThroughBar() override;
 
@@ -62,6 +64,7 @@ private:
     void updateAvailability();
 
     MotionPort port_;
+    HoldPolicy& policy_;
     ActionPort actions_;
     const ProjectDocument& document_;
     SessionState state_;

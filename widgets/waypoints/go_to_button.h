@@ -20,7 +20,8 @@ public:
     /// (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
-    GoToButton(MotionPort port, Target target, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the button
+    GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidget* parent = nullptr);
     ~GoToButton() override;
 
     void setState(const SessionState& state);

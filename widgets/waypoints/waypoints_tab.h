@@ -38,15 +38,17 @@ class WaypointEditing;
 class WaypointModel;
 class WaypointSearch;
 class WaypointTable;
+struct HoldPolicy;
 
 class WaypointsTab : public QWidget {
     Q_OBJECT
 
 public:
-    /// document  must outlive the tab
-    WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent = nullptr);
+    /// document, policy  must outlive the tab
+    WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
+                 QWidget* parent = nullptr);
     /// For tests: moves use `port`; states still come from the session.
-    WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
+    WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port, HoldPolicy& policy,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
 
@@ -112,7 +114,7 @@ Q_SIGNALS:
 
 private:
     void buildActions();
-    void buildLayout(MotionPort port);
+    void buildLayout(MotionPort port, HoldPolicy& policy);
     void fitRoutes();
     void onState(const SessionState& state);
     void onSelection();

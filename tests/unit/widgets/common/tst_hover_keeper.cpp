@@ -21,7 +21,8 @@ namespace {
 struct Bench {
     QWidget window;
     QPushButton key{QStringLiteral("Teach here"), &window};
-    HoldToRunButton hold{QStringLiteral("Home"), &window};
+    HoldPolicy policy;
+    HoldToRunButton hold{QStringLiteral("Home"), policy, &window};
     HoverKeeper keeper;
 
     Bench() {

@@ -61,7 +61,7 @@ private Q_SLOTS:
         port.hold = [](MotionPort::Id) { return true; };
         port.endMotion = [this](MotionPort::Id, control::StopCause cause) { ends_.push_back(cause); };
         port.limits = [] { return control::MotionLimits(); };
-        tab_ = std::make_unique<ToolsTab>(*session_, *document_, port);
+        tab_ = std::make_unique<ToolsTab>(*session_, *document_, port, policy_);
         tab_->resize(560, 560);
         tab_->show();
         QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
@@ -515,6 +515,7 @@ private:
         QCOMPARE(*project::serializeProject(document_->project()), after);
     }
 
+    HoldPolicy policy_;
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ToolsTab> tab_;

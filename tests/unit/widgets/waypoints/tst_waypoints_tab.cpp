@@ -77,7 +77,7 @@ private Q_SLOTS:
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // only states set by the test
         document_ = std::make_unique<UndoableDocument>();
-        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
+        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port(), policy_);
         goTo()->guard().setClock(clock_);
         tab_->resize(560, 560);
         tab_->show();
@@ -660,6 +660,7 @@ private:
 
     FakeArm arm_;
     VirtualClock clock_;  // constant, so that a late event loop does not end a hold
+    HoldPolicy policy_;
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;
