@@ -7,7 +7,7 @@
 
 namespace tiller::recording {
 
-/// True if exportRecording() has a format for this path: .csv, .h5, .hdf5 or .mcap, ignoring case.
+/// True if exportRecording() has a format for this path; see fileFormats().
 bool canExportTo(const Text& path);
 /// Writes choice.path. `style` only affects CSV.
 /// Errors   InvalidArgument for other paths, and those of exportCsv(), exportHdf5() and exportMcap()

@@ -17,7 +17,7 @@ namespace tiller::recording {
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
 
 /// The format for RecorderOptions::format, from the end of the path, ignoring case: .csv or .mcap.
-/// Errors   InvalidArgument for other paths; the message contains both formats
+/// Errors   InvalidArgument for other paths; the message contains these suffixes
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 
