@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <algorithm>
 
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/physical_keys.h"
 
 namespace tiller::app {
 namespace {

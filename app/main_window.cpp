@@ -52,7 +52,6 @@
 #include "robot/station/text/texts.h"
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/density.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/hover_keeper.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/no_focus_scroll_area.h"
@@ -154,12 +153,12 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     setContextMenuPolicy(Qt::NoContextMenu);
 
     header_ = new HeaderBar(*session_, this);
-    jog_ = new JogColumn(*session_, this);
+    jog_ = new JogColumn(*session_, holdPolicy_, this);
     scene_ = new SceneDock(*session_, this);
     plots_ = new PlotDock(*session_, this);
-    waypoints_ = new WaypointsTab(*session_, *document_, this);
+    waypoints_ = new WaypointsTab(*session_, *document_, holdPolicy_, this);
     frames_ = new FramesTab(*session_, *document_, this);
-    tools_ = new ToolsTab(*session_, *document_, this);
+    tools_ = new ToolsTab(*session_, *document_, holdPolicy_, this);
     program_ = new ProgramTab(*document_, this);
     io_ = new IoTab(*session_, this);
     gripper_ = new GripperPanel(*session_, this);
@@ -168,10 +167,6 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
     jog_->axisJog().setClock(clock);
-    jog_->setHoldPolicy(holdPolicy_);
-    for (HoldToRunButton* key : findChildren<HoldToRunButton*>()) {
-        key->guard().setPolicy(holdPolicy_);
-    }
     setKeyStateProbe(KeyStateProbe::ofThisPlatform());
     header_->setHoldNote([this] { return witness_->isThere() ? QString() : witness_->description(); });
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
@@ -542,10 +537,7 @@ void MainWindow::connectDevices(const Clock& clock) {
 }
 
 void MainWindow::setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness) {
-    for (HoldToRunButton* key : findChildren<HoldToRunButton*>()) {
-        key->guard().stop(control::StopCause::SelectionChanged);
-    }
-    jog_->axisJog().stop(control::StopCause::SelectionChanged);
+    holdPolicy_.stop(control::StopCause::SelectionChanged);
     holdPolicy_.witness = witness.get();
     witness_ = std::move(witness);
 }

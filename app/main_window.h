@@ -14,8 +14,8 @@
 #include "app/local_simulator.h"
 #include "app/settings.h"
 #include "robot/station/link/robot_session.h"
-#include "widgets/common/hold_rules.h"
-#include "widgets/common/key_state_probe.h"
+#include "widgets/hold/hold_rules.h"
+#include "widgets/hold/key_state_probe.h"
 
 class QTabBar;
 class QMenu;

@@ -35,7 +35,7 @@
 
 #include "app/main_window.h"
 #include "robot/simulator/simulator.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 using namespace tiller;

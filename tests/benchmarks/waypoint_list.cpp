@@ -19,6 +19,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_table.h"
 #include "widgets/waypoints/waypoints_tab.h"
@@ -57,7 +58,8 @@ int main(int argc, char** argv) {
     RobotSession session;
     session.shutDown();
     UndoableDocument document;
-    WaypointsTab tab(session, document);
+    HoldPolicy policy;
+    WaypointsTab tab(session, document, policy);
     tab.resize(560, 560);
     tab.show();
     project::Project cell;

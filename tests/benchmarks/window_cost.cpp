@@ -28,7 +28,7 @@
 #include <unistd.h>
 
 #include "app/main_window.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 using namespace tiller;

@@ -7,7 +7,7 @@
 
 #include "robot/core/clock.h"
 #include "tests/desktop/desktop_test.h"
-#include "widgets/common/xcb_key_state_probe.h"
+#include "widgets/hold/xcb_key_state_probe.h"
 
 using namespace tiller;
 using namespace tiller::test;

@@ -16,7 +16,7 @@
 
 #include "tests/support/jog_scene.h"
 #include "tests/support/key_events.h"
-#include "widgets/common/key_state_probe.h"
+#include "widgets/hold/key_state_probe.h"
 #include "widgets/jog/device_jog.h"
 #include "widgets/jog/keyboard_jog.h"
 #include "widgets/project/undoable_document.h"
@@ -160,8 +160,8 @@ struct Hands {
     UndoableDocument document;
     QWidget window;
     QLineEdit* edit = new QLineEdit(&window);
-    JogColumn* column = new JogColumn(arm.port(), &window);
-    WaypointsTab* tab = new WaypointsTab(session, document, arm.port(), &window);
+    JogColumn* column = new JogColumn(arm.port(), terms, &window);
+    WaypointsTab* tab = new WaypointsTab(session, document, arm.port(), terms, &window);
     KeyboardJog keyboard{column->axisJog(), window};
     DeviceJog devices{column->axisJog()};
     std::optional<DeviceReading> gamepad = DeviceReading();
@@ -183,9 +183,7 @@ struct Hands {
         column->axisJog().setClock(clock);
         for (HoldToRunButton* key : keys()) {
             key->guard().setClock(clock);
-            key->guard().setPolicy(terms);
         }
-        column->setHoldPolicy(terms);
         column->addHoldKeys(keyboard);
         window.show();
         activate();

@@ -6,8 +6,8 @@
 #include <QTest>
 #include <numbers>
 
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {
@@ -67,7 +67,8 @@ inline SessionState readyState() {
 struct JogScene {
     FakeSession session;
     VirtualClock clock;
-    JogColumn column{session.port()};
+    HoldPolicy policy;
+    JogColumn column{session.port(), policy};
     SessionState state = readyState();
 
     explicit JogScene(QSize size = {390, 948}) {

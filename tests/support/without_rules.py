@@ -23,9 +23,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Files with rules, and the test that must fail without a rule. Functions that only read the list of rules do not count.
 PLACES = [
-    ("widgets/common/hold_rules.cpp", "tst_hold_rules"),
-    ("widgets/common/hold_guard.cpp", "tst_hold_rules"),
-    ("widgets/common/physical_keys.cpp", "tst_keyboard_jog"),
+    ("widgets/hold/hold_rules.cpp", "tst_hold_rules"),
+    ("widgets/hold/hold_guard.cpp", "tst_hold_rules"),
+    ("widgets/hold/physical_keys.cpp", "tst_keyboard_jog"),
     ("widgets/jog/keyboard_jog.cpp", "tst_keyboard_jog"),
     ("widgets/jog/axis_jog.cpp", "tst_hold_rules"),
     ("widgets/jog/device_jog.cpp", "tst_devices"),

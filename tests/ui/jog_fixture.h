@@ -8,7 +8,7 @@
 #include <QTest>
 
 #include "tests/support/virtual_cell.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/jog_column.h"
 

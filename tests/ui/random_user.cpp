@@ -19,7 +19,7 @@
 #include "robot/station/jog/jog_motion.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/ui/step_log.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/jog_column.h"
 
 namespace tiller::test {

@@ -93,7 +93,8 @@ private Q_SLOTS:
         VirtualClock clock;
         RobotSession session(clock);
         VirtualCell cell(clock, session);
-        JogColumn column(session);
+        HoldPolicy policy;
+        JogColumn column(session, policy);
         StopKeys stopKeys(session, clock);
         column.resize(390, 948);
         column.show();

@@ -132,7 +132,8 @@ struct Board {
     QWidget window;
     RobotSession session;
     HeaderBar header{HeaderPort{}, &window};
-    JointRows joints{&window};
+    HoldPolicy policy;
+    JointRows joints{policy, &window};
     IoTab io{session, &window};
     SessionState state = liveState();
     simulator::SimulatedState truth;

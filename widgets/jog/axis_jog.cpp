@@ -40,13 +40,13 @@ std::int64_t jogTimeoutNs(const control::JogTarget& target) {
                : HoldBounds::holdTimeoutAt(target.twist.linear.norm(), target.twist.angular.norm());
 }
 
-AxisJog::AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
-                 QObject* parent)
+AxisJog::AxisJog(const MotionPort& port, const JogSelection& selection, HoldPolicy& policy,
+                 std::function<QString()> obstacle, QObject* parent)
     : QObject(parent)
     , port_(port)
     , selection_(selection)
     , obstacle_(std::move(obstacle))
-    , rules_([this](StopCause cause) { stop(cause); }) {
+    , rules_(policy, [this](StopCause cause) { stop(cause); }) {
     timer_.setTimerType(Qt::PreciseTimer);
     timer_.setInterval(HoldRules::kRefreshMs);
     connect(&timer_, &QTimer::timeout, this, &AxisJog::pump);
@@ -59,11 +59,6 @@ AxisJog::~AxisJog() {
 void AxisJog::setClock(const Clock& clock) {
     stop(StopCause::SelectionChanged);
     rules_.setClock(clock);
-}
-
-void AxisJog::setPolicy(HoldPolicy& terms) {
-    stop(StopCause::SelectionChanged);
-    rules_.setPolicy(terms);
 }
 
 control::JogTarget AxisJog::target() const {

@@ -13,7 +13,7 @@
 #include "robot/core/joints.h"
 #include "robot/station/jog/jog_motion.h"
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 namespace tiller {
 
@@ -41,15 +41,13 @@ class AxisJog : public QObject {
     Q_OBJECT
 
 public:
-    /// port, selection  must outlive the object
-    /// obstacle         returns the reason why the arm cannot move; empty if it can move
-    AxisJog(const MotionPort& port, const JogSelection& selection, std::function<QString()> obstacle,
-            QObject* parent = nullptr);
+    /// port, selection, policy  must outlive the object
+    /// obstacle                 returns the reason why the arm cannot move; empty if it can move
+    AxisJog(const MotionPort& port, const JogSelection& selection, HoldPolicy& policy,
+            std::function<QString()> obstacle, QObject* parent = nullptr);
     ~AxisJog() override;
 
     void setClock(const Clock& clock);
-    /// terms  must outlive the object
-    void setPolicy(HoldPolicy& terms);
     /// Sets the current state of the device. Has no effect if the state is unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
     /// Ends an active motion. The device must then return to neutral.

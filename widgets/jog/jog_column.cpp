@@ -21,9 +21,9 @@
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/text_entry.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/arm_key.h"
 #include "widgets/jog/axis_jog.h"
 #include "widgets/jog/jog_pad.h"
@@ -86,7 +86,8 @@ bool near(const JointPositions& a, const JointPositions& b, double distance) {
 
 }  // namespace
 
-JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent), port_(std::move(port)) {
+JogColumn::JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent)
+    : Panel(tr("Jog"), parent), port_(std::move(port)) {
     setObjectName(QStringLiteral("jogColumn"));
     setHint(tr("Hold to move"));
     armKey_ = new ArmKey(this);
@@ -108,12 +109,12 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
         widget->setParent(body);
         return row;
     };
-    pad_ = new JogPad(body);
+    pad_ = new JogPad(policy, body);
     limiter_ = new LimiterLine(body);
     pose_ = new PoseView(body);
     detailTab_ = new SegmentedControl({tr("Pose"), tr("Joints")}, body);
     detailTab_->setNames(QStringLiteral("jogDetail"), tr("Frame of the displayed pose"));
-    joints_ = new JointRows(body);
+    joints_ = new JointRows(policy, body);
     layout->addLayout(inset(pad_, kAbovePad, 0), 10);
     layout->addLayout(inset(limiter_, kAroundLimiter, kAroundLimiter));
     layout->addLayout(inset(detailTab_, 0, 2));
@@ -121,7 +122,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     layout->addSpacing(kBelowPose);
     layout->addWidget(joints_);
     layout->addStretch(3);
-    buildBottom(layout);
+    buildBottom(layout, policy);
     setContent(body);
     // The column can be smaller than the minimum size of its content, because it folds; see resizeEvent().
     Panel::layout()->setSizeConstraint(QLayout::SetNoConstraint);
@@ -134,7 +135,7 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
         showReason();
     });
     axisJog_ = new AxisJog(
-        port_, selection(), [this] { return deviceObstacle(); }, this);
+        port_, selection(), policy, [this] { return deviceObstacle(); }, this);
     connect(axisJog_, &AxisJog::began, this, [this] {
         pose_->pressedHere();
         showJog();
@@ -169,7 +170,8 @@ JogColumn::JogColumn(MotionPort port, QWidget* parent) : Panel(tr("Jog"), parent
     applyState(SessionState());
 }
 
-JogColumn::JogColumn(RobotSession& session, QWidget* parent) : JogColumn(motionPort(session), parent) {
+JogColumn::JogColumn(RobotSession& session, HoldPolicy& policy, QWidget* parent)
+    : JogColumn(motionPort(session), policy, parent) {
     applyState(session.state());
     connect(&session, &RobotSession::stateChanged, this, &JogColumn::applyState);
 }
@@ -203,13 +205,6 @@ QVector<HoldToRunButton*> JogColumn::holdKeys() const {
     }
     keys << freedrive_ << homeKey_ << align_ << back_;
     return keys;
-}
-
-void JogColumn::setHoldPolicy(HoldPolicy& terms) {
-    for (HoldToRunButton* key : holdKeys()) {
-        key->guard().setPolicy(terms);
-    }
-    axisJog_->setPolicy(terms);
 }
 
 void JogColumn::stopMotion(StopCause cause) {
@@ -507,9 +502,9 @@ void JogColumn::arrange() {
 
 // ---- buttons and their motions ------------------------------------------------------------------
 
-void JogColumn::buildBottom(QVBoxLayout* layout) {
-    const auto make = [this](const QString& text, const char* name, const QString& tip) {
-        auto* key = new HoldToRunButton(text, this);
+void JogColumn::buildBottom(QVBoxLayout* layout, HoldPolicy& policy) {
+    const auto make = [this, &policy](const QString& text, const char* name, const QString& tip) {
+        auto* key = new HoldToRunButton(text, policy, this);
         key->setObjectName(QLatin1String(name));
         key->setToolTip(tip);
         key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

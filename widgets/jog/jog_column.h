@@ -13,9 +13,9 @@
 #include "robot/station/jog/jog_motion.h"
 #include "robot/station/link/motion_port.h"
 #include "robot/station/link/move_time.h"
-#include "widgets/common/hold_rules.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/scene_marks.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/jog/limiter_line.h"
 
 class QMenu;
@@ -64,9 +64,10 @@ public:
         Folded,  ///< either pose or joints
     };
 
-    explicit JogColumn(MotionPort port, QWidget* parent = nullptr);
+    /// policy  the one of the window, for all buttons, devices and the keyboard; must outlive the column
+    JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent = nullptr);
     /// Moves the arm of this session and displays its state.
-    explicit JogColumn(RobotSession& session, QWidget* parent = nullptr);
+    JogColumn(RobotSession& session, HoldPolicy& policy, QWidget* parent = nullptr);
     ~JogColumn() override;
 
     /// Selectors of the frame, motion and speed for the next press.
@@ -85,9 +86,6 @@ public:
     /// Remaining distances of the arm, as displayed on the pad buttons.
     TravelWatch& travel() { return *travel_; }
 
-    /// Sets the rules for all buttons, devices and the keyboard.
-    /// terms  must outlive the column
-    void setHoldPolicy(HoldPolicy& terms);
     /// Ends the motion of any held button. Call this before a change of tab, perspective or tool.
     void stopMotion(control::StopCause cause);
     /// True while a motion of a held button or device is active.
@@ -126,7 +124,7 @@ protected:
 private:
     using Begin = std::function<Result<RobotSession::MotionId>()>;
 
-    void buildBottom(QVBoxLayout* layout);
+    void buildBottom(QVBoxLayout* layout, HoldPolicy& policy);
     void connectKeys();
     void connectBottom();
     /// Effect of a button in step mode.

@@ -10,8 +10,8 @@
 
 namespace tiller {
 
-JogKey::JogKey(const QString& text, const CartesianKey& key, QWidget* parent)
-    : HoldToRunButton(text, parent), key_(key) {
+JogKey::JogKey(const QString& text, const CartesianKey& key, HoldPolicy& policy, QWidget* parent)
+    : HoldToRunButton(text, policy, parent), key_(key) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
@@ -91,7 +91,7 @@ private:
     QString text_;
 };
 
-JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
+JogPad::JogPad(HoldPolicy& policy, QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
     setObjectName(QStringLiteral("jogPad"));
     setAccessibleName(tr("Jog buttons"));
     auto* grid = new QGridLayout(this);
@@ -111,7 +111,7 @@ JogPad::JogPad(QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
         for (int column = 0; column < 4; ++column) {
             const Place& place = kPlaces[row][column];
             QString text = QString::fromLatin1(place.name);
-            auto* key = new JogKey(text.replace(QLatin1Char('-'), QChar(0x2212)), place.key, this);
+            auto* key = new JogKey(text.replace(QLatin1Char('-'), QChar(0x2212)), place.key, policy, this);
             key->setObjectName(QStringLiteral("jog.") + QString::fromLatin1(place.name));
             key->setAccessibleName(tr("Jog %1").arg(key->text()));
             keys_.append(key);

@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "robot/station/jog/jog_motion.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 
@@ -17,7 +17,7 @@ class JogKey : public HoldToRunButton {
     Q_OBJECT
 
 public:
-    JogKey(const QString& text, const CartesianKey& key, QWidget* parent = nullptr);
+    JogKey(const QString& text, const CartesianKey& key, HoldPolicy& policy, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
     /// Sets the remaining distance in this direction, e.g. "312 mm". Empty: not displayed.
@@ -45,7 +45,7 @@ class JogPad : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JogPad(QWidget* parent = nullptr);
+    explicit JogPad(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JogKey*>& keys() const { return keys_; }
     /// reason  why the arm cannot move, as a sentence; empty if it can move

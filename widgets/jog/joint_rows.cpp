@@ -79,13 +79,13 @@ void JointBar::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(x - 2, (height() - track) / 2 - 3, 4, track + 6), 2, 2);
 }
 
-JointRow::JointRow(int joint, QWidget* parent)
+JointRow::JointRow(int joint, HoldPolicy& policy, QWidget* parent)
     : QWidget(parent)
     , joint_(joint)
     , name_(jointName(joint))
     , value_(QStringLiteral("–"))
-    , minus_(new HoldToRunButton(QString(QChar(0x2212)), this))
-    , plus_(new HoldToRunButton(QStringLiteral("+"), this))
+    , minus_(new HoldToRunButton(QString(QChar(0x2212)), policy, this))
+    , plus_(new HoldToRunButton(QStringLiteral("+"), policy, this))
     , bar_(new JointBar(this)) {
     setObjectName(QStringLiteral("joint.%1").arg(joint));
     setAccessibleName(name_);
@@ -264,7 +264,7 @@ void JointRow::paintEvent(QPaintEvent*) {
     }
 }
 
-JointRows::JointRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+JointRows::JointRows(HoldPolicy& policy, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
     setObjectName(QStringLiteral("jointRows"));
     setAccessibleName(tr("Joints"));
     grid_->setSpacing(0);
@@ -276,7 +276,7 @@ JointRows::JointRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(t
         }
     });
     for (int joint = 0; joint < kJointCount; ++joint) {
-        rows_.append(new JointRow(joint, this));
+        rows_.append(new JointRow(joint, policy, this));
     }
     arrange();
 }

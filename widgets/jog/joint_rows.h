@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "robot/core/joints.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 class QGridLayout;
 
@@ -46,7 +46,7 @@ class JointRow : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JointRow(int joint, QWidget* parent = nullptr);
+    JointRow(int joint, HoldPolicy& policy, QWidget* parent = nullptr);
 
     int joint() const { return joint_; }
     HoldToRunButton* minusKey() const { return minus_; }
@@ -101,7 +101,7 @@ class JointRows : public QWidget {
     Q_OBJECT
 
 public:
-    explicit JointRows(QWidget* parent = nullptr);
+    explicit JointRows(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
     /// Updates the markers immediately and the numbers ten times per second. Faster changes would not be

@@ -4,7 +4,7 @@
 #include <QEvent>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 

@@ -11,8 +11,8 @@
 #include <QPointer>
 #include <QTimer>
 
-#include "widgets/common/hold_guard.h"
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/hold_guard.h"
+#include "widgets/hold/physical_keys.h"
 #include "widgets/jog/axis_jog.h"
 
 class QFrame;

@@ -11,8 +11,8 @@
 #include "robot/kinematics/speed_bounds.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/notation.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 namespace {
@@ -28,12 +28,12 @@ constexpr double kPoorTorque = 0.1;
 
 }  // namespace
 
-PayloadEstimator::PayloadEstimator(MotionPort port, QWidget* parent)
+PayloadEstimator::PayloadEstimator(MotionPort port, HoldPolicy& policy, QWidget* parent)
     : QWidget(parent)
     , port_(std::move(port))
     , take_(new QPushButton)
     , again_(new QPushButton)
-    , next_(new HoldToRunButton(tr("Next pose (hold)")))
+    , next_(new HoldToRunButton(tr("Next pose (hold)"), policy))
     , feedback_(new QLabel)
     , poses_(new QLabel)
     , keep_(new QPushButton(tr("Keep payload"))) {

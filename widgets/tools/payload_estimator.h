@@ -12,7 +12,7 @@
 #include "robot/station/link/motion_port.h"
 #include "robot/station/link/move_time.h"
 #include "robot/station/link/standstill_mean.h"
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 class QLabel;
 class QPushButton;
@@ -25,7 +25,8 @@ class PayloadEstimator : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PayloadEstimator(MotionPort port, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the widget
+    PayloadEstimator(MotionPort port, HoldPolicy& policy, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 
     /// Restarts the estimation with the current position.

@@ -74,7 +74,8 @@ constexpr Preset kPresets[] = {
 
 }  // namespace
 
-PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
+PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port,
+                         HoldPolicy& policy, QWidget* parent)
     : PartPage(QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
                tr("No payloads yet.\nPress From robot to store the active payload, or Measure… to measure it "
                   "with the arm."),
@@ -83,7 +84,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
     , document_(document)
     , state_(session.state())
     , facts_(new QLabel)
-    , estimator_(new PayloadEstimator(std::move(port), this)) {
+    , estimator_(new PayloadEstimator(std::move(port), policy, this)) {
     estimator_->hide();
     facts_->setObjectName(QStringLiteral("payload.facts"));
     facts_->setWordWrap(true);

@@ -23,8 +23,9 @@ class PayloadPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive the object
-    PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
+    /// document, policy  must outlive the object
+    PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, HoldPolicy& policy,
+                QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
     /// Call this after undo or redo. Selects the changed payload, and asks the user if the robot has a

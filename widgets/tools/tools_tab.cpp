@@ -38,16 +38,17 @@ public:
 
 }  // namespace
 
-ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : ToolsTab(session, document, motionPort(session), parent) {}
+ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, HoldPolicy& policy, QWidget* parent)
+    : ToolsTab(session, document, motionPort(session), policy, parent) {}
 
-ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent)
+ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, HoldPolicy& policy,
+                   QWidget* parent)
     : QWidget(parent)
     , state_(session.state())
     , choice_(new SegmentedControl({tr("TCP"), tr("Payload"), tr("Positions"), tr("Cell")}))
     , pages_(new QStackedWidget)
     , tcps_(new TcpPage(session, document))
-    , payloads_(new PayloadPage(session, document, std::move(port)))
+    , payloads_(new PayloadPage(session, document, std::move(port), policy))
     , positions_(new PositionsPage(session, document))
     , cell_(new CellPage(session, document)) {
     setObjectName(QStringLiteral("tools"));

@@ -21,15 +21,17 @@ class PositionsPage;
 class ProjectDocument;
 class SegmentedControl;
 class TcpPage;
+struct HoldPolicy;
 
 class ToolsTab : public QWidget {
     Q_OBJECT
 
 public:
-    /// document  must outlive the tab
-    ToolsTab(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
+    /// document, policy  must outlive the tab
+    ToolsTab(RobotSession& session, ProjectDocument& document, HoldPolicy& policy, QWidget* parent = nullptr);
     /// For tests: `port` replaces the motion functions of the session.
-    ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, QWidget* parent = nullptr);
+    ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort port, HoldPolicy& policy,
+             QWidget* parent = nullptr);
 
     enum Page { Tcps, Payloads, Positions, Cell };
     void showPage(Page page);

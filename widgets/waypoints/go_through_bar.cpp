@@ -11,16 +11,18 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/route/action_words.h"
 #include "widgets/common/choice_box.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 namespace tiller {
 
 using Way = RouteRunner::Way;
 
-GoThroughBar::GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
-                           const std::function<HeldSpeed()>& heldSpeed, QWidget* parent)
+GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actions,
+                           const ProjectDocument& document, const std::function<HeldSpeed()>& heldSpeed,
+                           QWidget* parent)
     : QWidget(parent)
     , port_(std::move(port))
+    , policy_(policy)
     , actions_(std::move(actions))
     , document_(document)
     , goThrough_(port_, actions_, document, state_, heldSpeed)
@@ -76,7 +78,7 @@ GoThroughBar::~GoThroughBar() {
 
 HoldToRunButton* GoThroughBar::addKey(const QString& text, const QString& objectName,
                                       const QString& accessibleName, const QString& toolTip, Way way) {
-    auto* key = new HoldToRunButton(text);
+    auto* key = new HoldToRunButton(text, policy_);
     key->setObjectName(objectName);
     key->setAccessibleName(accessibleName);
     key->setToolTip(toolTip);

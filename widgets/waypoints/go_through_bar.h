@@ -16,6 +16,7 @@ namespace tiller {
 
 class ChoiceBox;
 class HoldToRunButton;
+struct HoldPolicy;
 
 class GoThroughBar : public QWidget {
     Q_OBJECT
@@ -24,8 +25,9 @@ public:
     /// The waypoints of the route, in the order of the list.
     enum class Scope { FromHere, Selection, All };
 
-    /// The arguments are those of RouteRunner.
-    GoThroughBar(MotionPort port, ActionPort actions, const ProjectDocument& document,
+    /// policy  the policy of the window; must outlive the bar
+    /// The other arguments are those of RouteRunner.
+    GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
     ~GoThroughBar() override;
 
@@ -62,6 +64,7 @@ private:
     void updateAvailability();
 
     MotionPort port_;
+    HoldPolicy& policy_;
     ActionPort actions_;
     const ProjectDocument& document_;
     SessionState state_;

@@ -22,8 +22,10 @@ bool typingSomewhere() {
 
 }  // namespace
 
-GoToButton::GoToButton(MotionPort port, Target target, QWidget* parent)
-    : HoldToRunButton(tr("Go to (hold)  G"), parent), port_(std::move(port)), target_(std::move(target)) {
+GoToButton::GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidget* parent)
+    : HoldToRunButton(tr("Go to (hold)  G"), policy, parent)
+    , port_(std::move(port))
+    , target_(std::move(target)) {
     setObjectName(QStringLiteral("waypoint.goTo"));
     setAccessibleName(tr("Go to, hold"));
     setToolTip(

@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "robot/station/link/motion_port.h"
-#include "widgets/common/hold_to_run_button.h"
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/hold_to_run_button.h"
+#include "widgets/hold/physical_keys.h"
 
 namespace tiller {
 
@@ -20,7 +20,8 @@ public:
     /// (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
-    GoToButton(MotionPort port, Target target, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the button
+    GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidget* parent = nullptr);
     ~GoToButton() override;
 
     void setState(const SessionState& state);

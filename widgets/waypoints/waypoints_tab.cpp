@@ -34,11 +34,12 @@
 
 namespace tiller {
 
-WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent)
-    : WaypointsTab(session, document, motionPort(session), parent) {}
+WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
+                           QWidget* parent)
+    : WaypointsTab(session, document, motionPort(session), policy, parent) {}
 
 WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
-                           QWidget* parent)
+                           HoldPolicy& policy, QWidget* parent)
     : QWidget(parent)
     , session_(session)
     , limits_(port.limits)
@@ -55,7 +56,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, Mo
         },
         this);
     connect(watch_, &PathWatch::looked, model_.get(), &WaypointModel::setPathLimit);
-    buildLayout(std::move(port));
+    buildLayout(std::move(port), policy);
     buildActions();
 
     // Values that change sixty times per second are not legible.
@@ -98,7 +99,7 @@ WaypointsTab::~WaypointsTab() {
     goThrough_->stop(control::StopCause::WindowClosed);
 }
 
-void WaypointsTab::buildLayout(MotionPort port) {
+void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     teach_ = new QPushButton(tr("Teach here  T"));
     teach_->setObjectName(QStringLiteral("waypoint.teach"));
     teach_->setAccessibleName(tr("Teach here"));
@@ -110,10 +111,10 @@ void WaypointsTab::buildLayout(MotionPort port) {
         [this](std::uint32_t mask, std::uint32_t values, const QString& what, const OutputOrder& order) {
             session_.outputs().setDigitalOutputs(mask, values, what, order);
         }};
-    goThrough_ = new GoThroughBar(port, actions, document_, heldSpeed_);
+    goThrough_ = new GoThroughBar(port, policy, actions, document_, heldSpeed_);
     paths_ = new PathControls(session_, document_,
                               {[this] { return currentRow(); }, [this] { return table_->selectedRows(); }});
-    goTo_ = new GoToButton(std::move(port), [this] { return goToRequest(); });
+    goTo_ = new GoToButton(std::move(port), policy, [this] { return goToRequest(); });
     goTo_->setState(state_);
     more_ = new QPushButton;
     more_->setObjectName(QStringLiteral("waypoint.more"));

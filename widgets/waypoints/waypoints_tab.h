@@ -38,15 +38,17 @@ class WaypointEditing;
 class WaypointModel;
 class WaypointSearch;
 class WaypointTable;
+struct HoldPolicy;
 
 class WaypointsTab : public QWidget {
     Q_OBJECT
 
 public:
-    /// document  must outlive the tab
-    WaypointsTab(RobotSession& session, UndoableDocument& document, QWidget* parent = nullptr);
+    /// document, policy  must outlive the tab
+    WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
+                 QWidget* parent = nullptr);
     /// For tests: moves are sent to `port`. The states are still those of the session.
-    WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port,
+    WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port, HoldPolicy& policy,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
 
@@ -117,7 +119,7 @@ Q_SIGNALS:
 
 private:
     void buildActions();
-    void buildLayout(MotionPort port);
+    void buildLayout(MotionPort port, HoldPolicy& policy);
     void fitRoutes();
     void showPathRecording();
     void onState(const SessionState& state);

@@ -7,8 +7,7 @@
 
 namespace tiller::recording {
 
-/// True if exportRecording() supports the extension of this path: .csv, .h5, .hdf5 or .mcap
-/// (case-insensitive).
+/// True if exportRecording() supports the extension of this path; see fileFormats().
 bool canExportTo(const Text& path);
 /// Writes choice.path. `style` only affects CSV.
 /// Errors   InvalidArgument for other extensions, and the errors of exportCsv(), exportHdf5() and

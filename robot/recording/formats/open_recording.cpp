@@ -2,12 +2,10 @@
 #include "robot/recording/formats/open_recording.h"
 
 #include <QFile>
+#include <algorithm>
 
 #include "robot/core/file_reading.h"
-#include "robot/recording/csv_recording.h"
-#include "robot/recording/hdf5/hdf5_recording.h"
-#include "robot/recording/mcap/mcap_format.h"
-#include "robot/recording/mcap/mcap_recording.h"
+#include "robot/recording/formats/file_formats.h"
 
 namespace tiller::recording {
 
@@ -18,25 +16,24 @@ Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
     }
     const QByteArray begin = file.read(8);
     file.close();
-    if (begin.startsWith("\x89MCAP")) {
-        return openMcap(path);
+    const std::vector<FileFormat>& rows = fileFormats();
+    auto row = std::find_if(rows.begin(), rows.end(), [&begin](const FileFormat& format) {
+        return !format.magic.isEmpty() && begin.startsWith(format.magic);
+    });
+    if (row == rows.end()) {
+        row = std::find_if(rows.begin(), rows.end(),
+                           [](const FileFormat& format) { return format.magic.isEmpty(); });
     }
-    if (begin.startsWith("\x89HDF")) {
-        return openHdf5(path);
-    }
-    return openCsv(path);
+    return row->open(path);
 }
 
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
-    const QString name = path;
-    if (name.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return csvFormat();
+    const FileFormat* format = fileFormatOf(path);
+    if (format != nullptr && format->recorder != nullptr) {
+        return format->recorder({});
     }
-    if (name.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive)) {
-        return mcapFormat();
-    }
-    return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(name),
-                 QStringLiteral("path: must end in .csv or .mcap")};
+    return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(QString(path)),
+                 QStringLiteral("path: must end in ") + suffixWords(true, QStringLiteral("or"))};
 }
 
 }  // namespace tiller::recording

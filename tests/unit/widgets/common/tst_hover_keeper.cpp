@@ -11,8 +11,8 @@
 #include <QTest>
 #include <memory>
 
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/hover_keeper.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 
@@ -21,7 +21,8 @@ namespace {
 struct Bench {
     QWidget window;
     QPushButton key{QStringLiteral("Teach here"), &window};
-    HoldToRunButton hold{QStringLiteral("Home"), &window};
+    HoldPolicy policy;
+    HoldToRunButton hold{QStringLiteral("Home"), policy, &window};
     HoverKeeper keeper;
 
     Bench() {

@@ -18,12 +18,12 @@
 #include <QWheelEvent>
 
 #include "widgets/common/elided_label.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 
@@ -114,6 +114,7 @@ private Q_SLOTS:
     void standardWidgetsFollowTheTheme() {
         for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
             applyTheme(*qApp, *theme);
+            HoldPolicy policy;
             QWidget window;
             auto* outer = new QVBoxLayout(&window);
             outer->setContentsMargins(11, 11, 11, 11);
@@ -130,7 +131,7 @@ private Q_SLOTS:
             teach->setProperty("primary", true);
             row->addWidget(teach);
             row->addWidget(new QPushButton(QStringLiteral("Touch up  U")));
-            row->addWidget(new HoldToRunButton(QStringLiteral("Go to (hold)  G")));
+            row->addWidget(new HoldToRunButton(QStringLiteral("Go to (hold)  G"), policy));
             auto* off = new QPushButton(QStringLiteral("Off"));
             off->setEnabled(false);
             row->addWidget(off);

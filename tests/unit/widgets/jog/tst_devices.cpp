@@ -70,7 +70,8 @@ struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
-    AxisJog jog{port, selection, [] { return QString(); }};
+    HoldPolicy policy;
+    AxisJog jog{port, selection, policy, [] { return QString(); }};
     Stick stick;
     DeviceJog devices{jog};
 

@@ -9,9 +9,11 @@
 #include <QWindow>
 #include <array>
 #include <cstring>
+#include <type_traits>
 
 #include "tests/support/hands.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
+#include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
@@ -347,6 +349,15 @@ void provoke(const QByteArray& rule, Holder& holder) {
 
 }  // namespace
 
+// Nothing that holds a motion exists without the policy of its window.
+static_assert(!std::is_constructible_v<HoldToRunButton, QString, QWidget*>);
+static_assert(!std::is_constructible_v<HoldGuard, QWidget&>);
+static_assert(!std::is_constructible_v<HoldRules, std::function<void(StopCause)>>);
+static_assert(!std::is_default_constructible_v<HoldRules>);
+static_assert(!std::is_constructible_v<JogPad, QWidget*>);
+static_assert(!std::is_constructible_v<JogColumn, MotionPort, QWidget*>);
+static_assert(!std::is_constructible_v<WaypointsTab, RobotSession&, UndoableDocument&, QWidget*>);
+
 class TestHoldRules : public QObject {
     Q_OBJECT
 
@@ -596,6 +607,36 @@ private Q_SLOTS:
         holder.press();
         const bool asked = kWays[way].by == By::Mouse || isByKeys(kWays[way].by);
         QCOMPARE(hands.arm.next, asked ? 0U : 1U);
+    }
+
+    // Also in a panel that opens long after the window: its policy is the one of the window.
+    void aButtonCreatedLateHasTheKeyStateCheck() {
+        Hands hands;
+        Holder pad(hands, wayOf("pad"));
+        pad.prepare();
+        auto* late = new HoldToRunButton(QStringLiteral("Late"), hands.terms, &hands.window);
+        const MotionPort port = hands.arm.port();
+        late->guard().setClock(hands.clock);
+        late->setMotion({.begin = [port] { return port.beginMove({}); },
+                         .hold = port.hold,
+                         .end = port.endMotion,
+                         .runsToEnd = {},
+                         .bounds = {}});
+        late->setGeometry(0, 0, 80, 60);
+        late->show();
+        hands.mouse(*late, QEvent::MouseButtonPress);
+        QVERIFY(hands.arm.moves());
+        // The window receives no release; only the display server knows.
+        hands.mouse(*late, QEvent::MouseButtonRelease, Qt::LeftButton, false);
+        hands.advance(20);
+        late->guard().pump();
+        QVERIFY2(!hands.arm.moves(), "the release is known from the display server");
+        QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::Released});
+        // Only one hold at a time, also with a button created late.
+        pad.press();
+        QVERIFY(hands.arm.moves());
+        hands.mouse(*late, QEvent::MouseButtonPress);
+        QVERIFY2(!hands.arm.moves(), "a second button ends the first hold");
     }
 
     void withoutAWitnessMotionsGoOn_data() { aLongHoldIsNotTooLongBefore_data(); }

@@ -187,7 +187,8 @@ private Q_SLOTS:
         port.beginJog = [](const JogTarget&) -> Result<RobotSession::MotionId> {
             return Error{ErrorCode::LimitExceeded, QStringLiteral("jog"), {}};
         };
-        JogColumn column(port);
+        HoldPolicy policy;
+        JogColumn column(port, policy);
         column.applyState(readyState());
         QSignalSpy refused(&column, &JogColumn::refused);
         auto* key = column.findChild<HoldToRunButton*>(QStringLiteral("jog.X+"));
@@ -200,7 +201,8 @@ private Q_SLOTS:
 
     void unconnectedSessionIsExplainedAndNothingMoves() {
         RobotSession session;
-        JogColumn column(session);
+        HoldPolicy policy;
+        JogColumn column(session, policy);
         column.show();
         QVERIFY(!column.findChild<JogPad*>()->reason().isEmpty());
         auto* key = column.findChild<HoldToRunButton*>(QStringLiteral("jog.X+"));

@@ -9,7 +9,7 @@
 
 #include "tests/support/key_events.h"
 #include "tests/support/written_port.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/keyboard_jog.h"
 
 using namespace tiller;
@@ -23,10 +23,11 @@ struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
     QWidget window;
-    HoldToRunButton home{QStringLiteral("Home"), &window};
-    HoldToRunButton freedrive{QStringLiteral("Freedrive"), &window};
+    HoldPolicy policy;
+    HoldToRunButton home{QStringLiteral("Home"), policy, &window};
+    HoldToRunButton freedrive{QStringLiteral("Freedrive"), policy, &window};
     QLineEdit text{&window};
-    AxisJog jog{port, selection, [] { return QString(); }, &window};
+    AxisJog jog{port, selection, policy, [] { return QString(); }, &window};
     KeyboardJog keyboard{jog, window};
 
     Bench() {

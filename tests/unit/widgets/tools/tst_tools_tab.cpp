@@ -15,9 +15,9 @@
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/tools/payload_page.h"
 #include "widgets/tools/positions_page.h"
@@ -61,7 +61,7 @@ private Q_SLOTS:
         port.hold = [](MotionPort::Id) { return true; };
         port.endMotion = [this](MotionPort::Id, control::StopCause cause) { ends_.push_back(cause); };
         port.limits = [] { return control::MotionLimits(); };
-        tab_ = std::make_unique<ToolsTab>(*session_, *document_, port);
+        tab_ = std::make_unique<ToolsTab>(*session_, *document_, port, policy_);
         tab_->resize(560, 560);
         tab_->show();
         QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
@@ -515,6 +515,7 @@ private:
         QCOMPARE(*project::serializeProject(document_->project()), after);
     }
 
+    HoldPolicy policy_;
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ToolsTab> tab_;

@@ -28,6 +28,7 @@
 #include "tests/support/live_state.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/pattern_grid.h"
 #include "widgets/waypoints/waypoint_details.h"
@@ -66,7 +67,7 @@ private Q_SLOTS:
         session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         document_->setAuthor("Ann");
-        tab_ = std::make_unique<WaypointsTab>(*session_, *document_);
+        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, policy_);
         tab_->resize(560, 560);
         tab_->show();
         QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
@@ -506,6 +507,7 @@ private:
         QCOMPARE(*project::serializeProject(*again), after);
     }
 
+    HoldPolicy policy_;
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;

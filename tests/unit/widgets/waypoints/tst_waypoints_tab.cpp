@@ -19,9 +19,9 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/support/key_events.h"
 #include "tests/support/live_state.h"
-#include "widgets/common/hold_to_run_button.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/project/project_files.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/waypoint_details.h"
@@ -77,7 +77,7 @@ private Q_SLOTS:
         session_ = std::make_unique<RobotSession>();
         session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
-        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port());
+        tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port(), policy_);
         goTo()->guard().setClock(clock_);
         tab_->resize(560, 560);
         tab_->show();
@@ -661,6 +661,7 @@ private:
 
     FakeArm arm_;
     VirtualClock clock_;  // constant, so that a delayed event loop does not end a hold
+    HoldPolicy policy_;
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<WaypointsTab> tab_;

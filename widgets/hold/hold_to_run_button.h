@@ -8,7 +8,7 @@
 #include <QAbstractButton>
 #include <QTimer>
 
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 namespace tiller {
 
@@ -16,7 +16,8 @@ class HoldToRunButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    explicit HoldToRunButton(const QString& text, QWidget* parent = nullptr);
+    /// policy  the one of the window; must outlive the button
+    HoldToRunButton(const QString& text, HoldPolicy& policy, QWidget* parent = nullptr);
     ~HoldToRunButton() override;
 
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }

@@ -27,7 +27,7 @@
 #include "robot/control/motion_types.h"
 #include "robot/core/clock.h"
 #include "robot/station/link/hold_motion.h"
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/physical_keys.h"
 
 class QWidget;
 
@@ -57,6 +57,9 @@ struct HoldPolicy {
     std::int64_t longestNs = kUsualLongestNs;
     /// The active hold. Only one hold is allowed at a time.
     HoldRules* holding = nullptr;
+
+    /// Ends the active hold, if any.
+    void stop(control::StopCause cause);
 
     static constexpr std::int64_t kUsualLongestNs = 20 * kNsPerSecond;
 };
@@ -89,14 +92,13 @@ class HoldRules : public QObject, public QAbstractNativeEventFilter {
     Q_OBJECT
 
 public:
-    /// stop  ends the motion; called with the cause when a rule applies
-    explicit HoldRules(std::function<void(control::StopCause)> stop,
-                       const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
+    /// policy  must outlive this
+    /// stop    ends the motion; called with the cause when a rule applies
+    HoldRules(HoldPolicy& policy, std::function<void(control::StopCause)> stop,
+              const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~HoldRules() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// terms  must outlive this object
-    void setPolicy(HoldPolicy& terms) { policy_ = &terms; }
 
     /// Returns the reason why no motion may start, as a sentence; empty if a motion may start.
     /// key  the held button; null if the input is not an on-screen button
@@ -110,6 +112,8 @@ public:
     void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
     /// Called when the motion has ended.
     void end();
+    /// Ends an active motion with this cause.
+    void stop(control::StopCause cause);
     bool isActive() const { return active_; }
 
     /// Checks the event against all rules and ends the motion if a rule applies.
@@ -154,10 +158,9 @@ private:
     bool anyKeyState(const Test& test) const;
     control::StopCause hiddenCause() const;
 
+    HoldPolicy& policy_;
     std::function<void(control::StopCause)> stop_;
     const Clock* clock_;
-    HoldPolicy own_;
-    HoldPolicy* policy_ = &own_;
     bool active_ = false;
     QPointer<QWidget> key_;
     QPointer<QWidget> window_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/key_state_probe.h"
+#include "widgets/hold/key_state_probe.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
 
 #ifdef TILLER_HAS_XCB
-#include "widgets/common/xcb_key_state_probe.h"
+#include "widgets/hold/xcb_key_state_probe.h"
 #endif
 
 namespace tiller {

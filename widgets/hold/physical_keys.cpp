@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/physical_keys.h"
 
 #include <QKeyEvent>
 

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "widgets/common/physical_keys.h"
+#include "widgets/hold/physical_keys.h"
 
 namespace tiller {
 

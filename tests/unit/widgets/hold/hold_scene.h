@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 Q_DECLARE_METATYPE(tiller::control::StopCause)
 
@@ -59,6 +59,7 @@ struct Scene {
     VirtualClock clock;
     FakeTarget target;
     FakeTarget otherTarget;
+    HoldPolicy policy;
     QWidget window;
     HoldToRunButton* key;
     HoldToRunButton* other;
@@ -68,8 +69,8 @@ struct Scene {
     Scene() {
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(60, 60, 60, 60);
-        key = new HoldToRunButton(QStringLiteral("X+"), &window);
-        other = new HoldToRunButton(QStringLiteral("Y+"), &window);
+        key = new HoldToRunButton(QStringLiteral("X+"), policy, &window);
+        other = new HoldToRunButton(QStringLiteral("Y+"), policy, &window);
         edit = new QLineEdit(&window);
         button = new QPushButton(QStringLiteral("Teach"), &window);
         for (QWidget* w : {static_cast<QWidget*>(key), static_cast<QWidget*>(other),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/xcb_key_state_probe.h"
+#include "widgets/hold/xcb_key_state_probe.h"
 
 #include <fcntl.h>
 #include <poll.h>

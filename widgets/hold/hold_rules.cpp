@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 #include <QApplication>
 #include <QFocusEvent>
@@ -10,10 +10,10 @@
 #include <limits>
 #include <utility>
 
-#include "widgets/common/hold_guard.h"
-#include "widgets/common/key_state_probe.h"
-#include "widgets/common/native_window_event.h"
 #include "widgets/common/text_entry.h"
+#include "widgets/hold/hold_guard.h"
+#include "widgets/hold/key_state_probe.h"
+#include "widgets/hold/native_window_event.h"
 
 namespace tiller {
 
@@ -261,12 +261,12 @@ struct HoldRules::HoldRuleTable {
         return open ? tr("A dialog or a menu is open. Close it first.") : QString();
     }
     static QString anotherInput(const HoldRules& h, const QWidget*, const HoldSource&) {
-        return h.policy_->holding != nullptr && h.policy_->holding != &h
+        return h.policy_.holding != nullptr && h.policy_.holding != &h
                    ? tr("Another button or key is already held.")
                    : QString();
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
-        return h.hasKeyStateProbe(grip) && h.policy_->witness->waitingNs() > kStallNs
+        return h.hasKeyStateProbe(grip) && h.policy_.witness->waitingNs() > kStallNs
                    ? tr("The display server does not respond: the release of a key cannot be detected.")
                    : QString();
     }
@@ -325,8 +325,15 @@ const HoldRules::HoldRuleTable::BeginRow HoldRules::HoldRuleTable::beginRows[] =
 
 // ---- evaluation ------------------------------------------------------------------------------------------
 
-HoldRules::HoldRules(std::function<void(StopCause)> stop, const Clock& clock, QObject* parent)
-    : QObject(parent), stop_(std::move(stop)), clock_(&clock) {
+void HoldPolicy::stop(StopCause cause) {
+    if (holding != nullptr) {
+        holding->stop(cause);
+    }
+}
+
+HoldRules::HoldRules(HoldPolicy& policy, std::function<void(StopCause)> stop, const Clock& clock,
+                     QObject* parent)
+    : QObject(parent), policy_(policy), stop_(std::move(stop)), clock_(&clock) {
     if (auto* app = qobject_cast<QGuiApplication*>(QCoreApplication::instance())) {
         connect(app, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
             HoldEvent news{HoldEvent::Kind::Application};
@@ -350,8 +357,8 @@ QString HoldRules::obstacle(const QWidget* key, const HoldSource& grip) const {
 }
 
 void HoldRules::endOther() {
-    if (policy_->holding != nullptr && policy_->holding != this) {
-        policy_->holding->happen(Kind::PressedAgain);
+    if (policy_.holding != nullptr && policy_.holding != this) {
+        policy_.holding->happen(Kind::PressedAgain);
     }
 }
 
@@ -364,9 +371,9 @@ void HoldRules::begin(QWidget* key, const HoldSource& grip, const HoldBounds& bo
     beganNs_ = refreshedNs_ = heardNs_ = clock_->nowNs();
     setKeys(grip.keys);
     active_ = true;
-    policy_->holding = this;
-    if (policy_->witness != nullptr && hasKeyStateProbe(grip)) {
-        policy_->witness->want(true);
+    policy_.holding = this;
+    if (policy_.witness != nullptr && hasKeyStateProbe(grip)) {
+        policy_.witness->want(true);
     }
     qApp->installEventFilter(this);
     qApp->installNativeEventFilter(this);
@@ -379,11 +386,17 @@ void HoldRules::end() {
     active_ = false;
     qApp->removeEventFilter(this);
     qApp->removeNativeEventFilter(this);
-    if (policy_->holding == this) {
-        policy_->holding = nullptr;
+    if (policy_.holding == this) {
+        policy_.holding = nullptr;
     }
-    if (policy_->witness != nullptr) {
-        policy_->witness->want(false);
+    if (policy_.witness != nullptr) {
+        policy_.witness->want(false);
+    }
+}
+
+void HoldRules::stop(StopCause cause) {
+    if (active_) {
+        stop_(cause);
     }
 }
 
@@ -415,7 +428,7 @@ void HoldRules::setKeys(const QList<KeyCode>& keys) {
 }
 
 bool HoldRules::hasKeyStateProbe(const HoldSource& grip) const {
-    return policy_->witness != nullptr && policy_->witness->isThere() &&
+    return policy_.witness != nullptr && policy_.witness->isThere() &&
            (grip.by == HoldSource::By::Mouse || (grip.by == HoldSource::By::Keys && !grip.keys.isEmpty()));
 }
 
@@ -424,7 +437,7 @@ bool HoldRules::anyKeyState(const Test& test) const {
     if (!hasKeyStateProbe(grip_)) {
         return false;
     }
-    const KeyStateProbe& witness = *policy_->witness;
+    const KeyStateProbe& witness = *policy_.witness;
     if (grip_.by == HoldSource::By::Mouse) {
         return test(witness.leftButton(), beganNs_);
     }
@@ -440,7 +453,7 @@ StopCause HoldRules::hiddenCause() const {
 }
 
 std::int64_t HoldRules::leftNs() const {
-    const std::int64_t longest = bounds_.longestNs != 0 ? bounds_.longestNs : policy_->longestNs;
+    const std::int64_t longest = bounds_.longestNs != 0 ? bounds_.longestNs : policy_.longestNs;
     return active_ ? beganNs_ + longest - now() : std::numeric_limits<std::int64_t>::max();
 }
 

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "robot/core/clock.h"
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 using namespace tiller;
 using control::StopCause;
@@ -73,12 +73,13 @@ private Q_SLOTS:
     void nothingMovesUnlessOneKeyIsHeld() {
         VirtualClock clock;
         ExpiringSession session(clock);
+        HoldPolicy policy;
         QWidget window;
         auto* layout = new QHBoxLayout(&window);
         layout->setContentsMargins(50, 50, 50, 50);
         std::array<HoldToRunButton*, 2> keys{};
         for (auto& key : keys) {
-            key = new HoldToRunButton(QStringLiteral("X+"), &window);
+            key = new HoldToRunButton(QStringLiteral("X+"), policy, &window);
             key->setFixedSize(80, 60);
             key->guard().setClock(clock);
             key->setMotion(session.motion());

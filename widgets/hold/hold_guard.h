@@ -13,7 +13,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/station/link/hold_motion.h"
-#include "widgets/common/hold_rules.h"
+#include "widgets/hold/hold_rules.h"
 
 class QWidget;
 
@@ -23,9 +23,10 @@ class HoldGuard : public QObject {
     Q_OBJECT
 
 public:
-    /// key    the hold-to-run button; must outlive the guard
-    /// clock  used for all time measurements
-    explicit HoldGuard(QWidget& key, const Clock& clock = SteadyClock::shared());
+    /// key     the hold-to-run button; must outlive the guard
+    /// policy  the policy of the window; must outlive the guard
+    /// clock   used for all time measurements
+    HoldGuard(QWidget& key, HoldPolicy& policy, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
     /// True for a button with a guard. A press that stops another motion must not start a motion on this
@@ -34,8 +35,6 @@ public:
 
     void setMotion(HoldMotion motion);
     void setClock(const Clock& clock);
-    /// terms  must outlive the guard
-    void setPolicy(HoldPolicy& terms);
 
     bool active() const { return rules_.isActive(); }
 

@@ -8,7 +8,7 @@
 #include <QWheelEvent>
 #include <memory>
 
-#include "tests/unit/widgets/common/hold_scene.h"
+#include "tests/unit/widgets/hold/hold_scene.h"
 
 using namespace tiller;
 using namespace tiller::test;

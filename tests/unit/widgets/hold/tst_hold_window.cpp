@@ -8,7 +8,7 @@
 #include <QWheelEvent>
 #include <memory>
 
-#include "tests/unit/widgets/common/hold_scene.h"
+#include "tests/unit/widgets/hold/hold_scene.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -85,8 +85,9 @@ private Q_SLOTS:
     void anotherTabStops() {
         VirtualClock clock;
         FakeTarget target;
+        HoldPolicy policy;
         QTabWidget tabs;
-        auto* key = new HoldToRunButton(QStringLiteral("X+"));
+        auto* key = new HoldToRunButton(QStringLiteral("X+"), policy);
         key->guard().setClock(clock);
         key->setMotion(target.motion());
         tabs.addTab(key, QStringLiteral("one"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/native_window_event.h"
+#include "widgets/hold/native_window_event.h"
 
 #include <cstddef>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_to_run_button.h"
+#include "widgets/hold/hold_to_run_button.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -22,8 +22,8 @@ constexpr int kHoldHintMs = 2000;
 
 }  // namespace
 
-HoldToRunButton::HoldToRunButton(const QString& text, QWidget* parent)
-    : QAbstractButton(parent), guard_(*this) {
+HoldToRunButton::HoldToRunButton(const QString& text, HoldPolicy& policy, QWidget* parent)
+    : QAbstractButton(parent), guard_(*this, policy) {
     setText(text);
     setAccessibleName(text);
     // The guard sets the focus on a press. With a focus policy, Qt would move the focus earlier, away from a

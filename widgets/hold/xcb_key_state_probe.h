@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "widgets/common/key_state_probe.h"
+#include "widgets/hold/key_state_probe.h"
 
 namespace tiller {
 

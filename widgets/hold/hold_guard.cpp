@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/hold_guard.h"
+#include "widgets/hold/hold_guard.h"
 
 #include <QWidget>
 #include <utility>
@@ -16,8 +16,11 @@ constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 
 }  // namespace
 
-HoldGuard::HoldGuard(QWidget& key, const Clock& clock)
-    : key_(key), rules_([this](StopCause cause) { stop(cause); }, clock), clock_(&clock) {
+HoldGuard::HoldGuard(QWidget& key, HoldPolicy& policy, const Clock& clock)
+    : key_(key)
+    , rules_(
+          policy, [this](StopCause cause) { stop(cause); }, clock)
+    , clock_(&clock) {
     key_.setProperty(kHoldKeyProperty, true);
     timer_.setTimerType(Qt::PreciseTimer);
     timer_.setInterval(kRefreshMs);
@@ -41,11 +44,6 @@ void HoldGuard::setClock(const Clock& clock) {
     stop(StopCause::SelectionChanged);
     rules_.setClock(clock);
     clock_ = &clock;
-}
-
-void HoldGuard::setPolicy(HoldPolicy& terms) {
-    stop(StopCause::SelectionChanged);
-    rules_.setPolicy(terms);
 }
 
 bool HoldGuard::press(const HoldSource& grip) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The file formats of recordings: one row per format. All other code asks the rows for suffixes, readers and
+// writers, so that a new format is one row.
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "robot/core/text.h"
+#include "robot/recording/export.h"
+#include "robot/recording/mcap/mcap_format.h"
+#include "robot/recording/recording.h"
+#include "robot/recording/recording_format.h"
+
+namespace tiller::recording {
+
+struct FileFormat {
+    QString name;          ///< Recording::format(), e.g. "MCAP"
+    QStringList suffixes;  ///< in lower case without the period; the first one is for new files
+    QByteArray magic;      ///< first bytes of a file; empty: every file without the bytes of another row
+    /// Errors, threads as openRecording().
+    Result<std::unique_ptr<Recording>> (*open)(const Text& path);
+    /// Errors, threads as exportRecording(). `style` only affects CSV.
+    Result<ExportReport> (*write)(const Recording& recording, const ExportChoice& choice,
+                                  const CsvStyle& style);
+    /// For RecorderOptions::format; null: a recorder cannot write this format.
+    /// extras  facts, attachment and messages; ignored by formats that are not complete
+    std::shared_ptr<const RecordingFormat> (*recorder)(const McapFormatOptions& extras);
+    /// Keeps every field, the log and an attachment. Other formats need a choice of fields.
+    bool isComplete;
+};
+
+/// All formats. The order is that of lists for users.
+/// Threads  any
+const std::vector<FileFormat>& fileFormats();
+/// The row with the suffix of this path, ignoring case; null: none.
+/// Threads  any
+const FileFormat* fileFormatOf(const Text& path);
+/// The usual suffixes as words, e.g. ".csv or .mcap".
+/// recorded  only formats that a recorder can write
+/// last      the word before the last suffix
+QString suffixWords(bool recorded, const QString& last);
+
+}  // namespace tiller::recording

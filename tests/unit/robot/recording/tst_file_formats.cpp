@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Every row of the table of formats: what it writes is opened by the same row, whatever the name of the file.
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "robot/recording/formats/export_recording.h"
+#include "robot/recording/formats/file_formats.h"
+#include "robot/recording/formats/open_recording.h"
+#include "tests/unit/robot/recording/made_recording.h"
+
+using namespace tiller;
+using namespace tiller::recording;
+
+class TestFileFormats : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void suffixesAndNamesAreUnique() {
+        QSet<QString> seen;
+        int others = 0;
+        for (const FileFormat& format : fileFormats()) {
+            QVERIFY(!format.suffixes.isEmpty());
+            for (const QString& word : format.suffixes + QStringList{format.name}) {
+                QVERIFY2(!seen.contains(word), qPrintable(word));
+                seen.insert(word);
+            }
+            others += format.magic.isEmpty() ? 1 : 0;
+        }
+        QVERIFY2(others == 1, "one format opens the files without the first bytes of another");
+    }
+
+    void whatARecorderWritesIsOpened() {
+        for (const FileFormat& format : fileFormats()) {
+            const QString path = folder_.filePath("recorded." + format.suffixes.constFirst());
+            if (format.recorder == nullptr) {
+                QVERIFY(!formatForPath(path).ok());
+                continue;
+            }
+            QVERIFY(test::writeFile(path, test::madeFile(*formatForPath(path).value(), 200)));
+            expectFormat(path, format);
+        }
+    }
+
+    void whatAnExportWritesIsOpened() {
+        const QString source = folder_.filePath("source.csv");
+        QVERIFY(test::writeFile(source, test::madeFile(*csvFormat(), 200)));
+        const auto recording = openRecording(source);
+        QVERIFY(recording.ok());
+        for (const FileFormat& format : fileFormats()) {
+            for (const QString& suffix : format.suffixes) {
+                ExportChoice choice;
+                choice.path = folder_.filePath("exported." + suffix.toUpper());
+                QVERIFY(canExportTo(choice.path));
+                const auto report = exportRecording(*recording.value(), choice);
+                QVERIFY2(report.ok(), qPrintable(choice.path));
+                expectFormat(choice.path, format);
+            }
+        }
+    }
+
+    void otherSuffixesAreRefused() {
+        QVERIFY(fileFormatOf("recording") == nullptr);
+        QVERIFY(fileFormatOf("recording.csv.txt") == nullptr);
+        QVERIFY(!canExportTo("recording.png"));
+        QCOMPARE(suffixWords(true, "or"), QString(".csv or .mcap"));
+        QCOMPARE(suffixWords(false, "or"), QString(".csv, .h5 or .mcap"));
+    }
+
+private:
+    static void expectFormat(const QString& path, const FileFormat& format) {
+        const auto opened = openRecording(path);
+        QVERIFY2(opened.ok(), qPrintable(path));
+        QCOMPARE(opened.value()->format(), format.name);
+    }
+
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(TestFileFormats)
+#include "tst_file_formats.moc"
