@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file formats of recordings: one row per format. All other code asks the rows for suffixes, readers and
-// writers, so that a new format is one row.
+// The file formats of recordings: one row per format. All other code takes suffixes, readers and writers from
+// these rows, so a new format is one row.
 
 #include <QByteArray>
 #include <QString>
@@ -42,7 +42,6 @@ const std::vector<FileFormat>& fileFormats();
 const FileFormat* fileFormatOf(const Text& path);
 /// The usual suffixes as words, e.g. ".csv or .mcap".
 /// recorded  only formats that a recorder can write
-/// last      the word before the last suffix
-QString suffixWords(bool recorded, const QString& last);
+QString suffixWords(bool recorded);
 
 }  // namespace tiller::recording

@@ -33,7 +33,7 @@ Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
         return format->recorder({});
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(QString(path)),
-                 QStringLiteral("path: must end in ") + suffixWords(true, QStringLiteral("or"))};
+                 QStringLiteral("path: must end in ") + suffixWords(true)};
 }
 
 }  // namespace tiller::recording
