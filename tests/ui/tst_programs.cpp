@@ -240,7 +240,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY(key->hasFocus());
-        // Wait longer than the key keeps its stop function after a motion.
+        // Exceed the time for which Space keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");

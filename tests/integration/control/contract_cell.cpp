@@ -266,7 +266,8 @@ const std::vector<ContractEvent>& contractEvents() {
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
-             // A stop does not wait for data, so bunched data must not delay it only in this case.
+             // Send the stop at once. A stop does not wait for data, so bunched data must not delay it in
+             // this test either.
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);
