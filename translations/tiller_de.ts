@@ -8766,8 +8766,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Verbinden Sie den Roboter für dieses Projekt.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Projekt eines anderen Robotermodells</translation>
+        <source>Project for another robot model</source>
+        <translation>Projekt für ein anderes Robotermodell</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9907,8 +9907,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1: noch %2, dann ist %3 %4 von %5 entfernt</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: noch %2, bis %3 %4 von %5 entfernt ist</translation>
     </message>
 </context>
 <context>
@@ -10641,7 +10641,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n davon wäre außer Reichweite. Er wird behalten und markiert.</numerusform>
             <numerusform>%n davon wären außer Reichweite. Sie werden behalten und markiert.</numerusform>

@@ -8754,7 +8754,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
+        <source>Project for another robot model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9894,7 +9894,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10628,10 +10628,10 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
-            <numerusform>%n of them would be out of reach. It is kept and marked.</numerusform>
-            <numerusform>%n of them would be out of reach. They are kept and marked.</numerusform>
+            <numerusform>%n of the moved waypoints will be out of reach. It will be kept and marked.</numerusform>
+            <numerusform>%n of the moved waypoints will be out of reach. They will be kept and marked.</numerusform>
         </translation>
     </message>
     <message>

@@ -8766,8 +8766,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Conecte el robot de este proyecto.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Proyecto de otro modelo de robot</translation>
+        <source>Project for another robot model</source>
+        <translation>Proyecto para otro modelo de robot</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9907,8 +9907,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1: quedan %2, luego %3 está a %4 de %5</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: quedan %2 hasta que %3 esté a %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -10641,7 +10641,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Falta un sistema. Elija otro.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n de ellos quedaría fuera de alcance. Se conserva y se marca.</numerusform>
             <numerusform>%n de ellos quedarían fuera de alcance. Se conservan y se marcan.</numerusform>

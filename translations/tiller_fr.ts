@@ -8766,8 +8766,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Connectez le robot de ce projet.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Projet d’un autre modèle de robot</translation>
+        <source>Project for another robot model</source>
+        <translation>Projet pour un autre modèle de robot</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9907,8 +9907,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1 : reste %2, puis %3 est à %4 de %5</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1 : encore %2 jusqu’à ce que %3 soit à %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -10641,7 +10641,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Un repère manque. Choisissez-en un autre.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n d’entre eux serait hors de portée. Il est conservé et marqué.</numerusform>
             <numerusform>%n d’entre eux seraient hors de portée. Ils sont conservés et marqués.</numerusform>

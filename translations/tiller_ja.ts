@@ -8744,8 +8744,8 @@ Release the button to stop the arm.</source>
         <translation>このプロジェクト用のロボットを接続してください。</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>別のロボットモデルのプロジェクト</translation>
+        <source>Project for another robot model</source>
+        <translation>別のロボットモデル用のプロジェクト</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9881,8 +9881,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1：残り%2、その後%3は%5まで%4</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：残り%2で%3は%5まで%4</translation>
     </message>
 </context>
 <context>
@@ -10603,7 +10603,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>座標系がありません。別のものを選んでください。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>うち %n 個は到達不可になります。残して印を付けます。</numerusform>
         </translation>

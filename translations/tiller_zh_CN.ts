@@ -8744,8 +8744,8 @@ Release the button to stop the arm.</source>
         <translation>请连接此项目的机器人。</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>其他机器人型号的项目</translation>
+        <source>Project for another robot model</source>
+        <translation>用于其他机器人型号的项目</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9881,8 +9881,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1：剩余 %2，之后 %3 距 %5 %4</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：再移动 %2 后，%3 距 %5 %4</translation>
     </message>
 </context>
 <context>
@@ -10603,7 +10603,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>缺少坐标系。请选择另一个。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>其中 %n 个将不可达；会保留并标记。</numerusform>
         </translation>

@@ -140,7 +140,8 @@ void WaypointShift::refresh() {
         far += project::reach(document_.robot(), point, document_.frames()).ok() ? 0 : 1;
     }
     feedback_->setText(
-        far > 0           ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
+        far > 0 ? tr("%n of the moved waypoints will be out of reach. They will be kept and marked.", nullptr,
+                     far)
         : kind == kMirror ? tr("Mirrors across the plane through the origin that is perpendicular to the "
                                "axis. The tool approaches from the mirrored side.")
                           : tr("All remain within reach."));
