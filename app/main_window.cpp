@@ -965,7 +965,7 @@ void MainWindow::addProjectActions() {
     actions_->add(
         {"project.adapt",
          tr("Adapt project to this robot…"),
-         tr("Converts a project of another robot model, keeping either the poses or the joint positions."),
+         tr("Converts a project for another robot model, keeping either the poses or the joint positions."),
          {},
          [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),

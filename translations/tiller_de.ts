@@ -661,7 +661,7 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
     </message>
     <message>
@@ -9131,8 +9131,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Die Steuerung wurde abgegeben: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Die Steuerung ging verloren: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -10201,8 +10201,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Version vor dieser Änderung wiederherstellen</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Name: „%1“, jetzt „%2“</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Name: „%1“ → „%2“</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -11573,8 +11573,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt an diesen Roboter anpassen…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Rechnet ein Projekt eines anderen Robotermodells um und behält die Posen oder die Gelenkpositionen bei.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Rechnet ein Projekt für ein anderes Robotermodell um und behält die Posen oder die Gelenkpositionen bei.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -12212,7 +12212,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Einstellungen von Tiller (*.json)</translation>
     </message>
     <message>

@@ -861,7 +861,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9119,7 +9119,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -10188,7 +10188,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
+        <source>Name: “%1” → “%2”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11558,7 +11558,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12197,7 +12197,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -661,7 +661,7 @@
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>permitida, y usada por los bucles de tiempo real</translation>
     </message>
     <message>
@@ -9131,8 +9131,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Tomar el control</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Se ha devuelto el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Se ha perdido el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -10201,8 +10201,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Restaurar la versión anterior a este cambio</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Nombre: «%1», ahora «%2»</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Nombre: «%1» → «%2»</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -11573,8 +11573,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Adaptar el proyecto a este robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convierte un proyecto de otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convierte un proyecto para otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -12212,7 +12212,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Ajustes de Tiller (*.json)</translation>
     </message>
     <message>

@@ -661,7 +661,7 @@
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>autorisée, et utilisée par les boucles temps réel</translation>
     </message>
     <message>
@@ -9131,8 +9131,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Le contrôle a été rendu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Le contrôle a été perdu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -10201,8 +10201,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Restaurer la version d’avant cette modification</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Nom : « %1 », maintenant « %2 »</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Nom : « %1 » → « %2 »</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -11573,8 +11573,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adapter le projet à ce robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convertit un projet d’un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convertit un projet pour un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -12212,7 +12212,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Réglages de Tiller (*.json)</translation>
     </message>
     <message>

@@ -661,7 +661,7 @@
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>許可済み。リアルタイムループが使用します</translation>
     </message>
     <message>
@@ -9108,8 +9108,8 @@ Release the button to stop the arm.</source>
         <translation>制御を取得</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>制御を返しました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>制御が失われました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -10167,8 +10167,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>この変更前の版に戻す</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>名前：「%1」、今は「%2」</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>名前：「%1」 → 「%2」</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -11533,8 +11533,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>プロジェクトをこのロボットに合わせる…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>別のロボットモデルのプロジェクトを変換します：姿勢または関節を維持します。</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>別のロボットモデル用のプロジェクトを変換します：姿勢または関節を維持します。</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -12171,7 +12171,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Tiller の設定 (*.json)</translation>
     </message>
     <message>

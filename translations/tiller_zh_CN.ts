@@ -661,7 +661,7 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>已允许，由实时循环使用</translation>
     </message>
     <message>
@@ -9108,8 +9108,8 @@ Release the button to stop the arm.</source>
         <translation>获取控制</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>已交还控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>已失去控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -10167,8 +10167,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>恢复此更改之前的版本</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>名称：“%1”，现为“%2”</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>名称：“%1” → “%2”</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -11533,8 +11533,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>使项目适应此机器人…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>转换其他型号机器人的项目：保持位姿或关节。</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>转换用于其他型号机器人的项目：保持位姿或关节。</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -12171,7 +12171,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Tiller 的设置 (*.json)</translation>
     </message>
     <message>

@@ -75,7 +75,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
                                                const ProjectDocument& document) {
     QStringList lines;
     if (before.name != now.name) {
-        lines << tr("Name: “%1”, now “%2”").arg(before.name, now.name);
+        lines << tr("Name: “%1” → “%2”").arg(before.name, now.name);
     }
     const auto placeBefore = project::placeOf(before, document.robot(), document.frames());
     const auto placeNow = project::placeOf(now, document.robot(), document.frames());
