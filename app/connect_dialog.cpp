@@ -25,7 +25,7 @@ QString hostProblem(const QString& host) {
     }
     static const QRegularExpression fourNumbers(QStringLiteral("^[0-9.]+$"));
     if (fourNumbers.match(host).hasMatch() && (QHostAddress(host).isNull() || host.count('.') != 3)) {
-        return ConnectDialog::tr("An address has four numbers from 0 to 255, e.g. 192.168.0.10.");
+        return ConnectDialog::tr("An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.");
     }
     static const QRegularExpression name(QStringLiteral("^[A-Za-z0-9_.:-]+$"));
     if (!name.match(host).hasMatch()) {

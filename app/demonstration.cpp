@@ -115,7 +115,7 @@ void Demonstration::addSteps() {
                       [this] { return window_.waypointCount() == 2; }});
     const QString goKey = QStringLiteral("waypoint.goTo");
     steps_.push_back(
-        {tr("go to the first waypoint (held)"),
+        {tr("move to the first waypoint (button held)"),
          [this, goKey] {
              window_.selectWaypoint(0);
              press(goKey);

@@ -625,9 +625,10 @@ void MainWindow::simulateCell() {
     cellIsSimulated_ = !document_->cell().isEmpty();
     for (simulator::Simulator* robot : simulator_.controllers()) {
         if (const int over = app::simulateCell(*robot, *document_); over > 0) {
-            Q_EMIT session_->message(Severity::Warning, tr("%n boxes or planes of the cell exceed the limit "
-                                                           "of the simulated robot and are ignored by it.",
-                                                           nullptr, over));
+            Q_EMIT session_->message(
+                Severity::Warning,
+                tr("The cell has more boxes or planes than the simulated robot supports: %n are ignored.",
+                   nullptr, over));
         }
     }
 }
@@ -993,7 +994,7 @@ void MainWindow::addProjectActions() {
     actions_->add(
         {"project.adapt",
          tr("Adapt project to this robot…"),
-         tr("Converts a project of another robot model, keeping either the poses or the joint positions."),
+         tr("Converts a project for another robot model, keeping either the poses or the joint positions."),
          {},
          [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
@@ -1126,14 +1127,14 @@ void MainWindow::addPanelActions(PanelDock& dock) {
     const auto move = [&](const char* where, const QString& text, StageSide side) {
         dock.menu().addAction(actions_->add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
                                              text.arg(dock.windowTitle()),
-                                             tr("Moves this panel to that side of the main window."),
+                                             tr("Moves the panel to this side of the main window."),
                                              {},
                                              [this, &dock, side] { stage_->move(dock, side); }}));
     };
-    move("left", tr("%1 to the left"), StageSide::Left);
-    move("right", tr("%1 to the right"), StageSide::Right);
-    move("top", tr("%1 to the top"), StageSide::Top);
-    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
+    move("left", tr("Move %1 to the left"), StageSide::Left);
+    move("right", tr("Move %1 to the right"), StageSide::Right);
+    move("top", tr("Move %1 to the top"), StageSide::Top);
+    move("bottom", tr("Move %1 to the bottom"), StageSide::Bottom);
     connect(&dock.menu(), &QMenu::aboutToShow, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
 }
@@ -1214,14 +1215,14 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
 void MainWindow::askToTakeControl() {
     askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
                     tr("Taking control stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop it and take control"),
+                    tr("Stop program and take control"),
                     [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
 
 void MainWindow::askToPowerOff() {
     askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
                     tr("Powering off stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop it and power off"),
+                    tr("Stop program and power off"),
                     [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 

@@ -207,9 +207,10 @@ void Perspectives::restoreLast() {
         case LastArrangement::Found::Nothing:
             return;
         case LastArrangement::Found::Older:
-            fallBack(tr("The panel layout was reset to the perspective “%1”: the layout of the earlier "
-                        "version is not compatible. Arrange the panels again; the layout is stored.")
-                         .arg(first));
+            fallBack(
+                tr("The panel layout was reset to the perspective “%1”: the layout of the earlier version is "
+                   "not compatible. Arrange the panels again. The new layout is saved automatically.")
+                    .arg(first));
             return;
         case LastArrangement::Found::Usable:
             if (!last.changed && isKnown(last.perspective)) {
@@ -227,7 +228,7 @@ void Perspectives::restoreLast() {
             break;
     }
     fallBack(tr("The panel layout was reset to the perspective “%1”: the stored layout is damaged or from "
-                "another version. Arrange the panels again; the layout is stored.")
+                "another version. Arrange the panels again. The new layout is saved automatically.")
                  .arg(first));
 }
 

@@ -266,7 +266,7 @@ void SettingsPage::showLanguageNote() {
     anew_->setEnabled(!shown);
     languageNote_->setText(
         shown ? tr("Language of the window and of the connection check. Files and scripts are not affected.")
-              : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
+              : tr("Takes effect when Tiller is restarted or the window is reopened."));
 }
 
 void SettingsPage::refuseNewWindow(const QString& reason) {
@@ -279,8 +279,8 @@ void SettingsPage::showSizeNote() {
     sizeNote_->setText(
         chosen == interfaceSize() ? tr("Scales text, controls, plots and the view.")
         : fitting < chosen
-            ? tr("Takes effect at the next start of Tiller, limited to %1 % on this screen.").arg(fitting)
-            : tr("Takes effect at the next start of Tiller."));
+            ? tr("Takes effect when Tiller is restarted, limited to %1 % on this screen.").arg(fitting)
+            : tr("Takes effect when Tiller is restarted."));
 }
 
 void SettingsPage::showCapValue() {

@@ -19,7 +19,7 @@ namespace {
 constexpr char kPart[] = "settingsPart";
 
 QString filter() {
-    return SettingsTransfer::tr("Settings of Tiller (*.json)");
+    return SettingsTransfer::tr("Tiller settings (*.json)");
 }
 
 QString textOf(const Error& error) {

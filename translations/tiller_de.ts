@@ -649,8 +649,8 @@
         <translation>%1 von %2 Paketen je Sekunde</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
-        <translation>Es fehlen Pakete: Verwenden Sie ein Kabel, keine Funkverbindung; schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
+        <translation>Es fehlen Pakete. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
     </message>
     <message>
         <source>priority %1</source>
@@ -661,7 +661,7 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation>weniger seitwärts fahren</translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation>Drehung an der Grenze von %1</translation>
     </message>
     <message>
@@ -1478,8 +1478,8 @@
         <translation>Schutzstopp</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
-        <translation>Die Steuerung hat den Arm gestoppt. Finden Sie heraus, was ihn stoppte, dann entriegeln Sie (nach 5 s).</translation>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
+        <translation>Die Steuerung hat den Arm gestoppt. Finden Sie die Ursache, dann entriegeln Sie (nach 5 s).</translation>
     </message>
     <message>
         <source>Recovery</source>
@@ -1622,8 +1622,8 @@
         <translation>Stopp durch Safety API</translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>Ein Programm stoppt den Arm über die Sicherheitsschnittstelle. Beenden Sie den Stopp in jenem Programm.</translation>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <translation>Ein Programm fordert über die Sicherheitsschnittstelle einen Safeguard-Stopp an. Heben Sie die Anforderung in diesem Programm auf.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1907,8 +1907,8 @@
         <translation>%1 verbergen</translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
-        <translation>%1 an den Cursorn ablesen</translation>
+        <source>Show %1 at the cursors</source>
+        <translation>%1 an den Cursorn anzeigen</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -6437,7 +6437,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>%1 · von %2</translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation>%1-mal von %2 bis %3 · von %4</translation>
     </message>
     <message>
@@ -7430,7 +7430,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Ablesung am Cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie oder verwenden Sie A, B und die Pfeiltasten. Klicken Sie auf einen Legendeneintrag, um seine Kurve auszublenden; Strg+Klick liest dieses Signal an den Cursorn ab.</translation>
     </message>
     <message>
@@ -7815,8 +7815,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite und exportieren Sie dann erneut.</translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie zuerst auf.</translation>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
+        <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie für andere Formate zuerst auf.</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8704,8 +8704,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein Projekt ohne Datei</translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
-        <translation>Ungespeicherte Arbeit ist vorhanden</translation>
+        <source>Unsaved work can be recovered</source>
+        <translation>Ungespeicherte Arbeit kann wiederhergestellt werden</translation>
     </message>
     <message>
         <source>“%1” was changed on %2 and not saved to a file.</source>
@@ -8766,8 +8766,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Verbinden Sie den Roboter für dieses Projekt.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Projekt eines anderen Robotermodells</translation>
+        <source>Project for another robot model</source>
+        <translation>Projekt für ein anderes Robotermodell</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9013,8 +9013,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Popup konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
-        <translation>Keine Daten vom Roboter: Schließen Sie es am Teach-Pendant.</translation>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
+        <translation>Keine Daten vom Roboter. Schließen Sie das Popup am Teach-Pendant.</translation>
     </message>
     <message numerus="yes">
         <source>%n more popup(s) on the robot.</source>
@@ -9131,8 +9131,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Die Steuerung wurde abgegeben: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Die Steuerung ging verloren: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9907,8 +9907,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1: noch %2, dann ist %3 %4 von %5 entfernt</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: noch %2, bis %3 %4 von %5 entfernt ist</translation>
     </message>
 </context>
 <context>
@@ -10201,8 +10201,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Version vor dieser Änderung wiederherstellen</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Name: „%1“, jetzt „%2“</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Name: „%1“ → „%2“</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -10225,44 +10225,44 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>ein gelöschtes Koordinatensystem</translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
-        <translation>System: %1, jetzt %2</translation>
+        <source>Frame: %1 → %2</source>
+        <translation>System: %1 → %2</translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
-        <translation>Art: MoveL, jetzt MoveJ</translation>
+        <source>Move: MoveL → MoveJ</source>
+        <translation>Art: MoveL → MoveJ</translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
-        <translation>Art: MoveJ, jetzt MoveL</translation>
+        <source>Move: MoveJ → MoveL</source>
+        <translation>Art: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
-        <translation>Geschwindigkeit von MoveJ: %1, jetzt %2</translation>
+        <source>Speed of MoveJ: %1 → %2</source>
+        <translation>Geschwindigkeit von MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
-        <translation>Geschwindigkeit von MoveL: %1, jetzt %2</translation>
+        <source>Speed of MoveL: %1 → %2</source>
+        <translation>Geschwindigkeit von MoveL: %1 → %2</translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
-        <translation>Überschleifen: %1, jetzt %2</translation>
+        <source>Blend: %1 → %2</source>
+        <translation>Überschleifen: %1 → %2</translation>
     </message>
     <message>
         <source>TCP: taught with a different TCP</source>
         <translation>TCP: mit einem anderen TCP geteacht</translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
-        <translation>Gruppe: „%1“, jetzt „%2“</translation>
+        <source>Group: “%1” → “%2”</source>
+        <translation>Gruppe: „%1“ → „%2“</translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
-        <translation>Farbe: %1, jetzt %2</translation>
+        <source>Colour: %1 → %2</source>
+        <translation>Farbe: %1 → %2</translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
-        <translation>Notiz: „%1“, jetzt „%2“</translation>
+        <source>Note: “%1” → “%2”</source>
+        <translation>Notiz: „%1“ → „%2“</translation>
     </message>
     <message>
         <source>Actions: changed</source>
@@ -10581,8 +10581,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
-        <translation>Art der Bewegung</translation>
+        <source>Type of transformation</source>
+        <translation>Art der Transformation</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -10633,15 +10633,15 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>Der Arm kann diese Posen nicht erreichen: %1. Es wird nichts verschoben.</translation>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <translation>Der Arm kann diese Posen nicht erreichen: %1. Es wird kein Wegpunkt verschoben.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n davon wäre außer Reichweite. Er wird behalten und markiert.</numerusform>
             <numerusform>%n davon wären außer Reichweite. Sie werden behalten und markiert.</numerusform>
@@ -10874,8 +10874,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Geben Sie die Adresse des Roboters ein, wie das Teach-Pendant sie unter „Über“ zeigt.</translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Eine Adresse besteht aus vier Zahlen von 0 bis 255, z. B. 192.168.0.10.</translation>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <translation>Eine IP-Adresse besteht aus vier Zahlen von 0 bis 255, z. B. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
@@ -11001,7 +11001,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>den zweiten Wegpunkt teachen</translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation>den ersten Wegpunkt anfahren (gehalten)</translation>
     </message>
     <message>
@@ -11482,24 +11482,24 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verschiebt den Bereich in ein eigenes Fenster, z. B. für einen zweiten Bildschirm, oder zurück.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
+        <source>Moves the panel to this side of the main window.</source>
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
-        <translation>%1 nach links</translation>
+        <source>Move %1 to the left</source>
+        <translation>%1 nach links verschieben</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
-        <translation>%1 nach rechts</translation>
+        <source>Move %1 to the right</source>
+        <translation>%1 nach rechts verschieben</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
-        <translation>%1 nach oben</translation>
+        <source>Move %1 to the top</source>
+        <translation>%1 nach oben verschieben</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 nach unten</translation>
+        <source>Move %1 to the bottom</source>
+        <translation>%1 nach unten verschieben</translation>
     </message>
     <message>
         <source>Load program</source>
@@ -11526,7 +11526,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Werkzeuge</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
             <numerusform>%n Quader oder Ebene der Zelle übersteigt die Kapazität des simulierten Roboters und wird von ihm ignoriert.</numerusform>
             <numerusform>%n Quader oder Ebenen der Zelle übersteigen die Kapazität des simulierten Roboters und werden von ihm ignoriert.</numerusform>
@@ -11573,8 +11573,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt an diesen Roboter anpassen…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Rechnet ein Projekt eines anderen Robotermodells um und behält die Posen oder die Gelenkpositionen bei.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Rechnet ein Projekt für ein anderes Robotermodell um und behält die Posen oder die Gelenkpositionen bei.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11601,7 +11601,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Wenn Sie die Steuerung übernehmen, wird das Programm gestoppt. Es lässt sich nicht fortsetzen, nur neu starten.</translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation>Stoppen und Steuerung übernehmen</translation>
     </message>
     <message>
@@ -11621,7 +11621,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Das Ausschalten stoppt das Programm. Es kann nicht fortgesetzt, sondern nur neu gestartet werden.</translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation>Stoppen und ausschalten</translation>
     </message>
     <message>
@@ -11802,12 +11802,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die Anordnung der früheren Version ist nicht kompatibel. Ordnen Sie die Bereiche neu an; die Anordnung wird gespeichert.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die Anordnung der früheren Version ist nicht kompatibel. Ordnen Sie die Bereiche neu an. Die neue Anordnung wird automatisch gespeichert.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die gespeicherte Anordnung ist beschädigt oder stammt von einer anderen Version. Ordnen Sie die Bereiche neu an; die Anordnung wird gespeichert.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die gespeicherte Anordnung ist beschädigt oder stammt von einer anderen Version. Ordnen Sie die Bereiche neu an. Die neue Anordnung wird automatisch gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -12121,11 +12121,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Skaliert Text, Bedienelemente, Diagramme und die Ansicht.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation>Wird beim nächsten Start von Tiller wirksam, auf diesem Bildschirm begrenzt auf %1 %.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation>Wird beim nächsten Start von Tiller wirksam.</translation>
     </message>
     <message>
@@ -12185,7 +12185,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte sind nicht betroffen.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation>Wird beim nächsten Start von Tiller wirksam oder wenn das Fenster neu geöffnet wird.</translation>
     </message>
     <message>
@@ -12212,7 +12212,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Einstellungen von Tiller (*.json)</translation>
     </message>
     <message>

@@ -649,7 +649,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -861,7 +861,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1622,7 +1622,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1907,7 +1907,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
+        <source>Show %1 at the cursors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6427,7 +6427,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7535,7 +7535,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7808,7 +7808,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8692,7 +8692,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
+        <source>Unsaved work can be recovered</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8754,7 +8754,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
+        <source>Project for another robot model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9001,7 +9001,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -9119,7 +9119,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -9894,7 +9894,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10188,7 +10188,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
+        <source>Name: “%1” → “%2”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10212,27 +10212,27 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
+        <source>Frame: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
+        <source>Move: MoveL → MoveJ</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
+        <source>Move: MoveJ → MoveL</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
+        <source>Speed of MoveJ: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
+        <source>Speed of MoveL: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
+        <source>Blend: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10240,15 +10240,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
+        <source>Group: “%1” → “%2”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
+        <source>Colour: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
+        <source>Note: “%1” → “%2”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10568,7 +10568,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
+        <source>Type of transformation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10620,18 +10620,18 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
-            <numerusform>%n of them would be out of reach. It is kept and marked.</numerusform>
-            <numerusform>%n of them would be out of reach. They are kept and marked.</numerusform>
+            <numerusform>%n of the moved waypoints will be out of reach. It will be kept and marked.</numerusform>
+            <numerusform>%n of the moved waypoints will be out of reach. They will be kept and marked.</numerusform>
         </translation>
     </message>
     <message>
@@ -10860,7 +10860,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10987,7 +10987,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11483,23 +11483,23 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
+        <source>Moves the panel to this side of the main window.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11511,10 +11511,10 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
-            <numerusform>%n box or plane of the cell exceeds the limit of the simulated robot and is ignored by it.</numerusform>
-            <numerusform>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</numerusform>
+            <numerusform>The cell has more boxes or planes than the simulated robot supports: %n is ignored.</numerusform>
+            <numerusform>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</numerusform>
         </translation>
     </message>
     <message>
@@ -11558,7 +11558,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11586,7 +11586,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11606,7 +11606,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11787,11 +11787,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12142,11 +12142,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12170,7 +12170,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12197,7 +12197,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

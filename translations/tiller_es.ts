@@ -649,8 +649,8 @@
         <translation>%1 de %2 paquetes por segundo</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
-        <translation>Faltan paquetes: use un cable, no un enlace por radio; cierre otros programas que cargan el robot o este PC.</translation>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
+        <translation>Faltan paquetes. Use un cable en lugar de un enlace por radio y cierre otros programas que cargan el robot o este PC.</translation>
     </message>
     <message>
         <source>priority %1</source>
@@ -661,7 +661,7 @@
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>permitida, y usada por los bucles de tiempo real</translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation>reduzca el movimiento lateral</translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation>Giro en el límite de %1</translation>
     </message>
     <message>
@@ -1478,8 +1478,8 @@
         <translation>Parada de protección</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
-        <translation>El controlador detuvo el brazo. Averigüe qué lo detuvo y después desbloquee (tras 5 s).</translation>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
+        <translation>El controlador detuvo el brazo. Averigüe la causa y después desbloquee (tras 5 s).</translation>
     </message>
     <message>
         <source>Recovery</source>
@@ -1622,8 +1622,8 @@
         <translation>Parada por Safety API</translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>Un programa detiene el brazo a través de la interfaz de seguridad. Termine la parada en ese programa.</translation>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <translation>Un programa solicita una parada de salvaguarda a través de la interfaz de seguridad. Anule la solicitud en ese programa.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1907,8 +1907,8 @@
         <translation>Ocultar %1</translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
-        <translation>Leer %1 en los cursores</translation>
+        <source>Show %1 at the cursors</source>
+        <translation>Mostrar %1 en los cursores</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -6437,7 +6437,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>%1 · de %2</translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation>%1 veces de %2 a %3 · de %4</translation>
     </message>
     <message>
@@ -7430,7 +7430,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Lectura del cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Haga clic en los gráficos para colocar los cursores A y B; arrástrelos o use las teclas A, B y las flechas. Haga clic en una entrada de la leyenda para ocultar su curva; Ctrl+clic lee esa señal en los cursores.</translation>
     </message>
     <message>
@@ -7815,8 +7815,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>La página muestra varias grabaciones, o una grabación y señales en vivo. Muestre solo una de ellas en la página y exporte de nuevo.</translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>Las señales en vivo solo se pueden exportar como .csv. Grábelas primero.</translation>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
+        <translation>Las señales en vivo solo se pueden exportar como .csv. Para otros formatos, grábelas primero.</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8704,8 +8704,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Un proyecto sin archivo</translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
-        <translation>Hay trabajo sin guardar disponible</translation>
+        <source>Unsaved work can be recovered</source>
+        <translation>Se puede recuperar trabajo sin guardar</translation>
     </message>
     <message>
         <source>“%1” was changed on %2 and not saved to a file.</source>
@@ -8766,8 +8766,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Conecte el robot de este proyecto.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Proyecto de otro modelo de robot</translation>
+        <source>Project for another robot model</source>
+        <translation>Proyecto para otro modelo de robot</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9013,8 +9013,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La ventana emergente no se pudo cerrar desde aquí: ciérrela en la consola portátil.</translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
-        <translation>Sin datos del robot: ciérrelo en la consola portátil.</translation>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
+        <translation>Sin datos del robot. Cierre la ventana emergente en la consola portátil.</translation>
     </message>
     <message numerus="yes">
         <source>%n more popup(s) on the robot.</source>
@@ -9131,8 +9131,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Tomar el control</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Se ha devuelto el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Se ha perdido el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9907,8 +9907,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1: quedan %2, luego %3 está a %4 de %5</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: quedan %2 hasta que %3 esté a %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -10201,8 +10201,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Restaurar la versión anterior a este cambio</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Nombre: «%1», ahora «%2»</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Nombre: «%1» → «%2»</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -10225,44 +10225,44 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>un sistema eliminado</translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
-        <translation>Sistema: %1, ahora %2</translation>
+        <source>Frame: %1 → %2</source>
+        <translation>Sistema: %1 → %2</translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
-        <translation>Tipo: MoveL, ahora MoveJ</translation>
+        <source>Move: MoveL → MoveJ</source>
+        <translation>Tipo: MoveL → MoveJ</translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
-        <translation>Tipo: MoveJ, ahora MoveL</translation>
+        <source>Move: MoveJ → MoveL</source>
+        <translation>Tipo: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
-        <translation>Velocidad de MoveJ: %1, ahora %2</translation>
+        <source>Speed of MoveJ: %1 → %2</source>
+        <translation>Velocidad de MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
-        <translation>Velocidad de MoveL: %1, ahora %2</translation>
+        <source>Speed of MoveL: %1 → %2</source>
+        <translation>Velocidad de MoveL: %1 → %2</translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
-        <translation>Fusión: %1, ahora %2</translation>
+        <source>Blend: %1 → %2</source>
+        <translation>Fusión: %1 → %2</translation>
     </message>
     <message>
         <source>TCP: taught with a different TCP</source>
         <translation>TCP: enseñado con otro TCP</translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
-        <translation>Grupo: «%1», ahora «%2»</translation>
+        <source>Group: “%1” → “%2”</source>
+        <translation>Grupo: «%1» → «%2»</translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
-        <translation>Color: %1, ahora %2</translation>
+        <source>Colour: %1 → %2</source>
+        <translation>Color: %1 → %2</translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
-        <translation>Nota: «%1», ahora «%2»</translation>
+        <source>Note: “%1” → “%2”</source>
+        <translation>Nota: «%1» → «%2»</translation>
     </message>
     <message>
         <source>Actions: changed</source>
@@ -10581,8 +10581,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
-        <translation>Tipo de movimiento</translation>
+        <source>Type of transformation</source>
+        <translation>Tipo de transformación</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -10633,15 +10633,15 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>El brazo no puede alcanzar estas poses: %1. No se moverá nada.</translation>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <translation>El brazo no puede alcanzar estas poses: %1. No se moverá ningún punto de paso.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation>Falta un sistema. Elija otro.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n de ellos quedaría fuera de alcance. Se conserva y se marca.</numerusform>
             <numerusform>%n de ellos quedarían fuera de alcance. Se conservan y se marcan.</numerusform>
@@ -10874,8 +10874,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Introduzca la dirección del robot, como la muestra la consola portátil en Acerca de.</translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Una dirección tiene cuatro números de 0 a 255, p. ej. 192.168.0.10.</translation>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <translation>Una dirección IP tiene cuatro números de 0 a 255, p. ej. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
@@ -11001,7 +11001,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>enseñar el segundo punto de paso</translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation>ir al primer punto de paso (mantenido)</translation>
     </message>
     <message>
@@ -11482,24 +11482,24 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Mueve el panel a una ventana aparte, p. ej. para una segunda pantalla, o de vuelta.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
-        <translation>Mueve este panel a ese lado de la ventana principal.</translation>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
-        <translation>%1 a la izquierda</translation>
+        <source>Move %1 to the left</source>
+        <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
-        <translation>%1 a la derecha</translation>
+        <source>Move %1 to the right</source>
+        <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
-        <translation>%1 arriba</translation>
+        <source>Move %1 to the top</source>
+        <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 abajo</translation>
+        <source>Move %1 to the bottom</source>
+        <translation>Mover %1 abajo</translation>
     </message>
     <message>
         <source>Load program</source>
@@ -11526,7 +11526,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Herramientas</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
             <numerusform>%n caja o plano de la celda supera el límite del robot simulado y este lo ignora.</numerusform>
             <numerusform>%n cajas o planos de la celda superan el límite del robot simulado y este los ignora.</numerusform>
@@ -11573,8 +11573,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Adaptar el proyecto a este robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convierte un proyecto de otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convierte un proyecto para otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11601,7 +11601,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Al tomar el control se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation>Detenerlo y tomar el control</translation>
     </message>
     <message>
@@ -11621,7 +11621,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Al apagar se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation>Detenerlo y apagar</translation>
     </message>
     <message>
@@ -11802,12 +11802,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Ya existe una perspectiva con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición de la versión anterior no es compatible. Ordene los paneles de nuevo; la disposición se guarda.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición de la versión anterior no es compatible. Ordene los paneles de nuevo. La nueva disposición se guarda automáticamente.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición guardada está dañada o es de otra versión. Ordene los paneles de nuevo; la disposición se guarda.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición guardada está dañada o es de otra versión. Ordene los paneles de nuevo. La nueva disposición se guarda automáticamente.</translation>
     </message>
 </context>
 <context>
@@ -12121,11 +12121,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Escala el texto, los controles, los gráficos y la vista.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation>Se aplica en el próximo inicio de Tiller, limitado a %1 % en esta pantalla.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation>Se aplica en el próximo inicio de Tiller.</translation>
     </message>
     <message>
@@ -12185,7 +12185,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Idioma de la ventana y de la comprobación de la conexión. Los archivos y scripts no se ven afectados.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation>Se aplica en el próximo inicio de Tiller o al reabrir la ventana.</translation>
     </message>
     <message>
@@ -12212,7 +12212,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Ajustes de Tiller (*.json)</translation>
     </message>
     <message>

@@ -649,8 +649,8 @@
         <translation>%1 paquets sur %2 par seconde</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
-        <translation>Il manque des paquets : utilisez un câble, pas une liaison radio ; fermez d’autres programmes qui chargent le robot ou ce PC.</translation>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
+        <translation>Il manque des paquets. Utilisez un câble plutôt qu’une liaison radio et fermez d’autres programmes qui chargent le robot ou ce PC.</translation>
     </message>
     <message>
         <source>priority %1</source>
@@ -661,7 +661,7 @@
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>autorisée, et utilisée par les boucles temps réel</translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation>réduisez le mouvement latéral</translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation>Rotation au plafond de %1</translation>
     </message>
     <message>
@@ -1478,8 +1478,8 @@
         <translation>Arrêt de protection</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
-        <translation>Le contrôleur a arrêté le bras. Trouvez ce qui l’a arrêté, puis déverrouillez (après 5 s).</translation>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
+        <translation>Le contrôleur a arrêté le bras. Trouvez la cause, puis déverrouillez (après 5 s).</translation>
     </message>
     <message>
         <source>Recovery</source>
@@ -1622,8 +1622,8 @@
         <translation>Arrêt par Safety API</translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>Un programme arrête le bras par l’interface de sécurité. Terminez l’arrêt dans ce programme.</translation>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <translation>Un programme demande un arrêt de sauvegarde par l’interface de sécurité. Annulez la demande dans ce programme.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1907,8 +1907,8 @@
         <translation>Cacher %1</translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
-        <translation>Lire %1 aux curseurs</translation>
+        <source>Show %1 at the cursors</source>
+        <translation>Afficher %1 aux curseurs</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -6437,7 +6437,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>%1 · de %2</translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation>%1 fois de %2 à %3 · de %4</translation>
     </message>
     <message>
@@ -7430,7 +7430,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Lecture au curseur</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Cliquez dans les tracés pour placer les curseurs A et B ; faites-les glisser ou utilisez A, B et les flèches. Cliquez sur une entrée de légende pour masquer sa courbe ; Ctrl+clic pour lire ce signal aux curseurs.</translation>
     </message>
     <message>
@@ -7815,8 +7815,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>La page montre plusieurs enregistrements, ou un enregistrement et des signaux en direct. N’en affichez qu’un sur la page, puis exportez de nouveau.</translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>Les signaux en direct ne peuvent être exportés qu’en .csv. Enregistrez-les d’abord.</translation>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
+        <translation>Les signaux en direct ne peuvent être exportés qu’en .csv. Pour d’autres formats, enregistrez-les d’abord.</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8704,8 +8704,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Un projet sans fichier</translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
-        <translation>Du travail non enregistré est disponible</translation>
+        <source>Unsaved work can be recovered</source>
+        <translation>Du travail non enregistré peut être récupéré</translation>
     </message>
     <message>
         <source>“%1” was changed on %2 and not saved to a file.</source>
@@ -8766,8 +8766,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Connectez le robot de ce projet.</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>Projet d’un autre modèle de robot</translation>
+        <source>Project for another robot model</source>
+        <translation>Projet pour un autre modèle de robot</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -9013,8 +9013,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le message n’a pas pu être fermé d’ici : fermez-le sur le pupitre.</translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
-        <translation>Pas de données du robot : fermez-le sur le pupitre.</translation>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
+        <translation>Pas de données du robot. Fermez le message sur le pupitre.</translation>
     </message>
     <message numerus="yes">
         <source>%n more popup(s) on the robot.</source>
@@ -9131,8 +9131,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>Le contrôle a été rendu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>Le contrôle a été perdu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9907,8 +9907,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1 : reste %2, puis %3 est à %4 de %5</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1 : encore %2 jusqu’à ce que %3 soit à %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -10201,8 +10201,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Restaurer la version d’avant cette modification</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>Nom : « %1 », maintenant « %2 »</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>Nom : « %1 » → « %2 »</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -10225,44 +10225,44 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>un repère supprimé</translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
-        <translation>Repère : %1, maintenant %2</translation>
+        <source>Frame: %1 → %2</source>
+        <translation>Repère : %1 → %2</translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
-        <translation>Type : MoveL, maintenant MoveJ</translation>
+        <source>Move: MoveL → MoveJ</source>
+        <translation>Type : MoveL → MoveJ</translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
-        <translation>Type : MoveJ, maintenant MoveL</translation>
+        <source>Move: MoveJ → MoveL</source>
+        <translation>Type : MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
-        <translation>Vitesse de MoveJ : %1, maintenant %2</translation>
+        <source>Speed of MoveJ: %1 → %2</source>
+        <translation>Vitesse de MoveJ : %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
-        <translation>Vitesse de MoveL : %1, maintenant %2</translation>
+        <source>Speed of MoveL: %1 → %2</source>
+        <translation>Vitesse de MoveL : %1 → %2</translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
-        <translation>Raccordement : %1, maintenant %2</translation>
+        <source>Blend: %1 → %2</source>
+        <translation>Raccordement : %1 → %2</translation>
     </message>
     <message>
         <source>TCP: taught with a different TCP</source>
         <translation>TCP : appris avec un autre TCP</translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
-        <translation>Groupe : « %1 », maintenant « %2 »</translation>
+        <source>Group: “%1” → “%2”</source>
+        <translation>Groupe : « %1 » → « %2 »</translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
-        <translation>Couleur : %1, maintenant %2</translation>
+        <source>Colour: %1 → %2</source>
+        <translation>Couleur : %1 → %2</translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
-        <translation>Note : « %1 », maintenant « %2 »</translation>
+        <source>Note: “%1” → “%2”</source>
+        <translation>Note : « %1 » → « %2 »</translation>
     </message>
     <message>
         <source>Actions: changed</source>
@@ -10581,8 +10581,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
-        <translation>Type de mouvement</translation>
+        <source>Type of transformation</source>
+        <translation>Type de transformation</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -10633,15 +10633,15 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Angle</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>Le bras ne peut pas atteindre ces poses : %1. Rien ne sera déplacé.</translation>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <translation>Le bras ne peut pas atteindre ces poses : %1. Aucun point de passage ne sera déplacé.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation>Un repère manque. Choisissez-en un autre.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>%n d’entre eux serait hors de portée. Il est conservé et marqué.</numerusform>
             <numerusform>%n d’entre eux seraient hors de portée. Ils sont conservés et marqués.</numerusform>
@@ -10874,8 +10874,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Saisissez l’adresse du robot, comme le pupitre la montre sous À propos.</translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>Une adresse comporte quatre nombres de 0 à 255, p. ex. 192.168.0.10.</translation>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <translation>Une adresse IP comporte quatre nombres de 0 à 255, p. ex. 192.168.0.10.</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
@@ -11001,7 +11001,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>apprendre le second point de passage</translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation>aller au premier point de passage (tenu)</translation>
     </message>
     <message>
@@ -11482,24 +11482,24 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Place le panneau dans une fenêtre séparée, p. ex. pour un second écran, ou le remet en place.</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
+        <source>Moves the panel to this side of the main window.</source>
         <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
-        <translation>%1 à gauche</translation>
+        <source>Move %1 to the left</source>
+        <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
-        <translation>%1 à droite</translation>
+        <source>Move %1 to the right</source>
+        <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
-        <translation>%1 en haut</translation>
+        <source>Move %1 to the top</source>
+        <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 en bas</translation>
+        <source>Move %1 to the bottom</source>
+        <translation>Placer %1 en bas</translation>
     </message>
     <message>
         <source>Load program</source>
@@ -11526,7 +11526,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Outils</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
             <numerusform>%n boîte ou plan de la cellule dépasse la limite du robot simulé, qui l’ignore.</numerusform>
             <numerusform>%n boîtes ou plans de la cellule dépassent la limite du robot simulé, qui les ignore.</numerusform>
@@ -11573,8 +11573,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adapter le projet à ce robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convertit un projet d’un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convertit un projet pour un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11601,7 +11601,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Prendre le contrôle arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation>L’arrêter et prendre le contrôle</translation>
     </message>
     <message>
@@ -11621,7 +11621,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>La mise hors tension arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation>L’arrêter et mettre hors tension</translation>
     </message>
     <message>
@@ -11802,12 +11802,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Une perspective de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : celle de la version antérieure n’est pas compatible. Disposez de nouveau les panneaux ; la disposition est enregistrée.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : celle de la version antérieure n’est pas compatible. Disposez de nouveau les panneaux. La nouvelle disposition est enregistrée automatiquement.</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : la disposition enregistrée est endommagée ou vient d’une autre version. Disposez de nouveau les panneaux ; la disposition est enregistrée.</translation>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : la disposition enregistrée est endommagée ou vient d’une autre version. Disposez de nouveau les panneaux. La nouvelle disposition est enregistrée automatiquement.</translation>
     </message>
 </context>
 <context>
@@ -12121,11 +12121,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Met à l’échelle textes, commandes, tracés et vue.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation>Prend effet au prochain démarrage de Tiller, limité à %1 % sur cet écran.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation>Prend effet au prochain démarrage de Tiller.</translation>
     </message>
     <message>
@@ -12185,7 +12185,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Langue de la fenêtre et de la vérification de connexion. Les fichiers et scripts ne sont pas concernés.</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation>Prend effet au prochain démarrage de Tiller ou à la réouverture de la fenêtre.</translation>
     </message>
     <message>
@@ -12212,7 +12212,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Réglages de Tiller (*.json)</translation>
     </message>
     <message>

@@ -649,8 +649,8 @@
         <translation>毎秒 %1 / %2 パケット</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
-        <translation>パケットが欠けています：無線ではなくケーブルを使い、ロボットやこの PC に負荷をかける他のプログラムを閉じてください。</translation>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
+        <translation>パケットが欠けています。無線ではなくケーブルを使い、ロボットやこの PC に負荷をかける他のプログラムを閉じてください。</translation>
     </message>
     <message>
         <source>priority %1</source>
@@ -661,7 +661,7 @@
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>許可済み。リアルタイムループが使用します</translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation>横への動きを減らす</translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation>回転が上限：%1</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>保護停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
         <translation>コントローラーがアームを止めました。原因を調べてからロックを解除してください（5 秒後）。</translation>
     </message>
     <message>
@@ -1622,8 +1622,8 @@
         <translation>Safety API 停止</translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>プログラムが安全インターフェースを通じてアームを停止しています。そのプログラムで停止を解除してください。</translation>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <translation>プログラムが安全インターフェースを通じて安全防護停止を要求しています。そのプログラムで要求を解除してください。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1907,7 +1907,7 @@
         <translation>%1 を隠す</translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
+        <source>Show %1 at the cursors</source>
         <translation>カーソル位置の %1 を表示</translation>
     </message>
     <message>
@@ -6429,7 +6429,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 · %2 から</translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation>%2 から %3 まで %1 回 · %4 から</translation>
     </message>
     <message>
@@ -7415,7 +7415,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>カーソルの読み</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
     </message>
     <message>
@@ -7797,8 +7797,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>このページには複数の記録、または記録とライブ信号が表示されています。一つだけを表示してから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>ライブ信号は.csvとしてのみエクスポートできます。先に記録してください。</translation>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
+        <translation>ライブ信号は.csvとしてのみエクスポートできます。他の形式の場合は、先に記録してください。</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8683,8 +8683,8 @@ Release the button to stop the arm.</source>
         <translation>ファイルのないプロジェクト</translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
-        <translation>未保存の作業があります</translation>
+        <source>Unsaved work can be recovered</source>
+        <translation>未保存の作業を復元できます</translation>
     </message>
     <message>
         <source>“%1” was changed on %2 and not saved to a file.</source>
@@ -8744,8 +8744,8 @@ Release the button to stop the arm.</source>
         <translation>このプロジェクト用のロボットを接続してください。</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>別のロボットモデルのプロジェクト</translation>
+        <source>Project for another robot model</source>
+        <translation>別のロボットモデル用のプロジェクト</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -8991,8 +8991,8 @@ Release the button to stop the arm.</source>
         <translation>ここからは閉じられませんでした：ティーチペンダントで閉じてください。</translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
-        <translation>ロボットからのデータなし：ティーチペンダントで閉じてください。</translation>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
+        <translation>ロボットからのデータがありません。ティーチペンダントでポップアップを閉じてください。</translation>
     </message>
     <message numerus="yes">
         <source>%n more popup(s) on the robot.</source>
@@ -9108,8 +9108,8 @@ Release the button to stop the arm.</source>
         <translation>制御を取得</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>制御を返しました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>制御が失われました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9881,8 +9881,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1：残り%2、その後%3は%5まで%4</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：残り%2で%3は%5まで%4</translation>
     </message>
 </context>
 <context>
@@ -10167,8 +10167,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>この変更前の版に戻す</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>名前：「%1」、今は「%2」</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>名前：「%1」 → 「%2」</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -10191,44 +10191,44 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>もうない座標系</translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
-        <translation>座標系：%1、今は %2</translation>
+        <source>Frame: %1 → %2</source>
+        <translation>座標系：%1 → %2</translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
-        <translation>動作：MoveL、今は MoveJ</translation>
+        <source>Move: MoveL → MoveJ</source>
+        <translation>動作：MoveL → MoveJ</translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
-        <translation>動作：MoveJ、今は MoveL</translation>
+        <source>Move: MoveJ → MoveL</source>
+        <translation>動作：MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
-        <translation>MoveJ の速度：%1、今は %2</translation>
+        <source>Speed of MoveJ: %1 → %2</source>
+        <translation>MoveJ の速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
-        <translation>MoveL の速度：%1、今は %2</translation>
+        <source>Speed of MoveL: %1 → %2</source>
+        <translation>MoveL の速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
-        <translation>ブレンド：%1、今は %2</translation>
+        <source>Blend: %1 → %2</source>
+        <translation>ブレンド：%1 → %2</translation>
     </message>
     <message>
         <source>TCP: taught with a different TCP</source>
         <translation>TCP：別の TCP で教示</translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
-        <translation>グループ：「%1」、今は「%2」</translation>
+        <source>Group: “%1” → “%2”</source>
+        <translation>グループ：「%1」 → 「%2」</translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
-        <translation>色：%1、今は %2</translation>
+        <source>Colour: %1 → %2</source>
+        <translation>色：%1 → %2</translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
-        <translation>メモ：「%1」、今は「%2」</translation>
+        <source>Note: “%1” → “%2”</source>
+        <translation>メモ：「%1」 → 「%2」</translation>
     </message>
     <message>
         <source>Actions: changed</source>
@@ -10543,8 +10543,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
-        <translation>動かし方</translation>
+        <source>Type of transformation</source>
+        <translation>変換の種類</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -10595,15 +10595,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>アームは次の姿勢に到達できません：%1。何も移動しません。</translation>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <translation>アームは次の姿勢に到達できません：%1。ウェイポイントは移動しません。</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation>座標系がありません。別のものを選んでください。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>うち %n 個は到達不可になります。残して印を付けます。</numerusform>
         </translation>
@@ -10835,8 +10835,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ティーチペンダントの「情報」に表示されるロボットのアドレスを入力してください。</translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>アドレスは 192.168.0.10 のような 0〜255 の四つの数です。</translation>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <translation>IP アドレスは 192.168.0.10 のような 0〜255 の四つの数です。</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
@@ -10962,7 +10962,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>二番目のウェイポイントを教示</translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation>最初のウェイポイントへ移動（押し続け）</translation>
     </message>
     <message>
@@ -11443,24 +11443,24 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
-        <translation>このパネルを他のパネルのその側へ動かします。</translation>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
-        <translation>%1 を左へ</translation>
+        <source>Move %1 to the left</source>
+        <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
-        <translation>%1 を右へ</translation>
+        <source>Move %1 to the right</source>
+        <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
-        <translation>%1 を上へ</translation>
+        <source>Move %1 to the top</source>
+        <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 を下へ</translation>
+        <source>Move %1 to the bottom</source>
+        <translation>%1 を下へ移動</translation>
     </message>
     <message>
         <source>Load program</source>
@@ -11487,7 +11487,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ツール</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
             <numerusform>セルの%n個の箱または平面は、シミュレートされたロボットの上限を超えるため無視されます。</numerusform>
         </translation>
@@ -11533,8 +11533,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>プロジェクトをこのロボットに合わせる…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>別のロボットモデルのプロジェクトを変換します：姿勢または関節を維持します。</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>別のロボットモデル用のプロジェクトを変換します：姿勢または関節を維持します。</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11561,7 +11561,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>制御を取得するとプログラムは停止します。再開はできず、最初から開始するだけになります。</translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation>停止して制御を取得</translation>
     </message>
     <message>
@@ -11581,7 +11581,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>電源を切るとプログラムが停止します。再開はできず、最初からの実行のみ可能です。</translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation>停止して電源を切る</translation>
     </message>
     <message>
@@ -11762,12 +11762,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。配置は保存されます。</translation>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。新しい配置は自動的に保存されます。</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。配置は保存されます。</translation>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。新しい配置は自動的に保存されます。</translation>
     </message>
 </context>
 <context>
@@ -12080,11 +12080,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文字、操作部品、グラフ、ビューを拡大縮小します。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation>Tiller の次回起動時に有効になります。この画面では %1 % までです。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation>Tiller の次の起動から有効です。</translation>
     </message>
     <message>
@@ -12144,7 +12144,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ウィンドウと接続チェックの言語です。ファイルとスクリプトには影響しません。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation>Tiller の次の起動から、またはウィンドウを開き直すと有効です。</translation>
     </message>
     <message>
@@ -12171,7 +12171,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Tiller の設定 (*.json)</translation>
     </message>
     <message>

@@ -649,8 +649,8 @@
         <translation>每秒 %1 / %2 个数据包</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
-        <translation>缺少数据包：使用网线而不是无线；关闭给机器人或本 PC 造成负载的其他程序。</translation>
+        <source>Packets are missing. Use a cable instead of a wireless link, and close other programs that put load on the robot or this PC.</source>
+        <translation>缺少数据包。请使用网线而不是无线，并关闭给机器人或本 PC 造成负载的其他程序。</translation>
     </message>
     <message>
         <source>priority %1</source>
@@ -661,7 +661,7 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted; real-time loops use it</source>
+        <source>permitted, and used by real-time loops</source>
         <translation>已允许，由实时循环使用</translation>
     </message>
     <message>
@@ -1153,7 +1153,7 @@
         <translation>减少侧向移动</translation>
     </message>
     <message>
-        <source>Rotation at its cap of %1</source>
+        <source>Rotation at the speed cap of %1</source>
         <translation>旋转达到上限：%1</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>保护性停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
+        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
         <translation>控制器停止了机械臂。找出原因，然后解锁（5 s 后）。</translation>
     </message>
     <message>
@@ -1622,8 +1622,8 @@
         <translation>Safety API 停止</translation>
     </message>
     <message>
-        <source>A program stops the arm through the safety interface. End the stop in that program.</source>
-        <translation>某个程序通过安全接口停止了机械臂。请在该程序中结束停止。</translation>
+        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <translation>某个程序通过安全接口请求防护停止。请在该程序中解除请求。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
@@ -1907,8 +1907,8 @@
         <translation>隐藏 %1</translation>
     </message>
     <message>
-        <source>Read %1 at the cursors</source>
-        <translation>在游标处读取 %1</translation>
+        <source>Show %1 at the cursors</source>
+        <translation>在游标处显示 %1</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -6429,7 +6429,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>%1 · 来自%2</translation>
     </message>
     <message>
-        <source>%1 times from %2 to %3 · from %4</source>
+        <source>%1 times between %2 and %3 · from %4</source>
         <translation>%2 至 %3 共 %1 次 · 来自%4</translation>
     </message>
     <message>
@@ -7415,7 +7415,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>游标读数</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors.</source>
+        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
     </message>
     <message>
@@ -7797,8 +7797,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>此页面显示了多个录制，或同时显示了录制和实时信号。请只显示其中一个，然后重新导出。</translation>
     </message>
     <message>
-        <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>实时信号只能导出为 .csv。请先录制它们。</translation>
+        <source>Live signals can be exported only as .csv. For other formats, record the signals first.</source>
+        <translation>实时信号只能导出为 .csv。如需其他格式，请先录制。</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -8683,8 +8683,8 @@ Release the button to stop the arm.</source>
         <translation>没有文件的项目</translation>
     </message>
     <message>
-        <source>Unsaved work is available</source>
-        <translation>有未保存的工作</translation>
+        <source>Unsaved work can be recovered</source>
+        <translation>可恢复未保存的工作</translation>
     </message>
     <message>
         <source>“%1” was changed on %2 and not saved to a file.</source>
@@ -8744,8 +8744,8 @@ Release the button to stop the arm.</source>
         <translation>请连接此项目的机器人。</translation>
     </message>
     <message>
-        <source>Project of another robot model</source>
-        <translation>其他机器人型号的项目</translation>
+        <source>Project for another robot model</source>
+        <translation>用于其他机器人型号的项目</translation>
     </message>
     <message>
         <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
@@ -8991,8 +8991,8 @@ Release the button to stop the arm.</source>
         <translation>无法从此处关闭：请在示教器上关闭。</translation>
     </message>
     <message>
-        <source>No data from the robot: close it on the teach pendant.</source>
-        <translation>没有来自机器人的数据：请在示教器上关闭。</translation>
+        <source>No data from the robot. Close the popup on the teach pendant.</source>
+        <translation>没有来自机器人的数据。请在示教器上关闭弹窗。</translation>
     </message>
     <message numerus="yes">
         <source>%n more popup(s) on the robot.</source>
@@ -9108,8 +9108,8 @@ Release the button to stop the arm.</source>
         <translation>获取控制</translation>
     </message>
     <message>
-        <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>已交还控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
+        <source>Control was lost: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
+        <translation>已失去控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9881,8 +9881,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>
-        <source>%1: %2 left, then %3 is %4 from %5</source>
-        <translation>%1：剩余 %2，之后 %3 距 %5 %4</translation>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：再移动 %2 后，%3 距 %5 %4</translation>
     </message>
 </context>
 <context>
@@ -10167,8 +10167,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>恢复此更改之前的版本</translation>
     </message>
     <message>
-        <source>Name: “%1”, now “%2”</source>
-        <translation>名称：“%1”，现为“%2”</translation>
+        <source>Name: “%1” → “%2”</source>
+        <translation>名称：“%1” → “%2”</translation>
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
@@ -10191,44 +10191,44 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>已不存在的坐标系</translation>
     </message>
     <message>
-        <source>Frame: %1, now %2</source>
-        <translation>坐标系：%1，现为 %2</translation>
+        <source>Frame: %1 → %2</source>
+        <translation>坐标系：%1 → %2</translation>
     </message>
     <message>
-        <source>Move: MoveL, now MoveJ</source>
-        <translation>动作：MoveL，现为 MoveJ</translation>
+        <source>Move: MoveL → MoveJ</source>
+        <translation>动作：MoveL → MoveJ</translation>
     </message>
     <message>
-        <source>Move: MoveJ, now MoveL</source>
-        <translation>动作：MoveJ，现为 MoveL</translation>
+        <source>Move: MoveJ → MoveL</source>
+        <translation>动作：MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1, now %2</source>
-        <translation>MoveJ 速度：%1，现为 %2</translation>
+        <source>Speed of MoveJ: %1 → %2</source>
+        <translation>MoveJ 速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1, now %2</source>
-        <translation>MoveL 速度：%1，现为 %2</translation>
+        <source>Speed of MoveL: %1 → %2</source>
+        <translation>MoveL 速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Blend: %1, now %2</source>
-        <translation>交融：%1，现为 %2</translation>
+        <source>Blend: %1 → %2</source>
+        <translation>交融：%1 → %2</translation>
     </message>
     <message>
         <source>TCP: taught with a different TCP</source>
         <translation>TCP：用另一个 TCP 示教</translation>
     </message>
     <message>
-        <source>Group: “%1”, now “%2”</source>
-        <translation>组：“%1”，现为“%2”</translation>
+        <source>Group: “%1” → “%2”</source>
+        <translation>组：“%1” → “%2”</translation>
     </message>
     <message>
-        <source>Colour: %1, now %2</source>
-        <translation>颜色：%1，现为 %2</translation>
+        <source>Colour: %1 → %2</source>
+        <translation>颜色：%1 → %2</translation>
     </message>
     <message>
-        <source>Note: “%1”, now “%2”</source>
-        <translation>备注：“%1”，现为“%2”</translation>
+        <source>Note: “%1” → “%2”</source>
+        <translation>备注：“%1” → “%2”</translation>
     </message>
     <message>
         <source>Actions: changed</source>
@@ -10543,8 +10543,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Kind of move</source>
-        <translation>移动方式</translation>
+        <source>Type of transformation</source>
+        <translation>变换类型</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -10595,15 +10595,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. Nothing will be moved.</source>
-        <translation>机械臂无法到达这些位姿：%1。不会移动任何内容。</translation>
+        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <translation>机械臂无法到达这些位姿：%1。不会移动任何路点。</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another one.</source>
+        <source>A frame is missing. Choose another frame.</source>
         <translation>缺少坐标系。请选择另一个。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them would be out of reach. They are kept and marked.</source>
+        <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
             <numerusform>其中 %n 个将不可达；会保留并标记。</numerusform>
         </translation>
@@ -10835,8 +10835,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>输入机器人的地址，如示教器“关于”中所示。</translation>
     </message>
     <message>
-        <source>An address has four numbers from 0 to 255, e.g. 192.168.0.10.</source>
-        <translation>地址有四个 0 至 255 的数字，如 192.168.0.10。</translation>
+        <source>An IP address consists of four numbers from 0 to 255, e.g. 192.168.0.10.</source>
+        <translation>IP 地址由四个 0 至 255 的数字组成，如 192.168.0.10。</translation>
     </message>
     <message>
         <source>A host name contains only letters, digits, dots and hyphens.</source>
@@ -10962,7 +10962,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>示教第二个路点</translation>
     </message>
     <message>
-        <source>go to the first waypoint (held)</source>
+        <source>move to the first waypoint (button held)</source>
         <translation>前往第一个路点（按住）</translation>
     </message>
     <message>
@@ -11443,24 +11443,24 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>将面板移到独立窗口（例如用于第二屏幕），或移回。</translation>
     </message>
     <message>
-        <source>Moves this panel to that side of the main window.</source>
-        <translation>将此面板移到主窗口的那一侧。</translation>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
-        <translation>%1 到左侧</translation>
+        <source>Move %1 to the left</source>
+        <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
-        <translation>%1 到右侧</translation>
+        <source>Move %1 to the right</source>
+        <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
-        <translation>%1 到顶部</translation>
+        <source>Move %1 to the top</source>
+        <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 到底部</translation>
+        <source>Move %1 to the bottom</source>
+        <translation>将 %1 移到底部</translation>
     </message>
     <message>
         <source>Load program</source>
@@ -11487,7 +11487,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>工具</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes or planes of the cell exceed the limit of the simulated robot and are ignored by it.</source>
+        <source>The cell has more boxes or planes than the simulated robot supports: %n are ignored.</source>
         <translation>
             <numerusform>单元中有 %n 个长方体或平面超出模拟机器人的上限，将被忽略。</numerusform>
         </translation>
@@ -11533,8 +11533,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>使项目适应此机器人…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
-        <translation>转换其他型号机器人的项目：保持位姿或关节。</translation>
+        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
+        <translation>转换用于其他型号机器人的项目：保持位姿或关节。</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11561,7 +11561,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>获取控制会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
-        <source>Stop it and take control</source>
+        <source>Stop program and take control</source>
         <translation>停止并获取控制</translation>
     </message>
     <message>
@@ -11581,7 +11581,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>关闭电源会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
-        <source>Stop it and power off</source>
+        <source>Stop program and power off</source>
         <translation>停止并关闭电源</translation>
     </message>
     <message>
@@ -11762,12 +11762,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>已有此名称的视角布局。请选择其他名称。</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；新的排列会保存。</translation>
+        <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；新的排列会自动保存。</translation>
     </message>
     <message>
-        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；新的排列会保存。</translation>
+        <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；新的排列会自动保存。</translation>
     </message>
 </context>
 <context>
@@ -12080,11 +12080,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>缩放文字、控件、曲线图和视图。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, limited to %1 % on this screen.</source>
+        <source>Takes effect when Tiller is restarted, limited to %1 % on this screen.</source>
         <translation>下次启动 Tiller 时生效，在此屏幕上最大为 %1 %。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller.</source>
+        <source>Takes effect when Tiller is restarted.</source>
         <translation>从下次启动 Tiller 起生效。</translation>
     </message>
     <message>
@@ -12144,7 +12144,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>窗口和连接检查的语言。不影响文件和脚本。</translation>
     </message>
     <message>
-        <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
+        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
         <translation>从下次启动 Tiller 起，或重新打开窗口后生效。</translation>
     </message>
     <message>
@@ -12171,7 +12171,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::SettingsTransfer</name>
     <message>
-        <source>Settings of Tiller (*.json)</source>
+        <source>Tiller settings (*.json)</source>
         <translation>Tiller 的设置 (*.json)</translation>
     </message>
     <message>

@@ -154,7 +154,7 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
 /// contact at this distance, the pair is not checked, regardless of the safety distance.
 std::vector<std::pair<std::size_t, std::size_t>> CollisionCheck::findNeverMeeting() const {
     constexpr int kSteps = 36;              // per turn
-    constexpr double kNeverNearer = 0.002;  // allows for a smaller distance between two steps [m]
+    constexpr double kNeverNearer = 0.002;  // tolerance for minima between two steps [m]
     constexpr int kJointsBetween = 2;
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
@@ -209,11 +209,11 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
     });
 }
 
-/// The height of the shoulder is constant if the arm is mounted upright: no joint changes its distance from a
-/// horizontal border, even within the safety distance. Such pairs are not checked.
+/// If the arm is mounted upright, the height of the shoulder is constant. No joint changes its distance from
+/// a horizontal border, so such pairs are not checked, even if they are within the safety distance.
 void CollisionCheck::dropWhatNeverNearsABorder() {
     constexpr int kSteps = 4;              // per turn; the height is a sine function of each joint position
-    constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
+    constexpr double kSameHeight = 0.002;  // tolerance: a calibrated axis is not horizontal [m]
     constexpr int kLastFixedLink = 2;      // joint 3 changes the height
     std::array<Placement, kSteps * kSteps> placements;
     for (std::size_t n = 0; n < placements.size(); ++n) {

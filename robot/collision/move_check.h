@@ -26,7 +26,7 @@ struct MoveLimit {
         OutOfReach,       ///< the line leaves the workspace
         JointRange,       ///< a joint would exceed its range
         Singularity,      ///< the line passes through a singularity and cannot be followed
-        NearSingularity,  ///< the line can be followed, but the arm slows down because joints become fast
+        NearSingularity,  ///< the line can be followed, but the arm slows down to limit joint speeds
         Collision,
     };
     enum class Singular { None, Wrist, Elbow, Shoulder };

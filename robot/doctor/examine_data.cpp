@@ -210,8 +210,8 @@ void examineData(Examiner& examiner) {
         DoctorText::tr("%1 of %2 packets per second").arg(rate, 0, 'f', 0).arg(wanted, 0, 'f', 0);
     if (rate < kMinShare * wanted) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
-                       DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
-                                      "other programs that put load on the robot or this PC."));
+                       DoctorText::tr("Packets are missing. Use a cable instead of a wireless link, and "
+                                      "close other programs that put load on the robot or this PC."));
     } else {
         examiner.good(Condition::DataRate, detail);
     }
@@ -225,7 +225,7 @@ void examineData(Examiner& examiner) {
     // Relevant only with the permission for real-time priority, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops use it"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted, and used by real-time loops"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
                        DoctorText::tr("CPUs may enter deep sleep states, which delay real-time loops"),

@@ -217,7 +217,7 @@ private Q_SLOTS:
         }
         QVERIFY(bench.state().keysStop());
         bench.goOn(360);
-        QVERIFY2(bench.waitStill([&] { return bench.hasSaid("Control was given up"); }),
+        QVERIFY2(bench.waitStill([&] { return bench.hasSaid("Control was lost"); }),
                  qPrintable(bench.said->join('\n')));
         QVERIFY(bench.waitStill([&] { return !bench.state().controlReason.isEmpty(); }));
         // Data resume automatically. Control must be taken again.
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QVERIFY(bench.state().control != ControlState::InControl);
         bench.cell.robot.silence(false);
         QVERIFY(bench.within([&] { return bench.state().canMove(); }));
-        QVERIFY(!bench.hasSaid("Control was given up"));
+        QVERIFY(!bench.hasSaid("Control was lost"));
     }
 
     void everyKeyStopsAForeignProgramWhileWeBelieveToBeInControl_data() {

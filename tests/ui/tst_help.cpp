@@ -119,8 +119,8 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
         }
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
-        // The first two appear only with a robot problem and with a file. The dialogs are tested in
-        // everyDialogHasItsPage.
+        // The first two appear only after a robot problem or when a file is imported. The dialogs are tested
+        // in everyDialogHasItsPage.
         const QStringList elsewhere{
             "recoveryPage",   "importSettings",    "waypoint.actions", "waypoint.properties",
             "waypoint.shift", "waypoint.history",  "pattern",          "programDialog",

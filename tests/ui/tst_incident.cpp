@@ -69,8 +69,8 @@ struct Bench : WindowBench {
         }
         return condition();
     }
-    /// Advances until the black box has received this number of packets, because its thread is slower than
-    /// virtual time.
+    /// Advances virtual time until the black box has received this number of packets. The thread of the black
+    /// box can lag behind virtual time.
     bool hasKept(std::uint64_t packets) {
         QElapsedTimer patience;
         patience.start();
@@ -468,7 +468,7 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
-    // The curves are visible in both themes, even if nothing changes.
+    // The curves are visible in both themes, also if the view is not repainted by new data.
     const auto colourful = [&view] {
         const QImage picture = const_cast<PlotView&>(view).grab().toImage();
         int count = 0;
@@ -489,7 +489,8 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
         bench.cell.advanceMs(100);
         QVERIFY2(after > 0.9 * colourful(), qPrintable(QString::number(after)));
     }
-    // The log of the recording also has an entry for the deviation, which is at the cursor.
+    // The log of the recording also contains an entry for the deviation. The entry is at the time of the
+    // cursor.
     QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("diverge at"),
              qPrintable(bench.log().shownText()));
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scale of the user interface takes effect at the next start, is limited by the screen, and scales the
-// pixels of buttons and plots. Every test starts a separate application.
+// The scale of the user interface takes effect at the next start, is limited by the screen size, and applies
+// to buttons and plots. Every test starts a separate application.
 
 #include <QApplication>
 #include <QComboBox>

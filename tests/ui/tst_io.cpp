@@ -55,7 +55,7 @@ private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
     void settingAnOutputStopsNoProgramAndNoMove() {
-        // Home takes some time. The arm is moved by the window's own program.
+        // A move to home takes some time and uses the control program of the window.
         press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));

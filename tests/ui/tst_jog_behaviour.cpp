@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Targets of the jog inputs other than the pad buttons, and their requirements on operator input. Uses the
-// real window, real events and real sockets, with the simulated robot in virtual time.
+// Tests of jog inputs other than the buttons of the pad: the targets of their motions and the operator input
+// that they require. Uses the real window, real events and real sockets, with the simulated robot in virtual
+// time.
 
 #include <QLineEdit>
 #include <QTest>

@@ -247,7 +247,7 @@ private Q_SLOTS:
         keepForManual(window(), "window");
         keepForManual(inTwoRows(bench_->find<QWidget>("headerBar").grab().toImage()), "header");
         keepForManual(bench_->find<QWidget>("jogColumn"), "jog");
-        // The individual parts may be larger.
+        // The images of single panels may be larger.
         window().resize(1560, 980);
         bench_->cell.advanceMs(200);
         QTest::qWait(100);

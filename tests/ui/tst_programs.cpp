@@ -241,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY_WITH_TIMEOUT(key->hasFocus(), 60'000);
-        // Wait longer than the key keeps its stop function after a motion.
+        // Exceed the time for which Space keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");

@@ -413,7 +413,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(clicked > 10);
-        // The open page must not unlock by itself, and neither must its Return key.
+        // Neither opening the page nor pressing Return on it may unlock the stop.
         closer.stop();
         QVERIFY(bench.openPage());
         bench.tickAll();

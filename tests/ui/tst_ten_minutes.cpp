@@ -4,8 +4,8 @@
 // file must contain every packet in order. If the connection drops one packet in a hundred, the file must
 // contain every gap with its length.
 //
-// TILLER_RECORD_SECONDS  duration of each row; default 10; 600 for the ten minutes of the name. Qt Test
-//                        limits a row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set
+// TILLER_RECORD_SECONDS  duration of each row, 10 by default. Set it to 600 for the ten minutes in the name
+// of the test. Qt Test limits a row to five minutes unless QTEST_FUNCTION_TIMEOUT [ms] is set.
 
 #include <QDeadlineTimer>
 #include <QDir>

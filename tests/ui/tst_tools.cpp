@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// TCP and payload in the real window with the simulated controller: setting and reading, questions about
-// differences, and a payload measured in poses that are approached while a button is held. Also tests Home.
+// TCP and payload in the real window with the simulated controller: setting, reading, prompts about
+// differences, and measuring a payload in poses that the arm moves to while a button is held. Also tests
+// Home.
 
 #include <QAbstractButton>
 #include <QAction>

@@ -221,7 +221,7 @@ private:
                 break;
         }
     }
-    /// Runs `use` in the dialog of the actions, which has its own event loop.
+    /// Runs `use` in the actions dialog, which has its own event loop.
     void inDialog(const std::function<void(QDialog&)>& use) {
         bool used = false;
         QTimer::singleShot(0, &window(), [&] {
@@ -324,7 +324,7 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Even when the condition becomes true, nothing continues.
+        // The sequence does not continue, even when the condition becomes true.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);

@@ -134,7 +134,7 @@ QString TravelWatch::heldText() const {
             case control::LimiterKind::SelfCollision:
             case control::LimiterKind::Obstacle:
             case control::LimiterKind::Border:
-                return tr("%1: %2 left, then %3 is %4 from %5")
+                return tr("%1: %2 left until %3 is %4 from %5")
                     .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
                          limiterText(end, state_.check->surroundings()));
             default:

@@ -86,7 +86,7 @@ QString LogModel::details(int row) const {
     QString text =
         entry.count == 1
             ? tr("%1 · from %2").arg(entry.first.toString(kClock), originWord(entry.origin))
-            : tr("%1 times from %2 to %3 · from %4")
+            : tr("%1 times between %2 and %3 · from %4")
                   .arg(entry.count)
                   .arg(entry.first.toString(kClock), entry.last.toString(kClock), originWord(entry.origin));
     text += QLatin1Char('\n') + entry.text;

@@ -709,7 +709,7 @@ void PlotDock::buildHeader() {
     readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons do not move
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
-           "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
+           "Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors."));
     signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("List of signals"), this);
     signalsKey_->setText(tr("Signals"));
     signalsKey_->setToolTip(

@@ -133,7 +133,7 @@ void ProjectFiles::offerKept() {
     }
     const project::KeptCopy newest = kept.first();
     const QString name = newest.name.isEmpty() ? tr("A project without a file") : newest.name;
-    const QString title = tr("Unsaved work is available");
+    const QString title = tr("Unsaved work can be recovered");
     const QString text = tr("“%1” was changed on %2 and not saved to a file.")
                              .arg(name, QLocale().toString(newest.at.toLocalTime(), QLocale::ShortFormat));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);

@@ -159,8 +159,8 @@ void ProjectFit::show(QMessageBox& question) {
 
 void ProjectFit::askAboutModel() {
     Q_EMIT message(Severity::Warning, modelText());
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Project of another robot model"), modelText(),
-                                     QMessageBox::NoButton, over_);
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Project for another robot model"),
+                                     modelText(), QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
         tr("“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” "

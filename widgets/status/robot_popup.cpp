@@ -140,8 +140,9 @@ QString RobotPopup::obstacleNow(const SessionState& state) const {
     if (refused_) {
         return tr("The popup could not be closed from here: close it on the teach pendant.");
     }
-    return state.link == LinkState::Live ? serviceObstacle(state, RobotCommand::ClosePopups)
-                                         : tr("No data from the robot: close it on the teach pendant.");
+    return state.link == LinkState::Live
+               ? serviceObstacle(state, RobotCommand::ClosePopups)
+               : tr("No data from the robot. Close the popup on the teach pendant.");
 }
 
 void RobotPopup::followCommand(RobotCommand command, bool done) {

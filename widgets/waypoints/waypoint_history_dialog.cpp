@@ -75,7 +75,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
                                                const ProjectDocument& document) {
     QStringList lines;
     if (before.name != now.name) {
-        lines << tr("Name: “%1”, now “%2”").arg(before.name, now.name);
+        lines << tr("Name: “%1” → “%2”").arg(before.name, now.name);
     }
     const auto placeBefore = project::placeOf(before, document.robot(), document.frames());
     const auto placeNow = project::placeOf(now, document.robot(), document.frames());
@@ -100,37 +100,37 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
                                                            : tr("a deleted frame");
     };
     if (before.ruling != now.ruling || before.frame != now.frame) {
-        lines << tr("Frame: %1, now %2").arg(frameText(before), frameText(now));
+        lines << tr("Frame: %1 → %2").arg(frameText(before), frameText(now));
     }
     if (before.move != now.move) {
-        lines << (now.move == project::MoveKind::Joint ? tr("Move: MoveL, now MoveJ")
-                                                       : tr("Move: MoveJ, now MoveL"));
+        lines << (now.move == project::MoveKind::Joint ? tr("Move: MoveL → MoveJ")
+                                                       : tr("Move: MoveJ → MoveL"));
     }
     if (before.jointSpeed != now.jointSpeed) {
-        lines << tr("Speed of MoveJ: %1, now %2")
+        lines << tr("Speed of MoveJ: %1 → %2")
                      .arg(format::degreesPerSecond(before.jointSpeed),
                           format::degreesPerSecond(now.jointSpeed));
     }
     if (before.toolSpeed != now.toolSpeed) {
-        lines << tr("Speed of MoveL: %1, now %2")
+        lines << tr("Speed of MoveL: %1 → %2")
                      .arg(format::speed(before.toolSpeed), format::speed(now.toolSpeed));
     }
     if (before.blend != now.blend) {
-        lines << tr("Blend: %1, now %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
+        lines << tr("Blend: %1 → %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
     }
     if (!(before.tcpOffset == now.tcpOffset)) {
         lines << tr("TCP: taught with a different TCP");
     }
     if (before.group != now.group) {
-        lines << tr("Group: “%1”, now “%2”").arg(before.group, now.group);
+        lines << tr("Group: “%1” → “%2”").arg(before.group, now.group);
     }
     if (before.colour != now.colour) {
-        lines << tr("Colour: %1, now %2")
+        lines << tr("Colour: %1 → %2")
                      .arg(WaypointProperties::colourNames().value(static_cast<int>(before.colour)),
                           WaypointProperties::colourNames().value(static_cast<int>(now.colour)));
     }
     if (before.note != now.note) {
-        lines << tr("Note: “%1”, now “%2”").arg(before.note, now.note);
+        lines << tr("Note: “%1” → “%2”").arg(before.note, now.note);
     }
     if (before.actions != now.actions) {
         lines << tr("Actions: changed");

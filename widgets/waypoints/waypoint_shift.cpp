@@ -35,7 +35,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     setObjectName(QStringLiteral("waypoint.shift"));
     setWindowTitle(tr("Move %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
     kind_->setObjectName(QStringLiteral("waypoint.shift.kind"));
-    kind_->setAccessibleName(tr("Kind of move"));
+    kind_->setAccessibleName(tr("Type of transformation"));
     kind_->addItems({tr("Offset"), tr("Rotation"), tr("Mirror")});
     axes_->setObjectName(QStringLiteral("waypoint.shift.axes"));
     axes_->setAccessibleName(tr("Axes"));
@@ -130,9 +130,9 @@ void WaypointShift::refresh() {
     findChild<QPushButton*>(QStringLiteral("waypoint.shift.accept"))->setEnabled(result.ok());
     if (!result) {
         feedback_->setText(result.error().code == ErrorCode::NoSolution
-                               ? tr("The arm cannot reach these poses: %1. Nothing will be moved.")
+                               ? tr("The arm cannot reach these poses: %1. No waypoint will be moved.")
                                      .arg(result.error().context)
-                               : tr("A frame is missing. Choose another one."));
+                               : tr("A frame is missing. Choose another frame."));
         return;
     }
     int far = 0;
@@ -140,7 +140,8 @@ void WaypointShift::refresh() {
         far += project::reach(document_.robot(), point, document_.frames()).ok() ? 0 : 1;
     }
     feedback_->setText(
-        far > 0           ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
+        far > 0 ? tr("%n of the moved waypoints will be out of reach. They will be kept and marked.", nullptr,
+                     far)
         : kind == kMirror ? tr("Mirrors across the plane through the origin that is perpendicular to the "
                                "axis. The tool approaches from the mirrored side.")
                           : tr("All remain within reach."));

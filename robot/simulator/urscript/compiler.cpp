@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every name is resolved, so that a text that calls an unknown function anywhere never starts.
+// Every name is resolved at compile time, so a program that calls an unknown function never starts.
 
 #include "robot/simulator/urscript/compiler.h"
 

@@ -29,9 +29,9 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
     if (source.isEmpty()) {
         return isCsv ? exportCsv(store, shown, t0, t1, path)
                      : Error{context.code, context.context,
-                             QCoreApplication::translate(
-                                 "tiller::PlotDock",
-                                 "Live signals can only be exported as .csv. Record them first.")};
+                             QCoreApplication::translate("tiller::PlotDock",
+                                                         "Live signals can be exported only as .csv. For "
+                                                         "other formats, record the signals first.")};
     }
     const std::unique_ptr<recording::Recording> selected = store.selected(shown);
     // A cursor placed on a row includes the row, although its time on the plots' axis is rounded.

@@ -136,7 +136,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
                 return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
                         LimiterAdviceText::tr("reduce sideways motion")};
             case control::LimiterKind::RotationSpeed:
-                return {LimiterAdviceText::tr("Rotation at its cap of %1").arg(percent),
+                return {LimiterAdviceText::tr("Rotation at the speed cap of %1").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {

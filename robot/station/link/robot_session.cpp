@@ -582,7 +582,7 @@ void RobotSession::reportChanges() {
         d_->lossSeen = d_->loss;
         if (d_->loss == control::ControlLoss::LinkLost) {
             Q_EMIT message(Severity::Error,
-                           tr("Control was given up: the control connection did not respond for 0.5 s or was "
+                           tr("Control was lost: the control connection did not respond for 0.5 s or was "
                               "closed. STOP, Space and Esc still stop the robot. Take control again."));
         }
     }

@@ -64,7 +64,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ProtectiveStop, QT_TRANSLATE_NOOP("ModeWords", "Protective stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).")},
+         "The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).")},
     {SafetyMode::Recovery, QT_TRANSLATE_NOOP("ModeWords", "Recovery"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -128,8 +128,9 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
                        "The PROFIsafe controller requests an emergency stop. Clear the request there, then "
                        "power on and release the brakes.")},
     {SafetyMode::SafetyApiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safety API stop"),
-     QT_TRANSLATE_NOOP(
-         "ModeWords", "A program stops the arm through the safety interface. End the stop in that program.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "A program requests a safeguard stop through the safety interface. Clear the request "
+                       "in that program.")},
     {kIoPlaneStop, QT_TRANSLATE_NOOP("ModeWords", "I/O plane stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The tool crossed a safety plane that is enabled by an input. Move it back with the "

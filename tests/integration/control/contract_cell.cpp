@@ -266,8 +266,8 @@ const std::vector<ContractEvent>& contractEvents() {
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
-             // Send the stop without waiting for data. Otherwise, bunched data would delay the stop, and only
-             // in this case.
+             // Send the stop at once. A stop does not wait for data, so bunched data must not delay it in
+             // this test either.
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounded motions, and all aspects of being in control, in virtual time.
+// Bounded motions, and control of the robot, in virtual time.
 #include <cmath>
 #include <initializer_list>
 #include <optional>

@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - target.position).norm() < 1e-3);
 
-        // The arm is stretched, so a few millimetres farther are out of reach.
+        // The arm is stretched, so targets a few millimetres farther away are out of reach.
         JointPositions stretched = cell.robot.truth().q;
         stretched[1] = -90 * kDeg;
         stretched[2] = -3 * kDeg;

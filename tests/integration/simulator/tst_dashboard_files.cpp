@@ -221,7 +221,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("load /ursim/programs/none.urp"),
                  QByteArray("File not found: /ursim/programs/none.urp\n"));
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("STOPPED wait_program.urp\n"));
-        // A name that is not allowed for files. A warning of Qt would fail the test.
+        // A name that is not allowed for files. A Qt warning would fail the test.
         QTest::failOnWarning(QRegularExpression("."));
         QVERIFY(
             cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));

@@ -240,7 +240,8 @@ private Q_SLOTS:
         QVERIFY2(observer.complaints().isEmpty(), qPrintable(observer.complaints().join('\n')));
     }
 
-    // A start of the controller closes all connections, so new clients observe each mode of the start.
+    // Starting the controller closes all connections, so new clients connect to observe each mode of the
+    // start.
     void theStartOfAControllerIsSeenAlikeOnAllInterfaces() {
         VirtualRobot robot;
         {

@@ -292,7 +292,7 @@ private Q_SLOTS:
                 primary.send(script);
                 robot.controller.drainSockets();
             }
-            // A line moves to the end of the reach.
+            // The linear move continues up to the limit of the reach.
             robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);
             int shown = 1;
             QList<int> told;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A hundred thousand invalid inputs for each service, and clients that connect and disconnect. There must be
-// no crash, no leaked descriptor and no blocked control period, and a proper client must be served as before.
+// no crash, no leaked descriptor and no blocked control period, and a valid client must be served as before.
 // The default run is short. Longer runs:
 //
 //     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour

@@ -101,7 +101,7 @@ struct ScriptBench {
             }
         }
     }
-    // Runs frames with a heartbeat in each of them.
+    // Runs frames with a heartbeat in each frame.
     void hold(ScriptCommand kind, std::int32_t epoch, int times, std::array<double, 6> values = {}) {
         for (int i = 0; i < times; ++i) {
             send(kind, epoch, values);

@@ -139,7 +139,8 @@ private Q_SLOTS:
         QVERIFY2(bench.host.pins[4], "no pulse was under way there");
     }
 
-    // All pulses end with the program, whether it is asked to end or has received no data for five seconds.
+    // All pulses end with the program, whether it ends on request or because it received no data for five
+    // seconds.
     void aProgramThatEndsEndsItsPulses() {
         for (const bool asked : {true, false}) {
             Bench bench;
@@ -501,7 +502,7 @@ private Q_SLOTS:
             bench.send(torque(2, JointTorques(1, -2, 3, -4, 5, -6), friction));
             bench.frame();
         }
-        // The first values are used only after all values must have arrived.
+        // The first torque is applied only after enough frames for all values to arrive.
         QCOMPARE(bench.count<urscript::DirectTorque>(), kFrames - 1);
         for (const auto& motion : bench.host.motions) {
             const auto* given = std::get_if<urscript::DirectTorque>(&motion.command);
@@ -840,7 +841,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 8.0);
         bench.send(stopJ(4, 0.2));
         bench.frame(2);
-        bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4 rad/s2
+        bench.hold(ScriptCommand::Idle, 5, 2);  // a normal stop decelerates with 4 rad/s2
         QCOMPARE(bench.count<urscript::StopJ>(), 1);
         bench.send(stopJ(6, 12));
         bench.frame(2);

@@ -132,7 +132,8 @@ private Q_SLOTS:
         QVERIFY(access.save(withWaypoints({"again"}), 3)->outcome == Outcome::ChangedByOther);
     }
 
-    // Automatic saving waits for a slow disk in another thread, and may occur after the file was read again.
+    // Automatic saving runs in another thread. If the disk is slow, it may finish after the file was
+    // reloaded.
     void whatWaitsToBeSavedDoesNotReplaceWhatWasReloaded() {
         ProjectAccess access(path_);
         QVERIFY(access.load().ok());

@@ -328,8 +328,8 @@ void TestReceiver::backlogSamplesAreNotFresh() {
     TRY_VERIFY(receiver.isFresh(1ms));
 }
 
-// Covers every state in which the connection can become available again: during an attempt, during the wait
-// after it, and an attempt that succeeds.
+// The connection can become available again at any time during an attempt or during the wait after it. The
+// worst case is one failed attempt, one wait and the next attempt.
 void TestReceiver::dataComeBackWithinTwoSeconds() {
     const ReceiverOptions options;
     const auto longest = *std::max_element(options.reconnectDelays.begin(), options.reconnectDelays.end());
@@ -597,8 +597,8 @@ void TestReceiver::stopsPromptly() {
     } else if (situation == QLatin1String("waiting")) {
         TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
     }
-    // All these waits last one hour. The test passes if stop() returns at all; benchmarks measure how fast it
-    // returns.
+    // All these waits would last one hour. The test passes if stop() returns in less time; benchmarks measure
+    // the actual time.
     receiver.stop();
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
 }

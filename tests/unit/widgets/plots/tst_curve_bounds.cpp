@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The image of a curve shows no value that the curve does not have. Tested with random recordings, windows,
+// A drawn curve never shows values that its data do not contain. Tested with random recordings, windows,
 // zooms and pens.
 #include <QImage>
 #include <QPainter>

@@ -261,8 +261,8 @@ private Q_SLOTS:
                 if (column < 1 || column > kColumns - 2) {
                     continue;
                 }
-                // In its own column or, if a column contains many samples, at the edge of a neighbouring
-                // column.
+                // A spike is drawn in its own column or, if a column contains many samples, at the edge of a
+                // neighbouring column.
                 bool isDrawn = false;
                 bool isKnown = false;
                 for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Exports of recordings: every number equals the number in the file, and the rows are exactly those of the
-// window.
+// Exports of recordings. Every exported number equals the number in the file, and the exported rows are
+// exactly those in the time range.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -92,7 +92,8 @@ private Q_SLOTS:
                 std::size_t first = random() % rows;
                 std::size_t last = random() % rows;
                 std::tie(first, last) = std::minmax({first, last});
-                // Limits on rows, as with cursors, or between two rows, as in a window.
+                // Limits exactly at rows, as set by cursors, or between two rows, as set by the visible
+                // range.
                 const double margin = random() % 2 == 0 ? 0 : 2e-4;
                 const double t0 = times.time(static_cast<std::int64_t>(first)) - margin;
                 const double t1 = times.time(static_cast<std::int64_t>(last)) + margin;
