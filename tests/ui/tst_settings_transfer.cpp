@@ -57,7 +57,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// A settings file of a cell with many changes.
+/// Creates a settings file with many settings that differ from the defaults.
 QString fileOfACell(const QTemporaryDir& folder) {
     app::Settings settings(folder.filePath("cell.ini"));
     settings.setTheme("dark");
