@@ -1222,14 +1222,14 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
 void MainWindow::askToTakeControl() {
     askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
                     tr("Taking control stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop it and take control"),
+                    tr("Stop program and take control"),
                     [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
 
 void MainWindow::askToPowerOff() {
     askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
                     tr("Powering off stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop it and power off"),
+                    tr("Stop program and power off"),
                     [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 
