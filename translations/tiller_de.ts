@@ -11605,7 +11605,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Programm stoppen und Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Programm beibehalten</translation>
     </message>
     <message>

@@ -11605,7 +11605,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Detener el programa y tomar el control</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Mantener el programa</translation>
     </message>
     <message>

@@ -11605,7 +11605,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Arrêter le programme et prendre le contrôle</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Garder le programme</translation>
     </message>
     <message>

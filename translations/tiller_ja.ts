@@ -11565,7 +11565,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>プログラムを停止して制御を取得</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>プログラムを維持</translation>
     </message>
     <message>

@@ -11565,7 +11565,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止程序并获取控制</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>保留程序</translation>
     </message>
     <message>
