@@ -1204,7 +1204,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
     end->setObjectName(name + QStringLiteral(".take"));
     end->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep the program"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(tr("Keep program"), QMessageBox::RejectRole);
     keep->setObjectName(name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);

@@ -47,7 +47,7 @@ QString titleOf(SettingsPart part) {
         case SettingsPart::Layout:
             return ImportDialog::tr("Layout of the window");
         case SettingsPart::Other:
-            return ImportDialog::tr("Everything else");
+            return ImportDialog::tr("Other settings");
     }
     return {};
 }

@@ -677,8 +677,8 @@
         <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; ist keine Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <translation>&quot;%1&quot; ist keine gültige Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -1994,12 +1994,12 @@
         <translation>„%1“ erfüllt die Anforderungen.</translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>„%1“: Die Z-Achse weicht um %2° von der Z-Achse der Basis ab. Der dritte Punkt muss auf der Seite +Y liegen.</translation>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <translation>Die Z-Achse von „%1“ weicht um %2° von der Z-Achse der Basis ab. Der dritte Punkt muss auf der Seite +Y liegen.</translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>„%1“: Die X-Achse weicht um %2° von der Y-Achse der Basis ab.</translation>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
+        <translation>Die X-Achse von „%1“ weicht um %2° von der Y-Achse der Basis ab.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
@@ -2940,8 +2940,8 @@
         <translation>Warte auf die Verbindung</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
-        <translation>Ich habe den Arm geprüft: Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
+        <translation>Ich habe den Arm geprüft. Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and has been removed.</source>
@@ -2956,8 +2956,8 @@
         <translation>Möglich in %1 s</translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>Ich habe den Arm und das Protokoll des Roboters geprüft: Die Ursache ist bekannt.</translation>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
+        <translation>Ich habe den Arm und das Protokoll des Roboters geprüft und kenne die Ursache.</translation>
     </message>
     <message>
         <source>The cause has been removed, and no one is within reach of the arm.</source>
@@ -3220,8 +3220,8 @@
         <translation>%1: %2 s lang aus</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
-        <translation>Impulse werden vom Roboter getaktet und erfordern die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
+        <translation>Der Roboter taktet Impulse nur, solange Tiller die Steuerung hat. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang von Hand ein und aus.</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -4299,8 +4299,8 @@
         <translation>Geben Sie Speicherplatz frei, und speichern oder zeichnen Sie dann erneut auf.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
-        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Eingestellt in den Einstellungen oder mit --monitor-only.</translation>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
+        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Aktiviert in den Einstellungen oder mit --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -4318,7 +4318,7 @@
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation>%1 liegt außerhalb von %2 bis %3</translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
@@ -5912,8 +5912,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>▲ Geschwindigkeitsgrenze auf %1 erhöht</translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>Der Arm kann sich schneller als %1 bewegen. Senken Sie die Grenze in den Einstellungen; sie wird beim Schließen von Tiller zurückgesetzt.</translation>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
+        <translation>Der Arm kann sich schneller als %1 bewegen. Senken Sie die Geschwindigkeitsgrenze in den Einstellungen. Beim Schließen von Tiller wird sie zurückgesetzt.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -7267,8 +7267,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Der Schwerpunkt weicht ab, oder etwas berührt das Werkzeug.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Messen Sie sie oder wählen Sie eine andere Nutzlast. Das Nullsetzen des Kraftsensors verdeckt eine falsche Nutzlast, bis sich das Werkzeug dreht.</translation>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <translation>%1 %2 Messen Sie die Nutzlast oder wählen Sie eine andere. Das Nullsetzen des Kraftsensors verdeckt eine falsche Nutzlast, bis sich das Werkzeug dreht.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
@@ -7283,8 +7283,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>%1, auf dem Roboter aktiv</translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1; der Roboter hat %2 kg, Schwerpunkt %3</translation>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
+        <translation>%1; der Roboter verwendet %2 kg, Schwerpunkt %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -8688,7 +8688,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Später entscheiden</translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation>Das Projekt konnte nicht übernommen werden</translation>
     </message>
     <message>
@@ -8700,8 +8700,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt dieses Fensters ist jetzt %1</translation>
     </message>
     <message>
-        <source>A project without a file</source>
-        <translation>Ein Projekt ohne Datei</translation>
+        <source>Untitled project</source>
+        <translation>Unbenanntes Projekt</translation>
     </message>
     <message>
         <source>Unsaved work can be recovered</source>
@@ -9237,7 +9237,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer hat einen internen Fehler. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, wenden Sie sich an Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>Die Aktivierung ist fehlgeschlagen. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
@@ -9329,8 +9329,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ansicht des Arms</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Ziehen oder Pfeiltasten drehen die Ansicht; mit Umschalt oder der rechten Maustaste verschieben. Zoomen mit dem Mausrad oder mit Plus und Minus. Doppelklick oder Pos1 zeigt die Standardansicht. Nichts hier bewegt den Roboter.</translation>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
+        <translation>Ziehen oder Pfeiltasten drehen die Ansicht; mit Umschalt oder der rechten Maustaste verschieben. Zoomen mit dem Mausrad oder mit Plus und Minus. Doppelklick oder Pos1 zeigt die Standardansicht. Der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -10304,8 +10304,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Ein Gelenk würde seinen Bereich überschreiten. Teachen Sie den Wegpunkt mit einer anderen Armstellung nach.</translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
-        <translation>Sein Koordinatensystem ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
+        <translation>Das Koordinatensystem des Wegpunkts ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
@@ -10412,7 +10412,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation>%1 liegt außerhalb von %2 bis %3.</translation>
     </message>
     <message>
@@ -11235,8 +11235,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Anordnung des Fensters</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Alles andere</translation>
+        <source>Other settings</source>
+        <translation>Weitere Einstellungen</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -11602,10 +11602,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>Stop program and take control</source>
-        <translation>Stoppen und Steuerung übernehmen</translation>
+        <translation>Programm stoppen und Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Programm beibehalten</translation>
     </message>
     <message>
@@ -11622,7 +11622,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     </message>
     <message>
         <source>Stop program and power off</source>
-        <translation>Stoppen und ausschalten</translation>
+        <translation>Programm stoppen und ausschalten</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
@@ -12089,8 +12089,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Rotationsvektor in Radiant, wie in Skripten</translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
-        <translation>Geschwindigkeitsgrenze dieses Programms</translation>
+        <source>Speed cap of Tiller</source>
+        <translation>Geschwindigkeitsgrenze von Tiller</translation>
     </message>
     <message>
         <source>Maximum hold time</source>

@@ -669,7 +669,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1994,11 +1994,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2940,7 +2940,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2956,7 +2956,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3220,7 +3220,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4299,7 +4299,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4318,7 +4318,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5896,7 +5896,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7260,7 +7260,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7276,7 +7276,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8676,7 +8676,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8688,7 +8688,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A project without a file</source>
+        <source>Untitled project</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9225,7 +9225,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9333,7 +9333,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10291,7 +10291,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10391,7 +10391,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11220,7 +11220,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Everything else</source>
+        <source>Other settings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11590,7 +11590,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12046,7 +12046,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
+        <source>Speed cap of Tiller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

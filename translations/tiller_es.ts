@@ -677,8 +677,8 @@
         <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; no es una dirección y no se encontró ningún host con ese nombre</translation>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <translation>&quot;%1&quot; no es una dirección válida y no se encontró ningún host con ese nombre</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -1994,12 +1994,12 @@
         <translation>«%1» cumple los requisitos.</translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>«%1»: su eje Z difiere %2° del eje Z de la base. El tercer punto debe estar en el lado +Y.</translation>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <translation>El eje Z de «%1» difiere %2° del eje Z de la base. El tercer punto debe estar en el lado +Y.</translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>«%1»: su eje X difiere %2° del eje Y de la base.</translation>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
+        <translation>El eje X de «%1» difiere %2° del eje Y de la base.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
@@ -2940,8 +2940,8 @@
         <translation>Esperando la conexión</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
-        <translation>He inspeccionado el brazo: nadie lo toca y nada está atrapado.</translation>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
+        <translation>He inspeccionado el brazo. Nadie lo toca y nada está atrapado.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and has been removed.</source>
@@ -2956,8 +2956,8 @@
         <translation>Posible en %1 s</translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>He inspeccionado el brazo y el registro del robot: se conoce la causa.</translation>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
+        <translation>He inspeccionado el brazo y el registro del robot, y conozco la causa.</translation>
     </message>
     <message>
         <source>The cause has been removed, and no one is within reach of the arm.</source>
@@ -3220,8 +3220,8 @@
         <translation>%1: desactivada %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
-        <translation>El robot temporiza los impulsos, y para ello se necesita el control. Tome primero el control, o active y desactive la salida.</translation>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
+        <translation>El robot temporiza los impulsos solo mientras Tiller tiene el control. Tome primero el control, o active y desactive la salida manualmente.</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -4299,8 +4299,8 @@
         <translation>Libere espacio en el disco y vuelva a guardar o grabar.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
-        <translation>Solo supervisión: esta ventana no cambia nada en el robot. Se define en los ajustes o con --monitor-only.</translation>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
+        <translation>Solo supervisión: esta ventana no cambia nada en el robot. Activado en los ajustes o con --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -4318,7 +4318,7 @@
         <translation>«%1» no es un número</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation>%1 está fuera de %2 a %3</translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation>Tiempo límite en segundos</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo</translation>
     </message>
 </context>
@@ -5912,8 +5912,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>▲ Límite de velocidad elevado a %1</translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>El brazo puede moverse más rápido que %1. Reduzca el límite en Ajustes; se restablece al cerrar Tiller.</translation>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
+        <translation>El brazo puede moverse más rápido que %1. Reduzca el límite de velocidad en Ajustes. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -7267,8 +7267,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>El centro de gravedad difiere, o algo toca la herramienta.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Mídala o seleccione otra carga útil. Poner a cero el sensor de fuerza oculta una carga útil incorrecta hasta que la herramienta gira.</translation>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <translation>%1 %2 Mida la carga útil o seleccione otra. Poner a cero el sensor de fuerza oculta una carga útil incorrecta hasta que la herramienta gira.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
@@ -7283,8 +7283,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>%1, activo en el robot</translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1; el robot tiene %2 kg, centro de gravedad %3</translation>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
+        <translation>%1; el robot usa %2 kg, centro de gravedad %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -8688,7 +8688,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Decidir más tarde</translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation>No se pudo tomar el proyecto</translation>
     </message>
     <message>
@@ -8700,8 +8700,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El proyecto de esta ventana es ahora %1</translation>
     </message>
     <message>
-        <source>A project without a file</source>
-        <translation>Un proyecto sin archivo</translation>
+        <source>Untitled project</source>
+        <translation>Proyecto sin título</translation>
     </message>
     <message>
         <source>Unsaved work can be recovered</source>
@@ -9237,7 +9237,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza tiene un fallo interno. Pulse Activar; si el fallo vuelve, contacte con Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>La activación falló. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
@@ -9329,8 +9329,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Vista del brazo</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Arrastre o use las flechas para girar la vista; con Mayús o el botón derecho la desplaza. Amplíe con la rueda o con más y menos. Doble clic o Inicio para la vista predeterminada. Nada de esto mueve el robot.</translation>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
+        <translation>Arrastre o use las flechas para girar la vista; con Mayús o el botón derecho la desplaza. Amplíe con la rueda o con más y menos. Doble clic o Inicio para la vista predeterminada. El robot no se mueve.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -10304,8 +10304,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Una articulación superaría su recorrido. Retoque el punto con otra configuración del brazo.</translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
-        <translation>Su sistema no está en este proyecto. Elija otro sistema.</translation>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
+        <translation>El sistema del punto de paso no está en este proyecto. Elija otro sistema.</translation>
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
@@ -10412,7 +10412,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>«%1» no es un número.</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation>%1 está fuera de %2 a %3.</translation>
     </message>
     <message>
@@ -11235,8 +11235,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Disposición de la ventana</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Todo lo demás</translation>
+        <source>Other settings</source>
+        <translation>Otros ajustes</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -11602,10 +11602,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Stop program and take control</source>
-        <translation>Detenerlo y tomar el control</translation>
+        <translation>Detener el programa y tomar el control</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Mantener el programa</translation>
     </message>
     <message>
@@ -11622,7 +11622,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Stop program and power off</source>
-        <translation>Detenerlo y apagar</translation>
+        <translation>Detener el programa y apagar</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
@@ -12089,8 +12089,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Vector de rotación en radianes, como en los scripts</translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
-        <translation>Límite de velocidad de este programa</translation>
+        <source>Speed cap of Tiller</source>
+        <translation>Límite de velocidad de Tiller</translation>
     </message>
     <message>
         <source>Maximum hold time</source>

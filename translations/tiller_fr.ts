@@ -677,8 +677,8 @@
         <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’a été trouvé</translation>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <translation>&quot;%1&quot; n’est pas une adresse valide, et aucun hôte de ce nom n’a été trouvé</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -1994,12 +1994,12 @@
         <translation>« %1 » répond aux exigences.</translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>« %1 » : son axe Z s’écarte de %2° de l’axe Z de la base. Le troisième point doit être du côté +Y.</translation>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <translation>L’axe Z de « %1 » s’écarte de %2° de l’axe Z de la base. Le troisième point doit être du côté +Y.</translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>« %1 » : son axe X s’écarte de %2° de l’axe Y de la base.</translation>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
+        <translation>L’axe X de « %1 » s’écarte de %2° de l’axe Y de la base.</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
@@ -2940,8 +2940,8 @@
         <translation>En attente de la connexion</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
-        <translation>J’ai inspecté le bras : personne ne le touche et rien n’est coincé.</translation>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
+        <translation>J’ai inspecté le bras. Personne ne le touche et rien n’est coincé.</translation>
     </message>
     <message>
         <source>The cause of the stop is known and has been removed.</source>
@@ -2956,8 +2956,8 @@
         <translation>Possible dans %1 s</translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>J’ai inspecté le bras et le journal du robot : la cause est connue.</translation>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
+        <translation>J’ai inspecté le bras et le journal du robot, et je connais la cause.</translation>
     </message>
     <message>
         <source>The cause has been removed, and no one is within reach of the arm.</source>
@@ -3220,8 +3220,8 @@
         <translation>%1 : désactivée %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
-        <translation>Les impulsions sont chronométrées par le robot et exigent le contrôle. Prenez d’abord le contrôle, ou activez puis désactivez la sortie.</translation>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
+        <translation>Le robot chronomètre les impulsions seulement lorsque Tiller a le contrôle. Prenez d’abord le contrôle, ou activez puis désactivez la sortie manuellement.</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -4299,8 +4299,8 @@
         <translation>Libérez de l’espace disque, puis enregistrez de nouveau.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
-        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Réglé dans les réglages ou par --monitor-only.</translation>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
+        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Activé dans les réglages ou par --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -4318,7 +4318,7 @@
         <translation>« %1 » n’est pas un nombre</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation>%1 est hors de %2 à %3</translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation>Délai maximal en secondes</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus</translation>
     </message>
 </context>
@@ -5912,8 +5912,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>▲ Plafond de vitesse relevé à %1</translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>Le bras peut aller plus vite que %1. Abaissez le plafond dans les réglages ; il est réinitialisé à la fermeture de Tiller.</translation>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
+        <translation>Le bras peut aller plus vite que %1. Abaissez le plafond de vitesse dans les réglages. Il est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -7267,8 +7267,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Le centre de gravité diffère, ou quelque chose touche l’outil.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 Mesurez-la ou sélectionnez une autre charge utile. La mise à zéro du capteur de force masque une charge utile erronée jusqu’à ce que l’outil tourne.</translation>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <translation>%1 %2 Mesurez la charge utile ou sélectionnez-en une autre. La mise à zéro du capteur de force masque une charge utile erronée jusqu’à ce que l’outil tourne.</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
@@ -7283,8 +7283,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>%1, actif sur le robot</translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1 ; le robot a %2 kg, centre de gravité %3</translation>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
+        <translation>%1 ; le robot utilise %2 kg, centre de gravité %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -8688,7 +8688,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Décider plus tard</translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation>Impossible de reprendre le projet</translation>
     </message>
     <message>
@@ -8700,8 +8700,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet de cette fenêtre est maintenant %1</translation>
     </message>
     <message>
-        <source>A project without a file</source>
-        <translation>Un projet sans fichier</translation>
+        <source>Untitled project</source>
+        <translation>Projet sans titre</translation>
     </message>
     <message>
         <source>Unsaved work can be recovered</source>
@@ -9237,7 +9237,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince a un défaut interne. Appuyez sur Activer ; si le défaut revient, contactez Robotiq.</translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>L’activation a échoué. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
@@ -9329,8 +9329,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Vue du bras</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
-        <translation>Glissez ou utilisez les flèches pour tourner la vue ; avec Maj ou le bouton droit pour la déplacer. Zoomez avec la molette ou avec plus et moins. Double-cliquez ou appuyez sur Début pour la vue par défaut. Rien ici ne déplace le robot.</translation>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
+        <translation>Glissez ou utilisez les flèches pour tourner la vue ; avec Maj ou le bouton droit pour la déplacer. Zoomez avec la molette ou avec plus et moins. Double-cliquez ou appuyez sur Début pour la vue par défaut. Le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>NO DATA</source>
@@ -10304,8 +10304,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Une articulation dépasserait sa course. Retouchez le point avec une autre configuration du bras.</translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
-        <translation>Son repère n’est pas dans ce projet. Choisissez un autre repère.</translation>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
+        <translation>Le repère du point de passage n’est pas dans ce projet. Choisissez un autre repère.</translation>
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
@@ -10412,7 +10412,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>« %1 » n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation>%1 est hors de %2 à %3.</translation>
     </message>
     <message>
@@ -11235,8 +11235,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Disposition de la fenêtre</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>Tout le reste</translation>
+        <source>Other settings</source>
+        <translation>Autres réglages</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -11602,10 +11602,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Stop program and take control</source>
-        <translation>L’arrêter et prendre le contrôle</translation>
+        <translation>Arrêter le programme et prendre le contrôle</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>Garder le programme</translation>
     </message>
     <message>
@@ -11622,7 +11622,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Stop program and power off</source>
-        <translation>L’arrêter et mettre hors tension</translation>
+        <translation>Arrêter le programme et mettre hors tension</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
@@ -12089,8 +12089,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Vecteur de rotation en radians, comme dans les scripts</translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
-        <translation>Plafond de vitesse de ce programme</translation>
+        <source>Speed cap of Tiller</source>
+        <translation>Plafond de vitesse de Tiller</translation>
     </message>
     <message>
         <source>Maximum hold time</source>

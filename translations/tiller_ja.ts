@@ -677,8 +677,8 @@
         <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; はアドレスではなく、その名前のホストもありません</translation>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <translation>&quot;%1&quot; は有効なアドレスではなく、その名前のホストもありません</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -1994,12 +1994,12 @@
         <translation>「%1」は条件を満たしています。</translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>「%1」：その Z はベースの Z から %2° ずれています。3 点目は +Y 側です。</translation>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <translation>「%1」の Z 軸はベースの Z 軸から %2° ずれています。3 点目は +Y 側です。</translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>「%1」：その X はベースの Y から %2° ずれています。</translation>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
+        <translation>「%1」の X 軸はベースの Y 軸から %2° ずれています。</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
@@ -2940,8 +2940,8 @@
         <translation>接続を待っています</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
-        <translation>アームを点検した：誰も触れておらず、何も挟まっていない。</translation>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
+        <translation>アームを点検した。誰も触れておらず、何も挟まっていない。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and has been removed.</source>
@@ -2956,8 +2956,8 @@
         <translation>あと %1 s で可能</translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>アームとロボットのログを確認した：原因が分かっている。</translation>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
+        <translation>アームとロボットのログを確認し、原因を把握した。</translation>
     </message>
     <message>
         <source>The cause has been removed, and no one is within reach of the arm.</source>
@@ -3220,8 +3220,8 @@
         <translation>%1：%2 s間オフ</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
-        <translation>パルスの時間はロボットが計測するため、制御が必要です。先に制御を取得するか、出力をオン・オフしてください。</translation>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
+        <translation>ロボットがパルスの時間を計測するのは、Tiller が制御しているときだけです。先に制御を取得するか、出力を手動でオン・オフしてください。</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -4298,7 +4298,7 @@
         <translation>ディスクの空きを増やしてから、もう一度保存または記録してください。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
         <translation>監視のみ：このウィンドウはロボットを変更しません。設定または --monitor-only で指定されています。</translation>
     </message>
     <message>
@@ -4317,7 +4317,7 @@
         <translation>「%1」は数ではありません</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation>%1 は %2〜%3 の範囲外です</translation>
     </message>
     <message>
@@ -4441,7 +4441,7 @@
         <translation>タイムアウト（秒）</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます</translation>
     </message>
 </context>
@@ -5904,8 +5904,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>▲ 速度上限を %1 に引き上げ</translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>アームが %1 より速く動くことがあります。設定で上限を下げてください。Tiller を閉じると元に戻ります。</translation>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
+        <translation>アームが %1 より速く動くことがあります。設定で速度上限を下げてください。Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -7254,7 +7254,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>重心が異なるか、何かがツールに触れています。</translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 計量するか、別のペイロードを選んでください。力センサーをゼロにしても、ツールが回るまで誤りが隠れるだけです。</translation>
     </message>
     <message>
@@ -7270,8 +7270,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1、ロボットで有効</translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1。ロボットには %2 kg、重心 %3</translation>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
+        <translation>%1。ロボットの設定は %2 kg、重心 %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -8667,7 +8667,7 @@ Release the button to stop the arm.</source>
         <translation>後で決める</translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation>プロジェクトを引き継げませんでした</translation>
     </message>
     <message>
@@ -8679,8 +8679,8 @@ Release the button to stop the arm.</source>
         <translation>このウィンドウのプロジェクトは%1になりました</translation>
     </message>
     <message>
-        <source>A project without a file</source>
-        <translation>ファイルのないプロジェクト</translation>
+        <source>Untitled project</source>
+        <translation>無題のプロジェクト</translation>
     </message>
     <message>
         <source>Unsaved work can be recovered</source>
@@ -9213,7 +9213,7 @@ Release the button to stop the arm.</source>
         <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>有効化に失敗しました。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
@@ -9305,7 +9305,7 @@ Release the button to stop the arm.</source>
         <translation>アームのビュー</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
         <translation>ドラッグか矢印キーで別の向きから見ます。Shift か右ボタンで画面を動かし、ホイールかプラスとマイナスで近づき、ダブルクリックか Home で最初の向きに戻ります。ここでロボットは動きません。</translation>
     </message>
     <message>
@@ -10270,8 +10270,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
-        <translation>その座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
+        <translation>ウェイポイントの座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
@@ -10378,7 +10378,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>「%1」は数ではありません。</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation>%1 は %2〜%3 の範囲外です。</translation>
     </message>
     <message>
@@ -11196,8 +11196,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ウィンドウの配置</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>その他すべて</translation>
+        <source>Other settings</source>
+        <translation>その他の設定</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -11562,10 +11562,10 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Stop program and take control</source>
-        <translation>停止して制御を取得</translation>
+        <translation>プログラムを停止して制御を取得</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>プログラムを維持</translation>
     </message>
     <message>
@@ -11582,7 +11582,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Stop program and power off</source>
-        <translation>停止して電源を切る</translation>
+        <translation>プログラムを停止して電源を切る</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
@@ -12048,8 +12048,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>回転ベクトル（ラジアン）、スクリプトと同じ</translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
-        <translation>このプログラムの速度上限</translation>
+        <source>Speed cap of Tiller</source>
+        <translation>Tiller の速度上限</translation>
     </message>
     <message>
         <source>Maximum hold time</source>

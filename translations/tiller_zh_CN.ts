@@ -677,8 +677,8 @@
         <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; 不是地址，也未找到同名主机</translation>
+        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <translation>&quot;%1&quot; 不是有效地址，也未找到同名主机</translation>
     </message>
     <message>
         <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
@@ -1994,12 +1994,12 @@
         <translation>“%1”符合要求。</translation>
     </message>
     <message>
-        <source>“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
-        <translation>“%1”：其 Z 轴与基座 Z 轴相差 %2°。第三点必须位于 +Y 一侧。</translation>
+        <source>The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on the +Y side.</source>
+        <translation>“%1”的 Z 轴与基座 Z 轴相差 %2°。第三点必须位于 +Y 一侧。</translation>
     </message>
     <message>
-        <source>“%1”: its X axis differs from the base Y axis by %2°.</source>
-        <translation>“%1”：其 X 轴与基座 Y 轴相差 %2°。</translation>
+        <source>The X axis of “%1” differs from the base Y axis by %2°.</source>
+        <translation>“%1”的 X 轴与基座 Y 轴相差 %2°。</translation>
     </message>
     <message>
         <source>“%1” was not taught with the arm: the TCP was never at its origin.</source>
@@ -2940,8 +2940,8 @@
         <translation>等待连接</translation>
     </message>
     <message>
-        <source>I inspected the arm: no one is touching it and nothing is trapped.</source>
-        <translation>我检查了机械臂：没有人触碰它，也没有东西被夹住。</translation>
+        <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
+        <translation>我已检查机械臂。没有人触碰它，也没有东西被夹住。</translation>
     </message>
     <message>
         <source>The cause of the stop is known and has been removed.</source>
@@ -2956,8 +2956,8 @@
         <translation>%1 s 后可用</translation>
     </message>
     <message>
-        <source>I inspected the arm and the robot&apos;s log: the cause is known.</source>
-        <translation>我检查了机械臂和机器人的日志：原因已知。</translation>
+        <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
+        <translation>我已检查机械臂和机器人的日志，并且知道原因。</translation>
     </message>
     <message>
         <source>The cause has been removed, and no one is within reach of the arm.</source>
@@ -3220,8 +3220,8 @@
         <translation>%1：断开 %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
-        <translation>脉冲由机器人计时，需要控制。请先获取控制，或手动打开和关闭输出。</translation>
+        <source>The robot times pulses only while Tiller is in control. Take control first, or switch the output on and off manually.</source>
+        <translation>仅当 Tiller 取得控制时，机器人才为脉冲计时。请先获取控制，或手动打开和关闭输出。</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -4298,8 +4298,8 @@
         <translation>请释放一些磁盘空间，然后重新保存或录制。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.</source>
-        <translation>仅监视：此窗口不更改机器人的任何状态。由设置或 --monitor-only 指定。</translation>
+        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
+        <translation>仅监视：此窗口不更改机器人的任何状态。已在设置中或通过 --monitor-only 启用。</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -4317,7 +4317,7 @@
         <translation>“%1”不是数字</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3</source>
+        <source>%1 is outside the range %2 to %3</source>
         <translation>%1 超出 %2 至 %3</translation>
     </message>
     <message>
@@ -4441,7 +4441,7 @@
         <translation>超时（秒）</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
         <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时</translation>
     </message>
 </context>
@@ -5904,8 +5904,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>▲ 速度上限提高到 %1</translation>
     </message>
     <message>
-        <source>The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.</source>
-        <translation>机械臂可能快于 %1。请在设置中降低上限；关闭 Tiller 后上限会复位。</translation>
+        <source>The arm may move faster than %1. Lower the speed cap in Settings. The cap is reset when Tiller is closed.</source>
+        <translation>机械臂可能快于 %1。请在设置中降低速度上限。关闭 Tiller 后上限会复位。</translation>
     </message>
     <message>
         <source>MONITOR ONLY</source>
@@ -7254,8 +7254,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>重心不同，或有物体触碰工具。</translation>
     </message>
     <message>
-        <source>%1 %2 Measure it, or select another payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
-        <translation>%1 %2 请称重，或选择另一个有效负载。力传感器归零会掩盖错误的有效负载，直到工具转动。</translation>
+        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <translation>%1 %2 请测量有效负载，或选择另一个。力传感器归零会掩盖错误的有效负载，直到工具转动。</translation>
     </message>
     <message>
         <source>The payload is wrong. %1 %2</source>
@@ -7270,8 +7270,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1，机器人当前使用</translation>
     </message>
     <message>
-        <source>%1; the robot has %2 kg, centre of gravity %3</source>
-        <translation>%1；机器人为 %2 kg，重心 %3</translation>
+        <source>%1; the robot uses %2 kg, centre of gravity %3</source>
+        <translation>%1；机器人使用 %2 kg，重心 %3</translation>
     </message>
     <message>
         <source>The robot&apos;s payload differs from “%1”</source>
@@ -8667,7 +8667,7 @@ Release the button to stop the arm.</source>
         <translation>稍后决定</translation>
     </message>
     <message>
-        <source>The project could not be taken over</source>
+        <source>Taking over the project failed</source>
         <translation>无法接管项目</translation>
     </message>
     <message>
@@ -8679,8 +8679,8 @@ Release the button to stop the arm.</source>
         <translation>此窗口的项目现为 %1</translation>
     </message>
     <message>
-        <source>A project without a file</source>
-        <translation>没有文件的项目</translation>
+        <source>Untitled project</source>
+        <translation>未命名项目</translation>
     </message>
     <message>
         <source>Unsaved work can be recovered</source>
@@ -9213,7 +9213,7 @@ Release the button to stop the arm.</source>
         <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
     </message>
     <message>
-        <source>The activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
         <translation>激活失败。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
@@ -9305,7 +9305,7 @@ Release the button to stop the arm.</source>
         <translation>机械臂视图</translation>
     </message>
     <message>
-        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here moves the robot.</source>
+        <source>Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with the wheel or with plus and minus. Double-click or press Home for the default view. The robot does not move.</source>
         <translation>拖动或用方向键旋转视图；按住 Shift 或右键平移。用滚轮或加减键缩放。双击或按 Home 恢复默认视图。这里的任何操作都不会移动机器人。</translation>
     </message>
     <message>
@@ -10270,8 +10270,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
     </message>
     <message>
-        <source>Its frame is not in this project. Choose another frame.</source>
-        <translation>其坐标系不在此项目中。请选择另一个坐标系。</translation>
+        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
+        <translation>路点的坐标系不在此项目中。请选择另一个坐标系。</translation>
     </message>
     <message>
         <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
@@ -10378,7 +10378,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>“%1”不是数字。</translation>
     </message>
     <message>
-        <source>%1 is outside %2 to %3.</source>
+        <source>%1 is outside the range %2 to %3.</source>
         <translation>%1 超出 %2 至 %3。</translation>
     </message>
     <message>
@@ -11196,8 +11196,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>窗口布局</translation>
     </message>
     <message>
-        <source>Everything else</source>
-        <translation>其他一切</translation>
+        <source>Other settings</source>
+        <translation>其他设置</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -11562,10 +11562,10 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Stop program and take control</source>
-        <translation>停止并获取控制</translation>
+        <translation>停止程序并获取控制</translation>
     </message>
     <message>
-        <source>Keep the program</source>
+        <source>Keep program</source>
         <translation>保留程序</translation>
     </message>
     <message>
@@ -11582,7 +11582,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Stop program and power off</source>
-        <translation>停止并关闭电源</translation>
+        <translation>停止程序并关闭电源</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
@@ -12048,8 +12048,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>旋转矢量（弧度），与脚本相同</translation>
     </message>
     <message>
-        <source>Speed cap of this program</source>
-        <translation>本程序的速度上限</translation>
+        <source>Speed cap of Tiller</source>
+        <translation>Tiller 的速度上限</translation>
     </message>
     <message>
         <source>Maximum hold time</source>

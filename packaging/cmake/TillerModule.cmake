@@ -44,7 +44,7 @@ endif()
 # Most of the compile time is spent in the headers of Qt, Eigen and the standard library. They are precompiled
 # once for each kind of target. A folder selects the kind with `set(TILLER_PRECOMPILED <kind>)`, the name of a
 # header in packaging/cmake/precompiled.
-option(TILLER_PRECOMPILE "Parse the common headers once (off shows what a file forgot to include)" ON)
+option(TILLER_PRECOMPILE "Use precompiled headers (OFF detects missing includes)" ON)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Required by ccache for precompiled headers; packaging/prepare sets the other options.
     target_compile_options(tiller_options INTERFACE -fpch-preprocess)

@@ -54,10 +54,11 @@ bool examineAddress(Examiner& examiner) {
             return true;
         }
     }
-    examiner.found(Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
-                   DoctorText::tr("\"%1\" is not an address, and no host with this name was found").arg(host),
-                   DoctorText::tr("Enter the four numbers shown on the teach pendant under About, or ask "
-                                  "your network administrator for the name."));
+    examiner.found(
+        Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
+        DoctorText::tr("\"%1\" is not a valid address, and no host with this name was found").arg(host),
+        DoctorText::tr("Enter the four numbers shown on the teach pendant under About, or ask "
+                       "your network administrator for the name."));
     return false;
 }
 

@@ -64,10 +64,10 @@ Demonstration alongPath(const std::vector<KeptPlace>& places, double period);
 
 /// Returns the header "timestamp,actual_q_0,...,actual_q_5" and one line per sample, with full precision.
 QByteArray demonstrationCsv(const Demonstration& shown);
-/// Reads the columns of such a table from any source. Other columns are ignored.
+/// Reads the columns of a table in this format, from any source. Other columns are ignored.
 /// times, joints  columns of equal length
-/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a number,
-///                time not increasing, a joint beyond the limits of all arms; fewer than two rows
+/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a
+///                number, time not increasing, a joint beyond the limits of all arms; fewer than two rows
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints);
 

@@ -12,9 +12,9 @@ namespace tiller::benchmark {
 namespace {
 
 constexpr int kAboveAll = 99;
-// No shorter period: on a virtual machine, each wake-up takes time of the hypervisor, and the watch itself
-// would cause disturbances. The period is not a fraction of a control period, which would always sample the
-// same phase.
+// The period is not shorter, because on a virtual machine each wake-up takes time of the hypervisor, and the
+// watch itself would cause disturbances. The period is not a fraction of a control period, which would always
+// sample the same phase.
 constexpr auto kPeriod = std::chrono::microseconds(263);
 constexpr std::int64_t kMaxNs = 350'000;  ///< maximum interval between wake-ups on an available CPU
 constexpr std::size_t kMaxValue = 1'000'000;

@@ -18,7 +18,7 @@ void countHotThreads(bool on);
 /// Also counts the calling thread.
 void watchThisThread();
 HotCounts hotCounts();
-/// Number of threads with these names so far. Without such threads, a test would prove nothing.
+/// Number of threads with these names so far. A test without these threads would be meaningless.
 int hotThreads();
 
 }  // namespace tiller::test

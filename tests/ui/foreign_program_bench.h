@@ -93,8 +93,8 @@ struct ForeignProgramBench : WindowBench {
                           window.session().services().stopsForeignProgramsAtOnce();
                });
     }
-    /// Advances robot and window together until the condition is true. Real time also passes, because of the
-    /// other clients.
+    /// Advances robot and window together until the condition is true. Each step also waits in real time,
+    /// because the other clients run in real time.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();

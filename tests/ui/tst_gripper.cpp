@@ -66,7 +66,7 @@ private:
     bool wasSaid(const QString& words) {
         return std::any_of(said_.begin(), said_.end(), [&](const QString& s) { return s.contains(words); });
     }
-    /// Real time also passes, because a separate thread queries the gripper.
+    /// Also waits in real time, because a separate thread queries the gripper.
     bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     /// Waits in real time. Robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }

@@ -35,7 +35,7 @@ private:
     Widget& find(const char* name) {
         return bench_->find<Widget>(name);
     }
-    /// Real time also passes, because a worker sends the settings.
+    /// Also waits in real time, because a worker thread sends the settings.
     bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     bool output(int number) { return (cell().truth().digitalOutputs >> number & 1) != 0; }
 

@@ -206,7 +206,7 @@ private Q_SLOTS:
             QVERIFY(isShownAfterConnecting(bench));
             bench.click("firstSteps.dismiss");
             QVERIFY(!bench.steps().isVisible() && bench.learned().dismissed);
-            // Neither the robot nor its events show the card again.
+            // The card remains hidden when the robot is disconnected.
             bench.window.session().disconnectFromRobot();
             bench.cell.advanceMs(40);
             QVERIFY(!bench.steps().isVisible());

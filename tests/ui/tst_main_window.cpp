@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
     }
 
-    // With a Russian keyboard and no other layout with Latin letters.
+    // The keyboard has only a Russian layout, without Latin letters.
     void shortcutsAreMeantByThePlaceOfTheirKey() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);

@@ -289,7 +289,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[1].id});
     }
 
-    // An endless program is simulated for one hour of its time. An edit ends the simulation at once.
+    // An endless program is simulated for one hour of program time. An edit ends the simulation at once.
     void anEditEndsThePreview() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;

@@ -127,7 +127,7 @@ struct Keys {
     }
 };
 
-/// The displays that are checked, without a robot. They show given states.
+/// The checked displays, without a robot. The test sets the displayed state.
 struct Board {
     QWidget window;
     RobotSession session;

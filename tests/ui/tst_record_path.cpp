@@ -36,7 +36,7 @@ private:
     }
     Eigen::Vector3d tcp() { return cell().truth().tcpPose.position; }
 
-    /// Moves the arm by an external force while Freedrive is held. Returns the data of the robot.
+    /// Moves the arm with an external force while Freedrive is held. Returns the data of the robot.
     project::Demonstration lead() {
         project::Demonstration seen;
         const auto watching = connect(&window().session(), &RobotSession::stateChanged, this,

@@ -159,7 +159,7 @@ private Q_SLOTS:
         QVERIFY(!bench.key()->isEnabled());
         bench.cell.advanceMs(2200);
         QVERIFY(bench.key()->isEnabled());
-        // If not all items are confirmed, the button is disabled.
+        // The button is enabled only while all items are confirmed.
         bench.page()->findChild<QCheckBox*>("recoveryCheck1")->setChecked(false);
         QVERIFY(!bench.key()->isEnabled());
         QTest::mouseClick(bench.key(), Qt::LeftButton);
@@ -413,7 +413,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(clicked > 10);
-        // Neither opening the page nor pressing Return on it may unlock the stop.
+        // Neither the open page itself nor the Return key may unlock the protective stop.
         closer.stop();
         QVERIFY(bench.openPage());
         bench.tickAll();

@@ -47,7 +47,7 @@ int crash(const QString& path, int signal) {
     return 0;
 }
 
-/// Returns the file written by a process that was ended by this signal.
+/// Returns the file written by a process that was terminated by this signal.
 QByteArray crashed(const QString& path, int signal) {
     QProcess process;
     process.start(QCoreApplication::applicationFilePath(), {kCrash, path, QString::number(signal)});

@@ -334,7 +334,8 @@ private Q_SLOTS:
         window().practiseOn(nullptr);
     }
 
-    // The waypoints are taught at one position. Each name must be legible or counted.
+    // The waypoints are taught at one position. Each name must be legible, or included in the number of
+    // hidden names.
     void namesOfWaypointsDoNotPileUp() {
         for (int i = 0; i < 14; ++i) {
             window().waypoints().teach();

@@ -57,7 +57,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// Writes a settings file for a cell, with many settings that differ from their defaults.
+/// Creates a settings file with many settings that differ from the defaults.
 QString fileOfACell(const QTemporaryDir& folder) {
     app::Settings settings(folder.filePath("cell.ini"));
     settings.setTheme("dark");

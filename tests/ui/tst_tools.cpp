@@ -41,7 +41,7 @@ private:
         QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
         cell().advanceMs(40);
     }
-    /// Real time also passes, because a worker sends the settings to the robot.
+    /// Also waits in real time, because a worker thread sends the settings to the robot.
     bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     NoticeBar& notice(const char* page) { return *find<QWidget>(page).findChild<NoticeBar*>("notice"); }
     void keepPictures(const QString& name) {

@@ -94,7 +94,7 @@ private:
         return (cell().truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
     }
     QString doing() { return through().accessibleDescription(); }
-    /// Real time also passes, because a worker sets the outputs.
+    /// Also waits in real time, because a worker thread sets the outputs.
     bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     void pass(int ms) {
         for (int t = 0; t < ms; t += 20) {
@@ -300,8 +300,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // Without the button, nothing continues, for any kind of release: neither the wait nor the following
-    // actions.
+    // After any kind of release, neither the wait nor the following actions continue.
     void noActionRunsWithoutTheKey_data() {
         QTest::addColumn<int>("end");
         for (int e = 0; e < static_cast<int>(std::size(kEnds)); ++e) {
@@ -347,8 +346,8 @@ private Q_SLOTS:
     void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());
-        // Only virtual time passes. The worker has either executed the command before the release, or the
-        // command is withdrawn. In both cases, nothing is set after the release.
+        // Only virtual time is advanced. The worker has either executed the command before the release, or
+        // the command is withdrawn. In both cases, no output is set after the release.
         cell().advanceUntil([&] { return doing().contains("DO 1"); }, 20'000);
         release(through());
         pass(100);

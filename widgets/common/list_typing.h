@@ -19,7 +19,7 @@ public:
     /// Handles the keyboard search of this list for the lifetime of the list.
     explicit ListTyping(QAbstractItemView& list);
 
-    /// True if the widget is such a list and a keyboard search is active.
+    /// True if the widget is a list with keyboard search and a search is active.
     static bool isAt(const QWidget* widget);
 
 protected:

@@ -34,7 +34,7 @@ public:
     void use(const InputDevice* device);
     /// Properties of the device, with the settings for its type.
     DeviceShape shape(const InputDevice& device) const;
-    /// Applies settings, limited by sane(), to all devices of a type and ends the motion of such a device.
+    /// Applies settings, limited by sane(), to all devices of a type. Ends a motion commanded by one of them.
     void tune(const QString& kind, const DeviceTuning& tuning);
 
     /// The newest reading of a device, and the resulting input.

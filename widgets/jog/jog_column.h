@@ -111,7 +111,7 @@ Q_SIGNALS:
     void jogShown(const std::optional<tiller::ShownJog>& jog);
     /// heldSpeed() may have changed.
     void speedChanged();
-    /// The pointer is on a button whose motion has a target, or the user holds such a button.
+    /// The pointer is on a button whose motion has a target, or the user is holding this button.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostHidden();
     /// retracePath() has changed; emitted at most about ten times per second.

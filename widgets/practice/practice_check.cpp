@@ -103,13 +103,13 @@ private:
         const double z = slant(R.col(2).dot(Eigen::Vector3d::UnitZ()));
         if (z > kSlant) {
             return PracticeText::tr(
-                       "“%1”: its Z axis differs from the base Z axis by %2°. The third point must be on the "
-                       "+Y side.")
+                       "The Z axis of “%1” differs from the base Z axis by %2°. The third point must be on "
+                       "the +Y side.")
                 .arg(frame.name)
                 .arg(z, 0, 'f', 0);
         }
         if (x > kSlant) {
-            return PracticeText::tr("“%1”: its X axis differs from the base Y axis by %2°.")
+            return PracticeText::tr("The X axis of “%1” differs from the base Y axis by %2°.")
                 .arg(frame.name)
                 .arg(x, 0, 'f', 0);
         }

@@ -105,7 +105,7 @@ void ProjectFiles::onChangedByOther() {
 void ProjectFiles::takeOver() {
     Q_EMIT noticeResolved(QLatin1String(kElsewhere));
     if (const Result<void> taken = store_.takeOver(); !taken) {
-        warn(tr("The project could not be taken over"), taken.error(), QLatin1String(kElsewhere));
+        warn(tr("Taking over the project failed"), taken.error(), QLatin1String(kElsewhere));
     }
 }
 
@@ -132,7 +132,7 @@ void ProjectFiles::offerKept() {
         return;
     }
     const project::KeptCopy newest = kept.first();
-    const QString name = newest.name.isEmpty() ? tr("A project without a file") : newest.name;
+    const QString name = newest.name.isEmpty() ? tr("Untitled project") : newest.name;
     const QString title = tr("Unsaved work can be recovered");
     const QString text = tr("“%1” was changed on %2 and not saved to a file.")
                              .arg(name, QLocale().toString(newest.at.toLocalTime(), QLocale::ShortFormat));

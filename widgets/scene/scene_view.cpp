@@ -52,8 +52,8 @@ SceneView::SceneView(QWidget* parent)
     setAccessibleName(tr("View of the arm"));
     setAccessibleDescription(
         tr("Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with "
-           "the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here "
-           "moves the robot."));
+           "the wheel or with plus and minus. Double-click or press Home for the default view. The robot "
+           "does not move."));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);  // the background covers the whole widget
     camera_.reset(collision::uprightHeight(model_));

@@ -279,9 +279,9 @@ void HeaderBar::showCap(double speedCap) {
     const bool raised = speedCap > kOrdinaryCap + 1e-9;
     if (raised) {
         cap_->setText(tr("▲ Speed cap raised to %1").arg(format::speed(speedCap)));
-        cap_->setToolTip(
-            tr("The arm may move faster than %1. Lower the cap in Settings; it resets when Tiller is closed.")
-                .arg(format::speed(kOrdinaryCap)));
+        cap_->setToolTip(tr("The arm may move faster than %1. Lower the speed cap in Settings. The cap is "
+                            "reset when Tiller is closed.")
+                             .arg(format::speed(kOrdinaryCap)));
         cap_->setAccessibleName(cap_->text());
         QPalette colours;
         colours.setColor(QPalette::Window, Theme::current().warningBackground);

@@ -309,8 +309,8 @@ void PayloadPage::followCheck() {
                                    : tr("The load is about %1 kg lighter than the configured payload."))
                           .arg(format::number(std::abs(missing), 2))
                     : tr("The centre of gravity differs, or something is touching the tool.");
-            const QString text = tr("%1 %2 Measure it, or select another payload. Zeroing the force sensor "
-                                    "hides a wrong payload until the tool rotates.")
+            const QString text = tr("%1 %2 Measure the payload, or select another one. Zeroing the force "
+                                    "sensor hides a wrong payload until the tool rotates.")
                                      .arg(felt, advice);
             Q_EMIT message(Severity::Warning, tr("The payload is wrong. %1 %2").arg(felt, advice));
             notice().show(NoticeBar::Kind::Warning, tr("The payload is wrong"), text);
@@ -343,7 +343,7 @@ void PayloadPage::refresh() {
     }
     facts_->setText(!state_.hasData()     ? payload->name
                     : isOnRobot(*payload) ? tr("%1, active on the robot").arg(payload->name)
-                                          : tr("%1; the robot has %2 kg, centre of gravity %3")
+                                          : tr("%1; the robot uses %2 kg, centre of gravity %3")
                                                 .arg(payload->name, format::number(state_.payloadMass, 3),
                                                      format::position(state_.payloadCentre)));
 }

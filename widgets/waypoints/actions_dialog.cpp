@@ -264,8 +264,8 @@ void ActionsDialog::refresh() {
     secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("Timeout in seconds")
                                                                     : tr("Seconds"));
     seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
-                             ? tr("After this time, the wait fails with a message. 0: waits while the button "
-                                  "is held, for at most one hour")
+                             ? tr("After this time, the wait fails with a message. With 0, it waits while "
+                                  "the button is held, up to one hour")
                              : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));

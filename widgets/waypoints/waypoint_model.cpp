@@ -438,7 +438,8 @@ bool WaypointModel::setNumber(int row, int column, const QString& text) {
                    : column == Blend ? format::shortLength(bound)
                                      : format::speed(bound);
         };
-        Q_EMIT editRefused(tr("%1 is outside %2 to %3.").arg(shown(value), shown(least), shown(most)));
+        Q_EMIT editRefused(
+            tr("%1 is outside the range %2 to %3.").arg(shown(value), shown(least), shown(most)));
         return false;
     }
     if (column == Blend) {

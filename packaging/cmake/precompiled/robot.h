@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Parsed once for all of robot/: what is not ours, and the few headers of ours that nearly every file reads.
-// A convenience of the build only: every file still names what it includes (TILLER_PRECOMPILE=OFF shows it).
-// Only what many files include: each file pays for the inline functions of all that stands here. With <QtCore> and
-// <QtWidgets> an empty file took 5 s of processor time.
+// Precompiled header of robot/: third-party headers, and the few headers of this project that nearly every
+// file includes. It only speeds up the build. Each source file still includes all headers that it uses; a
+// build with TILLER_PRECOMPILE=OFF checks this.
+//
+// Only headers that are used by many files are listed, because each source file also compiles their inline
+// functions. With <QtCore> and <QtWidgets>, compiling an empty file took 5 s of processor time.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parsed once for the tests with a window.
-// A convenience of the build only: every file still names what it includes (TILLER_PRECOMPILE=OFF shows it).
+// Precompiled header of the tests with a window. It only speeds up the build. Each source file still includes
+// all headers that it uses; a build with TILLER_PRECOMPILE=OFF checks this.
 #pragma once
 
 #include "packaging/cmake/precompiled/widgets.h"

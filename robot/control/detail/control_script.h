@@ -19,7 +19,8 @@ const char* controlScriptTemplate();
 
 /// Default for a client with the default timeouts.
 inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
-/// Longer than the program runs without a client, so other clients never replace it without confirmation.
+/// For programs that other clients must not replace without confirmation. The value exceeds the time for
+/// which the program runs without a client.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {

@@ -74,7 +74,7 @@ public:
     std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
     bool endFrame = false;        ///< uses the rest of the slice
     std::int64_t cost = 0;        ///< extra operations, for builtins that process much data
-    bool readSocket = false;      ///< data were read; the frame ends after many such reads
+    bool readSocket = false;      ///< data were read; the frame ends after many of these reads
 
     const Limits& limits() const { return context_.limits; }
     std::int64_t stepNs() const { return context_.stepNs; }

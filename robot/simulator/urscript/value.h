@@ -128,8 +128,8 @@ public:
     /// True for the same type and content. 2 and 2.0 are equal; NaN is not equal to itself.
     bool equals(const Value& other) const;
     /// Returns whether the value is nested at most `depth` levels deep and contains at most `budget` values.
-    /// Their number is subtracted from `budget`. Every value created by a program is kept within such limits,
-    /// so that copies, comparisons and destruction are fast.
+    /// Their number is subtracted from `budget`. Every value created by a program is kept within these
+    /// limits, so that copies, comparisons and destruction are fast.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
     /// True for a struct, or for a list of values that are not numbers.
     bool nested() const noexcept;

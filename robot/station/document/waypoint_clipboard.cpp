@@ -103,8 +103,8 @@ public:
             return 0;
         }
         if (value < least || value > most) {
-            fail(column,
-                 WaypointClipboard::tr("%1 is outside %2 to %3").arg(text, figure(least), figure(most)));
+            fail(column, WaypointClipboard::tr("%1 is outside the range %2 to %3")
+                             .arg(text, figure(least), figure(most)));
             return 0;
         }
         return value;

@@ -52,8 +52,8 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 speed"), LimiterAdviceText::tr("rotate wrist 2"),
          LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // The limit that slows down the jog has priority. The controller still reports this limit after the jog
-    // has ended there.
+    // The limit that slows down the jog has priority. The controller still reports a limit that has ended the
+    // jog.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {

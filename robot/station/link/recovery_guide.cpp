@@ -67,10 +67,10 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     guide.step = next;
     switch (next) {
         case RecoveryStep::Unlock: {
-            guide.checks = {
-                RecoveryGuideText::tr("I inspected the arm: no one is touching it and nothing is trapped."),
-                RecoveryGuideText::tr("The cause of the stop is known and has been removed."),
-                RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
+            guide.checks = {RecoveryGuideText::tr(
+                                "I have inspected the arm. No one is touching it, and nothing is trapped."),
+                            RecoveryGuideText::tr("The cause of the stop is known and has been removed."),
+                            RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
             const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
                 guide.countdown = static_cast<int>(std::ceil(left));
@@ -80,7 +80,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
         }
         case RecoveryStep::RestartSafety:
             guide.checks = {
-                RecoveryGuideText::tr("I inspected the arm and the robot's log: the cause is known."),
+                RecoveryGuideText::tr("I have inspected the arm and the robot's log, and I know the cause."),
                 RecoveryGuideText::tr("The cause has been removed, and no one is within reach of the arm.")};
             break;
         default:

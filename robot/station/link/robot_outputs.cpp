@@ -242,8 +242,8 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 QString RobotOutputs::pulseObstacle() const {
     return d_.link && d_.state.control == ControlState::InControl
                ? QString()
-               : tr("Pulses are timed by the robot and require control. Take control first, or switch the "
-                    "output on and off.");
+               : tr("The robot times pulses only while Tiller is in control. Take control first, or switch "
+                    "the output on and off manually.");
 }
 
 void RobotOutputs::pulseDigitalOutput(int output, double seconds) {

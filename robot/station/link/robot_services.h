@@ -43,7 +43,7 @@ public:
     /// routes unless a confirmation arrives that the control program has stopped.
     /// epoch  of the stop, see Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
-    /// True if such a stop could be sent immediately because its connection is open.
+    /// True if the connection for stopping external programs is open, so that a stop can be sent immediately.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Queries the values not available over RTDE about twice a second.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets TCP and payload of the tool on the robot. The robot must be under control. The next state shows
-// whether the robot has accepted them. The result is reported by a message.
+// Sets TCP and payload of the tool on the robot. Requires control of the robot. The next state shows whether
+// the robot has accepted them. The result is reported by a message.
 
 #include <QCoreApplication>
 #include <QString>

@@ -348,7 +348,7 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
             return tr(
                 "The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.");
         case RobotiqFault::Activation:
-            return tr("The activation failed. Check that nothing blocks the fingers, then press Activate.");
+            return tr("Activation failed. Check that nothing blocks the fingers, then press Activate.");
         case RobotiqFault::Overcurrent:
             return tr(
                 "The gripper draws too much current. Check that nothing blocks the fingers, then press "

@@ -39,7 +39,8 @@ QString reachAdvice(const project::Reach& reach) {
             return WaypointModelText::tr(
                 "A joint would exceed its range. Touch up the waypoint with another arm configuration.");
         case project::Reach::Obstacle::FrameMissing:
-            return WaypointModelText::tr("Its frame is not in this project. Choose another frame.");
+            return WaypointModelText::tr(
+                "The frame of the waypoint is not in this project. Choose another frame.");
         case project::Reach::Obstacle::OnTheWay:
             return WaypointModelText::tr(
                 "The straight line from the current position leaves the reach of the arm. Use MoveJ, or "

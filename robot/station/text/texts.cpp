@@ -234,7 +234,8 @@ QString safetyModeObstacle(SafetyMode mode) {
 
 QString monitorOnlyObstacle() {
     return TextsText::tr(
-        "Monitor only: this window changes nothing on the robot. Set in Settings or with --monitor-only.");
+        "Monitor only: this window changes nothing on the robot. Enabled in Settings or with "
+        "--monitor-only.");
 }
 
 QString remoteObstacle() {

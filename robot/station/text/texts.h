@@ -23,7 +23,7 @@ QString safetyModeObstacle(SafetyMode mode);
 QString monitorOnlyObstacle();
 /// Reason why a robot in Local control accepts no commands, with the suggested action.
 QString remoteObstacle();
-/// Reason why the robot is not under control.
+/// Reason why Tiller is not in control of the robot.
 QString controlLossText(control::ControlLoss loss);
 
 }  // namespace tiller::texts

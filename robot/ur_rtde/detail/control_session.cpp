@@ -164,8 +164,8 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // True for any running program: Tiller's, one of an earlier client, or one with ur_rtde's registers, now
-    // or later.
+    // True for any running program, now or later: a program of Tiller, of an earlier client, or with
+    // ur_rtde's registers.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);

@@ -22,8 +22,8 @@ struct LinkConditions {
         0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
     double coalesce = 0;  ///< [s] data sent within this time are delivered together
     double drop = 0;      ///< fraction of RTDE data packages not sent, as with a busy controller
-    /// The cable is unplugged: no data pass, and the connections do not detect this. When the cable is
-    /// plugged in again, buffered data are delivered.
+    /// The cable is unplugged: no data are transmitted, and the connections do not detect this. When the
+    /// cable is plugged in again, buffered data are delivered.
     bool lost = false;
 };
 

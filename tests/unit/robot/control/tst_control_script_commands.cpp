@@ -344,7 +344,7 @@ private Q_SLOTS:
         QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
     }
 
-    // The motion back is part of the motion, so a stop ends it like any other motion.
+    // The motion back from the contact is part of the watched motion, so a stop ends it too.
     void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
         QTest::addColumn<bool>("stopped");
         QTest::newRow("to the end") << false;

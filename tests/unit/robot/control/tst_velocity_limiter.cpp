@@ -83,7 +83,8 @@ private Q_SLOTS:
         QCOMPARE(limits.maxSpeed[3], 0.5);
     }
 
-    // The position of such an arm is unknown, so the distance to its limits is unknown too.
+    // If a joint position or the TCP pose is not finite, the distance to the limits is unknown, so the jog
+    // must not move the arm.
     void numbersThatAreNoneStopTheJog() {
         const JogTarget jogs[] = {linear(0.05, 0, 0), joint(1, 0.1)};
         for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {

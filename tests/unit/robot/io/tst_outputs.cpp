@@ -15,7 +15,7 @@ using test::RtdePeer;
 
 namespace {
 
-// Only a failing test reaches this limit.
+// Only a failing test reaches this timeout.
 constexpr auto kPatience = 20s;
 
 Deadline patience() {

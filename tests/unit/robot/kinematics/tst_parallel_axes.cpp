@@ -160,7 +160,7 @@ private Q_SLOTS:
             QVERIFY(std::isfinite(number) || calibrated(model, told) == model.dh);
         }
         QVERIFY(calibrated(model, DhParameters()) == model.dh);
-        DhParameters bent = realArm();  // not possible for axes of such an arm
+        DhParameters bent = realArm();  // not possible for an arm with parallel axes
         bent.alpha[1] = 1;
         QVERIFY(calibrated(model, bent) == model.dh);
     }

@@ -17,7 +17,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Only a failing test uses this whole time.
+// Only a failing test reaches this timeout.
 constexpr int kWaitTimeoutMs = 20000;
 #define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
 #define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)

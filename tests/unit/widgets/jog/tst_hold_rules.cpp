@@ -487,8 +487,8 @@ private Q_SLOTS:
         holder.prepare();
         QApplication::setActiveWindow(nullptr);
         if (isByKeys(kWays[way].by)) {
-            // Key events are not delivered in this state. If a guard receives a press nevertheless, it
-            // refuses the press.
+            // Key events are not delivered in this state. If a guard still receives a press, it refuses the
+            // press.
             QVERIFY(kWays[way].key == nullptr ||
                     !holder.key().guard().press({HoldSource::By::Keys, {kWays[way].code}}));
         } else {
