@@ -110,8 +110,8 @@ private Q_SLOTS:
 
     // The controller ends the motion while the window hangs; it is reported when the window continues.
     void aStopDuringAHangOfTheWindowIsReported() {
+        QStringList messages;  // outlives the session, which reports its end
         Bench bench;
-        QStringList messages;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
